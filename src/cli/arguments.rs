@@ -13,7 +13,7 @@ use crate::model::play::Kind;
 use crate::model::translator::Target;
 use crate::view::overlay::Style;
 use pinhole_exchange::format::Importer;
-use pinhole_exchange::programs::{FORMATS, IMPORTERS};
+use pinhole_exchange::programs::IMPORTERS;
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -119,7 +119,7 @@ pub struct RenderArguments {
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// What the camera sees, or the scene with the camera in it
-    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = view())]
+    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([View::Camera, View::World], |view| view.name().into()))]
     pub view: View,
     /// Draw the camera over the world view, and the image's marks over the camera's
     #[arg(long)]
@@ -129,7 +129,7 @@ pub struct RenderArguments {
         long,
         value_name = "normal|lambert|t|object",
         default_value = "lambert",
-        value_parser = shade()
+        value_parser = one_of(Shade::ALL, |shade| shade.name().into())
     )]
     pub shade: Shade,
     /// Also write t, normal, u, v and object of every pixel as OpenEXR
@@ -148,7 +148,7 @@ pub struct FigureArguments {
     /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
     /// number, or the lab of lines, which is the same for every scene
     #[arg(long, value_name = "world|camera|derivation|lines")]
-    #[arg(value_parser = subject())]
+    #[arg(value_parser = one_of(Subject::ALL, |subject| subject.name().into()))]
     pub view: Subject,
     /// The file to write; the ending chooses the format
     ///
@@ -173,11 +173,12 @@ pub struct FigureArguments {
         long = "theme",
         value_name = "THEME",
         default_value = "light",
-        value_parser = style()
+        value_parser = one_of(Style::ALL, |style| style.name().into())
     )]
     pub style: Style,
     /// Write an animation of the world or the camera view: an animated PNG, like the window's Play
-    #[arg(long, value_name = "KIND", value_parser = kind())]
+    #[arg(long, value_name = "KIND")]
+    #[arg(value_parser = one_of(Kind::ALL, |kind| kind.name().into()))]
     pub play: Option<Kind>,
     /// How many frames it has; else as many as it has time for
     #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
@@ -224,7 +225,8 @@ pub struct ExportArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
     /// The other program, form or language
-    #[arg(long, value_name = "NAME", value_parser = target())]
+    #[arg(long, value_name = "NAME")]
+    #[arg(value_parser = one_of(Target::all(), target))]
     pub to: Target,
     /// Where to write it; else to standard output. Of COLMAP, the folder of its files
     #[arg(short, long, value_name = "OUT")]
@@ -248,7 +250,8 @@ pub struct ImportArguments {
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: Option<PathBuf>,
     /// Read it as this, whatever it looks like
-    #[arg(long, value_name = "NAME", value_parser = importer())]
+    #[arg(long, value_name = "NAME")]
+    #[arg(value_parser = one_of(&IMPORTERS, |from| help(from.name, from.label)))]
     pub from: Option<&'static Importer>,
 }
 
@@ -309,51 +312,31 @@ pub struct ReportArguments {
     pub seed: u64,
 }
 
-fn target() -> impl TypedValueParser<Value = Target> {
-    let help = |target: Target| match target {
-        Target::Format(format) => {
-            let [x, y, z] = format.conventions.axes.map(|axis| axis.name);
-            format!("{}; its camera's x, y, z are {x}, {y}, {z}", target.label())
-        }
-        Target::Code(_) => target.label().to_owned(),
-    };
-    let value = move |target: Target| PossibleValue::new(target.name()).help(help(target));
-    PossibleValuesParser::new(Target::all().map(value))
-        .map(|name| Target::named(&name).unwrap_or(Target::Format(&FORMATS[0])))
-}
-
-fn importer() -> impl TypedValueParser<Value = &'static Importer> {
-    PossibleValuesParser::new(
-        IMPORTERS.iter().map(|format| PossibleValue::new(format.name).help(format.label)),
-    )
-    .map(|name| Importer::named(&name).unwrap_or(&IMPORTERS[0]))
-}
-
-fn view() -> impl TypedValueParser<Value = View> {
-    PossibleValuesParser::new(["camera", "world"])
-        .map(|name| if name == "world" { View::World } else { View::Camera })
-}
-
-fn subject() -> impl TypedValueParser<Value = Subject> {
-    PossibleValuesParser::new(Subject::ALL.map(Subject::name)).map(|name| {
-        let named = Subject::ALL.into_iter().find(|subject| subject.name() == name);
-        named.unwrap_or(Subject::World)
+/// Returns a parser that takes the names of these values.
+fn one_of<T: Copy + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = T>,
+    named: fn(T) -> PossibleValue,
+) -> impl TypedValueParser<Value = T> {
+    let all: Vec<T> = all.into_iter().collect();
+    PossibleValuesParser::new(all.iter().copied().map(named)).try_map(move |name| {
+        let found = all.iter().copied().find(|value| named(*value).get_name() == name);
+        found.ok_or("no such name")
     })
 }
 
-fn style() -> impl TypedValueParser<Value = Style> {
-    PossibleValuesParser::new(Style::ALL.map(Style::name))
-        .map(|name| Style::ALL.into_iter().find(|style| style.name() == name).unwrap_or_default())
+fn help(name: &'static str, text: &'static str) -> PossibleValue {
+    PossibleValue::new(name).help(text)
 }
 
-fn kind() -> impl TypedValueParser<Value = Kind> {
-    PossibleValuesParser::new(Kind::ALL.map(Kind::name))
-        .map(|name| Kind::from_name(&name).unwrap_or(Kind::SwingUp))
-}
-
-fn shade() -> impl TypedValueParser<Value = Shade> {
-    PossibleValuesParser::new(Shade::ALL.map(Shade::name))
-        .map(|name| Shade::ALL.into_iter().find(|shade| shade.name() == name).unwrap_or_default())
+fn target(to: Target) -> PossibleValue {
+    match to {
+        Target::Format(format) => {
+            let axes = format.conventions.axes.map(|axis| axis.name).join(", ");
+            PossibleValue::new(to.name())
+                .help(format!("{}; its camera's x, y, z are {axes}", to.label()))
+        }
+        Target::Code(_) => help(to.name(), to.label()),
+    }
 }
 
 fn image_measure() -> impl TypedValueParser<Value = u32> {
@@ -393,7 +376,7 @@ fn pair<'a>(text: &'a str, such_as: &str) -> Result<(&'a str, &'a str), String> 
     }
 }
 
-/// What draws the window.
+/// The renderer of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Renderer {
     /// A graphics adapter, through wgpu.

@@ -3,8 +3,6 @@
 mod json;
 
 use std::fmt::Write as _;
-use std::fs;
-use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
@@ -12,7 +10,7 @@ use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic};
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
-use super::console::{named, to_stdout};
+use super::console::{named, read, to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose};
 use crate::cli::arguments::CheckArguments;
@@ -20,8 +18,11 @@ use crate::cli::arguments::CheckArguments;
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
-    let text =
-        if arguments.json { json::to_json(&graded).map_err(unreadable)? } else { text(&graded) };
+    let text = if arguments.json {
+        to_json(&json::Check::new(&graded)).map_err(unreadable)?
+    } else {
+        text(&graded)
+    };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
         // What was found is the status, whether it is read or not.
         Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
@@ -73,18 +74,6 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         save_map(map, &graded, image)?;
     }
     Ok(graded)
-}
-
-/// The answers' bytes, and what messages call the file.
-fn read(path: &Path) -> Result<(&Path, Vec<u8>), FileError> {
-    let (path, bytes) = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut bytes);
-        (Path::new("standard input"), read.map(|_| bytes))
-    } else {
-        (path, fs::read(path))
-    };
-    Ok((path, bytes.map_err(|error| FileError::unreadable(path, &error))?))
 }
 
 fn save_map(path: &Path, graded: &Graded, image: ImageSize) -> Result<(), FileError> {

@@ -1,9 +1,31 @@
-//! Standard output, standard error, and the names of files to write.
+//! Standard input, output and error, and the names of files to write.
 
-use std::io::{self, BufWriter, Write};
+use std::fs;
+use std::io::{self, BufWriter, Read as _, Write};
 use std::path::Path;
 
+use pinhole_exchange::FileError;
+use serde::Serialize;
+
 use super::error::CommandError;
+
+/// Reads a file, or standard input for `-`. Returns the name of the file in messages, too.
+pub(super) fn read(path: &Path) -> Result<(&Path, Vec<u8>), FileError> {
+    let (path, bytes) = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        let read = io::stdin().lock().read_to_end(&mut bytes);
+        (Path::new("standard input"), read.map(|_| bytes))
+    } else {
+        (path, fs::read(path))
+    };
+    Ok((path, bytes.map_err(|error| FileError::unreadable(path, &error))?))
+}
+
+/// Returns a value as one JSON object and a line break. Numbers read back to the same `f64`.
+pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
+    let text = serde_json::to_string_pretty(value);
+    Ok(text.map_err(|error| CommandError::Input(error.to_string()))? + "\n")
+}
 
 /// Writes to standard output, with care for a reader who has seen enough.
 pub(super) fn to_stdout(

@@ -1,4 +1,4 @@
-//! Why a command fails, and the exit status that says so.
+//! The errors of commands, and the exit status that tells them.
 
 use std::fmt;
 use std::io::{self, Write as _};
@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use pinhole_exchange::FileError;
 
-/// Why a command did not do what it was asked to.
+/// The reason why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CommandError {
     /// The input is at fault: exit status 1.

@@ -10,6 +10,7 @@ use pinhole_exchange::document::Document;
 use super::error::{CommandError, scene_fault, unmade};
 use super::load::{load, pose, selection_of};
 use super::progress::Progress;
+use super::size::{follow, size};
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{
     self, Animation, Content, Frames, Order, Recorder, Reel, Subject, check_name,
@@ -20,11 +21,11 @@ use crate::model::play::{Kind, Start};
 use crate::model::session::{Selection, Session};
 use crate::view::derive::{Deriver, ViewSizes};
 
-/// The sizes of the world view and of the lab of lines, in dots, and the derivation's width,
-/// unless others are asked for.
+/// The usual sizes of the world view, the lab of lines and the derivation, in dots. A derivation is as
+/// high as its lines.
 const WORLD: [u32; 2] = [1920, 1080];
 const LINES: [u32; 2] = [1280, 960];
-const DERIVATION: u32 = 1600;
+const DERIVATION: [u32; 2] = [1600, 1600];
 /// The derivation's width, and the lab's smaller side, in points.
 const DERIVATION_POINTS: f32 = 800.0;
 const LINES_POINTS: f32 = 640.0;
@@ -133,16 +134,14 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
 }
 
 fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, CommandError> {
-    let FigureArguments { view: subject, style, transparent, .. } = *arguments;
+    let FigureArguments { view: subject, style, transparent, width, height, .. } = *arguments;
     let size = match subject {
-        Subject::World => free(arguments, WORLD)?,
+        Subject::World => size(width, height, WORLD)?,
         Subject::Camera => in_proportion(arguments, image)?,
-        Subject::Lines => free(arguments, LINES)?,
-        Subject::Derivation => {
-            let width = arguments.width.unwrap_or(DERIVATION);
-            [width, width]
-        }
+        Subject::Lines => size(width, height, LINES)?,
+        Subject::Derivation => size(width, None, DERIVATION)?,
     };
+    let size = [size.width(), size.height()];
     let least = size[0].min(size[1]) as f32;
     let scale = match subject {
         Subject::World | Subject::Camera => figures::scale_of(size),
@@ -190,50 +189,20 @@ fn session_of(
     Ok(session)
 }
 
-/// The size that is asked for; a width or height alone takes the other along.
-fn free(arguments: &FigureArguments, otherwise: [u32; 2]) -> Result<[u32; 2], CommandError> {
-    let [width, height] = otherwise;
-    let ratio = f64::from(width) / f64::from(height);
-    checked(match (arguments.width, arguments.height) {
-        (None, None) => otherwise,
-        (Some(width), Some(height)) => [width, height],
-        (Some(width), None) => [width, follow(width, 1.0 / ratio)],
-        (None, Some(height)) => [follow(height, ratio), height],
-    })
-}
-
-/// The size that is asked for, in the proportions of an image; else whole dots for each pixel.
-fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<[u32; 2], CommandError> {
-    let ratio = image.aspect();
-    checked(match (arguments.width, arguments.height) {
-        (None, None) => {
-            let times = (WORLD[1] / image.width().min(image.height())).max(1);
-            let most = ImageSize::MAX / image.width().max(image.height());
-            [image.width(), image.height()].map(|n| n * times.min(most))
-        }
-        (Some(width), None) => [width, follow(width, 1.0 / ratio)],
-        (None, Some(height)) => [follow(height, ratio), height],
-        (Some(width), Some(height)) => {
-            let fits = follow(width, 1.0 / ratio).abs_diff(height) <= 1
-                || follow(height, ratio).abs_diff(width) <= 1;
-            if !fits {
-                let (columns, rows) = (image.width(), image.height());
-                return Err(CommandError::Arguments(format!(
-                    "{width} x {height} is not in the proportions of the camera's image, {columns} \
-                     x {rows} pixels: leave out --width or --height"
-                )));
-            }
-            [width, height]
-        }
-    })
-}
-
-fn follow(dots: u32, ratio: f64) -> u32 {
-    (f64::from(dots) * ratio).round().max(1.0) as u32
-}
-
-fn checked([width, height]: [u32; 2]) -> Result<[u32; 2], CommandError> {
-    ImageSize::new(width, height).map(|_| [width, height]).map_err(|error| {
-        CommandError::Arguments(format!("{error}; give both --width and --height"))
-    })
+/// Returns the size of the camera's picture: in the proportions of its image, usually whole dots for
+/// each pixel.
+fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<ImageSize, CommandError> {
+    let (columns, rows) = (image.width(), image.height());
+    let times = (WORLD[1] / columns.min(rows)).max(1).min(ImageSize::MAX / columns.max(rows));
+    let size = size(arguments.width, arguments.height, [columns * times, rows * times])?;
+    let (width, height) = (size.width(), size.height());
+    let fits = follow(width, 1.0 / image.aspect()).abs_diff(height) <= 1
+        || follow(height, image.aspect()).abs_diff(width) <= 1;
+    if fits {
+        return Ok(size);
+    }
+    Err(CommandError::Arguments(format!(
+        "{width} x {height} is not in the proportions of the camera's image, {columns} x {rows} \
+         pixels: leave out --width or --height"
+    )))
 }

@@ -1,7 +1,6 @@
 //! `pinhole import`: a scene from another program's file.
 
-use std::fs;
-use std::io::{self, Read};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
@@ -10,13 +9,13 @@ use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::importer_of_file;
 use pinhole_exchange::{FileError, atomic, scene_file};
 
-use super::console::{to_stdout, warn};
+use super::console::{read, to_stdout, warn};
 use super::error::CommandError;
 use crate::cli::arguments::ImportArguments;
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;
-    let source = read(path)?;
+    let source = read_source(path)?;
     let text = Input { path, text: &source.text };
     let importer = match arguments.from {
         Some(importer) => importer,
@@ -35,7 +34,7 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let scene = scene_file::to_text(&document, None);
     match &arguments.output {
         None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
-        Some(output) => atomic::write(output, |file| io::Write::write_all(file, scene.as_bytes()))?,
+        Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
     }
     taken.notes.iter().for_each(|note| warn(note));
     Ok(())
@@ -68,34 +67,25 @@ impl Source {
 }
 
 /// The file's text; of COLMAP, which has its camera and its pose in two files of a folder, both.
-fn read(path: &Path) -> Result<Source, FileError> {
-    let alone = |text: String| Source { text, pair: None };
-    if path == Path::new("-") {
-        let mut text = String::new();
-        let read = io::stdin().lock().read_to_string(&mut text);
-        return read
-            .map(|_| alone(text))
-            .map_err(|error| FileError::unreadable(Path::new("standard input"), &error));
-    }
+fn read_source(path: &Path) -> Result<Source, FileError> {
     let folder = match path.file_name().and_then(|name| name.to_str()) {
         _ if path.is_dir() => Some(path),
         Some(name) if PAIR.contains(&name) => path.parent(),
         _ => None,
     };
-    let Some(folder) = folder else { return read_text(path).map(alone) };
+    let Some(folder) = folder else { return Ok(Source { text: read_text(path)?, pair: None }) };
     let binary = folder.join("cameras.bin");
     if binary.exists() && !folder.join(PAIR[0]).exists() {
         return Err(FileError::of_file(&binary, BINARY_MODEL));
     }
-    let texts = PAIR.map(|name| read_text(&folder.join(name)));
-    let [cameras, images] = texts;
-    let cameras = cameras? + "\n";
+    let cameras = read_text(&folder.join(PAIR[0]))? + "\n";
+    let images = read_text(&folder.join(PAIR[1]))?;
     let lines = cameras.matches('\n').count();
-    Ok(Source { text: cameras + &images?, pair: Some((folder.to_owned(), lines)) })
+    Ok(Source { text: cameras + &images, pair: Some((folder.to_owned(), lines)) })
 }
 
 fn read_text(path: &Path) -> Result<String, FileError> {
-    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
+    let (path, bytes) = read(path)?;
     if bytes.starts_with(b"glTF") {
         return Err(FileError::of_file(path, "binary glTF: save it as .gltf, which is text"));
     }

@@ -6,7 +6,7 @@ mod text;
 use pinhole_core::{ResolvedCamera, UpAngle};
 use pinhole_exchange::document::Document;
 
-use super::console::to_stdout;
+use super::console::{to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
@@ -30,6 +30,6 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let uv = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?.uv(&camera);
     let inspection = Inspection::of_uv(&camera, &scene, uv);
     let readout = Readout { document: &document, camera, up_angle, inspection };
-    let text = if arguments.json { readout.to_json()? } else { readout.to_text() };
+    let text = if arguments.json { to_json(&readout.json())? } else { readout.to_text() };
     to_stdout(|out| out.write_all(text.as_bytes()))
 }

@@ -1,6 +1,6 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 //!
-//! `error`, `load`, `console`, `outputs` and `progress` are what they share.
+//! `error`, `load`, `console`, `size` and `progress` are what they share.
 
 pub mod arguments;
 mod check;
@@ -11,14 +11,13 @@ mod figure;
 mod import;
 mod inspect;
 mod load;
-#[cfg(feature = "report")]
-mod outputs;
 mod progress;
 mod render;
 pub mod render_view;
 #[cfg(feature = "report")]
 mod report;
 mod scenes;
+mod size;
 mod trace;
 
 pub use self::error::{CommandError, exit_code};
@@ -27,7 +26,7 @@ use crate::cli::arguments::Command;
 /// Runs a command.
 ///
 /// # Errors
-/// Why it could not be done.
+/// The reason why it could not be done.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
         Command::Scenes => scenes::run(),

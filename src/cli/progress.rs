@@ -1,7 +1,7 @@
 //! Progress of long work, for those who watch.
 
 use std::io::{self, IsTerminal, Write as _};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -23,44 +23,36 @@ const TICK: Duration = Duration::from_millis(100);
 
 struct Work {
     since: Instant,
-    done: AtomicU64,
-    all: u64,
-    what: Mutex<What>,
-}
-
-#[derive(Clone, Copy)]
-enum What {
-    /// Things that are counted, as `row`.
-    Counted(&'static str),
-    /// Work that does not tell how far it is.
-    Named(&'static str),
+    done: AtomicUsize,
+    /// The things that are counted, as `row`, and their number; otherwise the work's name.
+    what: Mutex<(&'static str, Option<usize>)>,
 }
 
 impl Progress {
     /// Work on so many of something, as `row`.
     pub(super) fn counting(what: &'static str, all: usize) -> Progress {
-        Progress::new(What::Counted(what), all as u64)
+        Progress::new(what, Some(all))
     }
 
     /// Work that does not tell how far it is.
     pub(super) fn during(work: &'static str) -> Progress {
-        Progress::new(What::Named(work), 0)
+        Progress::new(work, None)
     }
 
     /// Goes on with work that does not tell how far it is.
     pub(super) fn go_on(&self, work: &'static str) {
-        *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = What::Named(work);
+        *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
     }
 
     /// Counts more of them as done.
     pub(super) fn add(&self, count: usize) {
-        self.work.done.fetch_add(count as u64, Ordering::Relaxed);
+        self.work.done.fetch_add(count, Ordering::Relaxed);
     }
 
     /// The work may be silent for long, so another thread looks at the clock.
-    fn new(what: What, all: u64) -> Progress {
-        let work = Work { since: Instant::now(), done: AtomicU64::new(0), all, what: what.into() };
-        let work = Arc::new(work);
+    fn new(what: &'static str, all: Option<usize>) -> Progress {
+        let what = Mutex::new((what, all));
+        let work = Arc::new(Work { since: Instant::now(), done: AtomicUsize::new(0), what });
         if !io::stderr().is_terminal() {
             return Progress { work, clock: None };
         }
@@ -83,21 +75,20 @@ impl Progress {
 impl Work {
     fn line(&self) -> String {
         let (done, elapsed) = (self.done.load(Ordering::Relaxed), self.since.elapsed());
-        let share = done as f64 / self.all.max(1) as f64;
-        let left = if share > 0.0 {
-            format!(", {} left", typeset_message(elapsed.mul_f64((1.0 / share - 1.0).max(0.0))))
-        } else {
-            String::new()
-        };
         match *self.what.lock().unwrap_or_else(PoisonError::into_inner) {
-            What::Counted(what) => format!("{what} {done} of {}{left}", self.all),
-            What::Named(work) => format!("{work}, {}", typeset_message(elapsed)),
+            (work, None) => format!("{work}, {}", in_words(elapsed)),
+            (what, Some(all)) if done == 0 => format!("{what} 0 of {all}"),
+            (what, Some(all)) => {
+                let to_come = all.saturating_sub(done) as f64 / done as f64;
+                let left = in_words(elapsed.mul_f64(to_come));
+                format!("{what} {done} of {all}, {left} left")
+            }
         }
     }
 }
 
 /// A time as `7 s` or `2 min 5 s`.
-fn typeset_message(time: Duration) -> String {
+fn in_words(time: Duration) -> String {
     match time.as_secs() {
         seconds @ 0..60 => format!("{seconds} s"),
         seconds => format!("{} min {} s", seconds / 60, seconds % 60),
@@ -133,6 +124,6 @@ mod tests {
         assert_eq!(progress.work.line(), "row 50 of 200, 0 s left");
         progress.go_on("writing");
         assert_eq!(progress.work.line(), "writing, 0 s");
-        assert_eq!(typeset_message(Duration::from_secs(125)), "2 min 5 s");
+        assert_eq!(in_words(Duration::from_secs(125)), "2 min 5 s");
     }
 }

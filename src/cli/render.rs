@@ -1,6 +1,5 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
-use pinhole_core::ImageSize;
 use pinhole_exchange::{atomic, images::png};
 
 use super::console::named;
@@ -8,6 +7,7 @@ use super::error::{CommandError, not_built, scene_fault};
 use super::load::{load, pose};
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
+use super::size::size;
 use crate::cli::arguments::{RenderArguments, View};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
@@ -33,7 +33,8 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     }
     let document = load(&arguments.scene)?;
     pose(&arguments.scene, &document)?;
-    let image = size(document.camera.image, arguments.width, arguments.height)?;
+    let own = document.camera.image;
+    let image = size(arguments.width, arguments.height, [own.width(), own.height()])?;
     let options = RenderOptions {
         size: image,
         view: arguments.view,
@@ -55,23 +56,4 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         pinhole_exchange::images::exr::save(aov, frame)?;
     }
     Ok(())
-}
-
-/// The size that is asked for. A width or height alone takes the other along, in the ratio of the
-/// scene's image.
-fn size(
-    scene: ImageSize,
-    width: Option<u32>,
-    height: Option<u32>,
-) -> Result<ImageSize, CommandError> {
-    let follow = |pixels: u32, ratio: f64| (f64::from(pixels) * ratio).round().max(1.0) as u32;
-    let (width, height) = match (width, height) {
-        (None, None) => return Ok(scene),
-        (Some(width), Some(height)) => (width, height),
-        (Some(width), None) => (width, follow(width, 1.0 / scene.aspect())),
-        (None, Some(height)) => (follow(height, scene.aspect()), height),
-    };
-    ImageSize::new(width, height).map_err(|error| {
-        CommandError::Arguments(format!("{error}; give both --width and --height"))
-    })
 }

@@ -55,10 +55,12 @@ pub fn render_view(
     }
     let camera = document.camera.resolve().map_err(|error| input(&error))?;
     let scene = document.scene().map_err(|error| input(&error))?;
-    if options.view == View::Camera && !options.overlay {
+    let trace = || {
         let outputs = Outputs { normal: options.normals, ..Outputs::default() };
-        let raster = Raster::full(camera.image());
-        let frame = trace_reporting(&scene, &camera, &raster, outputs, done);
+        trace_reporting(&scene, &camera, &Raster::full(camera.image()), outputs, &done)
+    };
+    if options.view == View::Camera && !options.overlay {
+        let frame = trace();
         let color_of = |object| document.color_of(object);
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
         return Ok(Rendering { pixels, frame: Some(frame) });
@@ -68,10 +70,7 @@ pub fn render_view(
         done(options.size.height() as usize);
         return Ok(Rendering { pixels, frame: None });
     }
-    let (raster, outputs) =
-        (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
-    let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
-    Ok(Rendering { pixels, frame })
+    Ok(Rendering { pixels, frame: Some(trace()) })
 }
 
 /// The view as the window shows it, labels included. No ray is selected, so none is drawn.

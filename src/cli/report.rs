@@ -1,31 +1,64 @@
 //! `pinhole report`: error against run time, as a table, JSON, CSV and a plot.
 
-use std::path::PathBuf;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use pinhole_exchange::{atomic, scenes::builtin};
+use signal_hook::consts::{SIGINT, SIGTERM};
+
+use super::console::{named, to_json, to_stdout};
 use super::error::{CommandError, scene_fault, unmade};
 use super::load::{load, pose};
-use super::outputs::Outputs;
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
+use crate::figures::Format;
 use crate::report::measure::Run;
 use crate::report::model::Report;
-use crate::report::{csv, json, plot, table};
+use crate::report::plot::PNG_SCALE;
+use crate::report::{csv, plot, table};
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
-    let ReportArguments { json, csv, plot, .. } = arguments;
-    let outputs = Outputs { json: json.as_deref(), csv: csv.as_deref(), plot: plot.as_deref() };
-    outputs.check()?;
-    let report = measured(runs(arguments)?);
-    let csv = match csv {
-        Some(path) => Some(csv::to_csv(&report).map_err(|error| unmade(path, &error))?),
-        None => None,
-    };
-    outputs.deliver(
-        || json::to_json(&report),
-        csv,
-        |scale| plot::figure(&report, scale),
-        || table::to_table(&report),
-    )
+    check(arguments)?;
+    deliver(arguments, &measured(runs(arguments)?))
+}
+
+/// Checks what can be told to be wrong before minutes of work.
+fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
+    let ReportArguments { csv, plot, .. } = arguments;
+    let refused = |problem: String| Err(CommandError::Arguments(problem));
+    for (name, path) in [("--csv", csv), ("--plot", plot)] {
+        if path.as_deref().is_some_and(is_stdout) {
+            return refused(format!("{name} needs a file: only --json can go to standard output"));
+        }
+    }
+    let json = json_file(arguments);
+    if let Some(json) = json {
+        if is_scene(json) {
+            return refused(format!(
+                "--json takes {0} as the file to write: put scenes first, as in {0} --json",
+                json.display()
+            ));
+        }
+        named(json, "json", "--json writes JSON")?;
+    }
+    if let Some(csv) = csv {
+        named(csv, "csv", "--csv writes CSV")?;
+    }
+    if let Some(plot) = plot {
+        format_of(plot)?;
+    }
+    let files = [("--json", json), ("--csv", csv.as_deref()), ("--plot", plot.as_deref())];
+    for (index, (name, path)) in files.iter().enumerate() {
+        let Some(path) = path else { continue };
+        if let Some((other, _)) = files[..index].iter().find(|(_, earlier)| *earlier == Some(path))
+        {
+            return refused(format!("{other} and {name} both write {}", path.display()));
+        }
+        atomic::check(path)?;
+    }
+    Ok(())
 }
 
 /// The runs to measure. Every scene is read before the first is measured.
@@ -43,7 +76,7 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Run>, CommandError> {
     arguments.scenes.iter().map(run_of).collect()
 }
 
-/// Measures them one after the other; the report is about all of them.
+/// Measures the runs one after the other; the report is about all of them.
 fn measured(mut runs: Vec<Run>) -> Report {
     let progress = Progress::counting("step", runs.iter().map(Run::total).sum());
     let mut all = Report::default();
@@ -56,4 +89,75 @@ fn measured(mut runs: Vec<Run>) -> Report {
         all.append(run.report());
     }
     all
+}
+
+/// Writes the files that were asked for, and the table or the JSON to standard output. All of it is
+/// whole in memory before the first file is written.
+fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandError> {
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut text = table::to_table(report);
+    if arguments.json.is_some() {
+        let json = to_json(report)?;
+        match json_file(arguments) {
+            Some(path) => files.push((path, json.into_bytes())),
+            None => text = json,
+        }
+    }
+    if let Some(path) = &arguments.csv {
+        files.push((path, csv::to_csv(report).map_err(|error| unmade(path, &error))?));
+    }
+    if let Some(path) = &arguments.plot {
+        let format = format_of(path)?;
+        let scale = if format == Format::Png { PNG_SCALE } else { 1.0 };
+        let bytes = plot::figure(report, scale).to_file(format);
+        files.push((path, bytes.map_err(|error| unmade(path, &error))?));
+    }
+    write_all(files)?;
+    to_stdout(|out| out.write_all(text.as_bytes()))
+}
+
+/// The file for the JSON; none for `--json` without a path, or with the sign for standard output.
+fn json_file(arguments: &ReportArguments) -> Option<&Path> {
+    arguments.json.as_deref().filter(|path| !is_stdout(path))
+}
+
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Returns true for a path that is meant to be read, not written.
+fn is_scene(path: &Path) -> bool {
+    let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    ends_as_one || path.to_str().is_some_and(|name| builtin::find(name).is_some())
+}
+
+/// The format of a plot's file, by the ending of its name.
+fn format_of(plot: &Path) -> Result<Format, CommandError> {
+    let is = |format: &Format| {
+        plot.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(format.ending()))
+    };
+    [Format::Svg, Format::Png].into_iter().find(is).ok_or_else(|| {
+        let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
+        CommandError::Arguments(format!(
+            "--plot writes SVG or PNG: not {} but {} or {}",
+            plot.display(),
+            svg.display(),
+            png.display()
+        ))
+    })
+}
+
+/// Writes the files, each as a whole. Ctrl-C waits until then, so that no temporary file stays behind
+/// either.
+fn write_all(files: Vec<(&Path, Vec<u8>)>) -> Result<(), CommandError> {
+    let over = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        // Where a signal cannot be held, it ends the program as ever.
+        let _ = signal_hook::flag::register_conditional_default(signal, Arc::clone(&over));
+    }
+    let written: Result<(), _> = files
+        .into_iter()
+        .try_for_each(|(path, bytes)| atomic::write(path, |file| file.write_all(&bytes)));
+    over.store(true, Ordering::SeqCst);
+    Ok(written?)
 }

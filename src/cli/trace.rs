@@ -1,14 +1,13 @@
 //! `pinhole trace`: any rays against a scene, from one CSV file to another.
 
-use std::io::{self, Read, Write};
-use std::path::Path;
+use std::io::{self, Write};
 
 use pinhole_core::{Ray, Root, Scene};
+use pinhole_exchange::atomic;
 use pinhole_exchange::csv::rays;
-use pinhole_exchange::{FileError, atomic};
 use rayon::prelude::*;
 
-use super::console::to_stdout;
+use super::console::{read, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::load;
 use crate::cli::arguments::TraceArguments;
@@ -19,7 +18,9 @@ const CHUNK: usize = 1 << 16;
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
-    let rays = read(&arguments.rays)?;
+    // All rays are read before the first is traced, so that a bad row leaves no half an answer.
+    let (path, bytes) = read(&arguments.rays)?;
+    let rays = rays::parse(path, &bytes)?;
     match &arguments.output {
         Some(path) => Ok(atomic::write(path, |file| {
             let mut out = io::BufWriter::new(file);
@@ -28,19 +29,6 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
         })?),
         None => to_stdout(|out| write_hits(&scene, &rays, out)),
     }
-}
-
-/// All rays are read before the first is traced, so that a bad row leaves no half an answer.
-fn read(path: &Path) -> Result<Vec<Ray>, FileError> {
-    if path != Path::new("-") {
-        return rays::load(path);
-    }
-    let (path, mut bytes) = (Path::new("standard input"), Vec::new());
-    io::stdin()
-        .lock()
-        .read_to_end(&mut bytes)
-        .map_err(|error| FileError::unreadable(path, &error))?;
-    rays::parse(path, &bytes)
 }
 
 fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {

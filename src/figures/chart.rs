@@ -1,7 +1,7 @@
 //! Charts: lines, marks and text on white, in points. Drawn once, they become a [`Figure`] as everything
 //! else does.
 
-use egui::{Align, Align2, Color32, Context, FontFamily, FontId, Painter, pos2};
+use egui::{Align, Align2, Color32, Context, FontFamily, FontId, pos2};
 
 use super::figure::Figure;
 use crate::view::headless::UiPass;
@@ -18,24 +18,24 @@ pub(crate) struct Chart {
     pub(crate) width: f64,
     pub(crate) height: f64,
     paths: Vec<Path<'static>>,
-    texts: Vec<Text>,
+    texts: Vec<(Point, Align, FontId, Color32, String)>,
 }
 
-/// One line of text, its middle at the height of its point.
-#[derive(Debug)]
-struct Text {
-    at: Point,
-    align: Align,
-    text: String,
-    font: FontId,
-    color: Color32,
+/// Plain letters of a size.
+pub(crate) fn plain(size: f64) -> FontId {
+    FontId::new(size as f32, FontFamily::Proportional)
+}
+
+/// Bold letters of a size.
+pub(crate) fn bold(size: f64) -> FontId {
+    FontId::new(size as f32, fonts::bold())
 }
 
 /// Dash and gap of a dashed line.
 const DASH: [f32; 2] = [7.0, 5.0];
 
 impl Chart {
-    /// An empty chart.
+    /// Creates an empty chart.
     pub(crate) fn new(width: f64) -> Chart {
         Chart { width, ..Chart::default() }
     }
@@ -77,30 +77,16 @@ impl Chart {
         self.paths.push(Path { outline, color, ink });
     }
 
-    /// Adds plain text.
+    /// Adds a line of text, its middle at the height of the point.
     pub(crate) fn text(
         &mut self,
         at: Point,
         align: Align,
-        size: f64,
+        font: FontId,
         color: Color32,
         text: impl Into<String>,
     ) {
-        let font = FontId::new(size as f32, FontFamily::Proportional);
-        self.texts.push(Text { at, align, text: text.into(), font, color });
-    }
-
-    /// Adds bold text.
-    pub(crate) fn bold(
-        &mut self,
-        at: Point,
-        align: Align,
-        size: f64,
-        color: Color32,
-        text: impl Into<String>,
-    ) {
-        let font = FontId::new(size as f32, fonts::bold());
-        self.texts.push(Text { at, align, text: text.into(), font, color });
+        self.texts.push((at, align, font, color, text.into()));
     }
 
     /// The chart as a figure with so many dots to a point.
@@ -110,7 +96,10 @@ impl Chart {
         let ctx = Context::default();
         fonts::install(&ctx);
         let drawn = UiPass::draw(&ctx, size, scale, |ui| {
-            self.texts.iter().for_each(|text| text.draw(ui.painter()));
+            for ([x, y], align, font, color, text) in &self.texts {
+                let (at, anchor) = (pos2(*x as f32, *y as f32), Align2([*align, Align::Center]));
+                ui.painter().text(at, anchor, text, font.clone(), *color);
+            }
         });
         Figure {
             title: title.to_owned(),
@@ -120,15 +109,6 @@ impl Chart {
             paths: self.paths.into_iter().map(|path| path.scaled(scale)).collect(),
             drawn,
         }
-    }
-}
-
-impl Text {
-    fn draw(&self, painter: &Painter) {
-        let [x, y] = self.at;
-        let anchor = Align2([self.align, Align::Center]);
-        let at = pos2(x as f32, y as f32);
-        painter.text(at, anchor, &self.text, self.font.clone(), self.color);
     }
 }
 
@@ -150,7 +130,7 @@ mod tests {
         chart.fill(&[[1.0, 2.0], [3.0, 2.0], [3.0, 4.0]], Color32::BLACK);
         chart.outline(&[[1.0, 2.0], [3.0, 2.0], [3.0, 4.0]], Color32::BLACK, 1.5);
         chart.ring([4.0, 4.0], 3.0, Color32::from_rgb(1, 2, 3), 1.0);
-        chart.bold([15.0, 10.0], Align::RIGHT, 10.0, Color32::BLACK, "ö");
+        chart.text([15.0, 10.0], Align::RIGHT, bold(10.0), Color32::BLACK, "ö");
         let svg = chart.into_figure("A chart", 2.0).to_file(Format::Svg).expect("a file");
         let svg = String::from_utf8(svg).expect("text");
         for part in [

@@ -54,13 +54,13 @@ pub struct Figure {
     pub(super) title: String,
     /// Width and height in dots.
     pub(super) size: [usize; 2],
-    /// Behind everything, unless it is transparent.
+    /// The background, unless it is transparent.
     pub(super) ground: Option<Color32>,
     /// A picture as large as the figure.
     pub(super) picture: Option<ColorImage>,
-    /// Over the picture, in dots.
+    /// Paths over the picture, in dots.
     pub(super) paths: Vec<Path<'static>>,
-    /// Over the paths.
+    /// Shapes and text over the paths.
     pub(super) drawn: UiPass,
 }
 

@@ -32,7 +32,17 @@ impl Subject {
     pub const ALL: [Subject; 4] =
         [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
-    /// Its name in one word, as the command line has it.
+    /// Returns its title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Subject::World => "World view",
+            Subject::Camera => "Camera view",
+            Subject::Derivation => "Derivation",
+            Subject::Lines => "Lines",
+        }
+    }
+
+    /// Returns its name in one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {
             Subject::World => "world",
@@ -84,7 +94,7 @@ impl Content {
 /// A figure that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
-    /// Its subject.
+    /// The subject.
     pub subject: Subject,
     /// Width and height in dots; a derivation is as high as its lines.
     pub size: [u32; 2],

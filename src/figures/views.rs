@@ -9,7 +9,6 @@ use pinhole_exchange::document::Document;
 use super::figure::{Figure, Look};
 use crate::model::fault::Fault;
 use crate::model::session::Session;
-use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::overlay::Drawing;
@@ -24,11 +23,21 @@ pub enum View {
     World,
 }
 
+impl View {
+    /// Returns its name in one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            View::Camera => "camera",
+            View::World => "world",
+        }
+    }
+}
+
 /// A view, `size` large, of the document as the session looks at it: its ray, items, colours and
 /// observer.
 ///
 /// # Errors
-/// Why there is nothing to see: as the window says it.
+/// The reason why there is nothing to see: as the window says it.
 pub fn of_view(
     document: &Document,
     session: &Session,
@@ -42,15 +51,10 @@ pub fn of_view(
     let sizes = ViewSizes {
         world: is_world.then_some(dots),
         camera: (!is_world).then_some(dots),
-        map: None,
-        wrong: None,
-        ghost: None,
-        answers: None,
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },
-        subsampling: Subsampling::NONE,
-        under_hand: false,
+        ..ViewSizes::default()
     };
     let derived = Deriver::default().derive(document, session, &sizes);
     // A camera without a basis still stands in the world.

@@ -10,9 +10,7 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::RendererInfo;
-use super::window::{Frame, PaintTimes, Surface, timed};
-use crate::cli::arguments::Renderer;
+use super::surface::{Frame, PaintTimes, Surface, timed};
 use crate::view::painter::{Canvas, Painter, PixelRect};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
@@ -38,19 +36,16 @@ pub(super) struct Cpu {
     /// come in one event with a requested redraw, so there every frame is presented as a whole.
     keeps_picture: bool,
     failures: u32,
-    info: RendererInfo,
 }
 
 impl Cpu {
-    /// Creates a surface for the window; `reason` is the reason why the CPU draws.
+    /// Creates a surface for the window.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         window: &Arc<Window>,
-        reason: String,
-    ) -> Result<Self, String> {
-        let context =
-            Context::new(event_loop.owned_display_handle()).map_err(|error| error.to_string())?;
-        let buffers = Buffers::new(&context, Arc::clone(window)).map_err(|e| e.to_string())?;
+    ) -> Result<Self, softbuffer::SoftBufferError> {
+        let context = Context::new(event_loop.owned_display_handle())?;
+        let buffers = Buffers::new(&context, Arc::clone(window))?;
         Ok(Self {
             context,
             buffers: Some(buffers),
@@ -62,7 +57,6 @@ impl Cpu {
                 .window_handle()
                 .is_ok_and(|handle| matches!(handle.as_raw(), RawWindowHandle::Wayland(_))),
             failures: 0,
-            info: RendererInfo { renderer: Renderer::Cpu, detail: reason },
         })
     }
 
@@ -106,10 +100,6 @@ impl Cpu {
 }
 
 impl Surface for Cpu {
-    fn info(&self) -> &RendererInfo {
-        &self.info
-    }
-
     fn max_texture_side(&self) -> Option<usize> {
         Some(MAX_TEXTURE_SIDE)
     }

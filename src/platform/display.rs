@@ -1,11 +1,31 @@
 //! The connection to the display, without panics if there is none.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
 
+use egui_winit::accesskit_winit;
 use winit::event_loop::EventLoop;
 
-use super::PresentError;
-use super::window::UserEvent;
+use super::error::PresentError;
+
+/// An event, apart from the window's own events, that wakes the event loop.
+#[derive(Debug)]
+pub(super) enum UserEvent {
+    /// A repaint that egui requested.
+    Repaint {
+        when: Instant,
+        /// The pass that requested it. A request is out of date once others have run since.
+        pass: u64,
+    },
+    /// A request of a screen reader or a similar tool.
+    Accessibility(accesskit_winit::Event),
+}
+
+impl From<accesskit_winit::Event> for UserEvent {
+    fn from(event: accesskit_winit::Event) -> Self {
+        Self::Accessibility(event)
+    }
+}
 
 /// Creates the event loop, of which a process can have only one.
 pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
@@ -15,11 +35,8 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
         winit::platform::x11::EventLoopBuilderExtX11::with_x11(&mut builder);
     }
     // winit panics without libxkbcommon-x11 or if the X server lacks an extension.
-    match without_panic(|| builder.build()) {
-        Ok(Ok(event_loop)) => Ok(event_loop),
-        Ok(Err(error)) => Err(PresentError::NoDisplay(cause(&error))),
-        Err(panic) => Err(PresentError::NoDisplay(panic)),
-    }
+    let built = without_panic(|| builder.build().map_err(|error| cause(&error)));
+    built.flatten().map_err(PresentError::NoDisplay)
 }
 
 /// Returns true if nothing answers at `WAYLAND_DISPLAY` while there is an X display: winit would

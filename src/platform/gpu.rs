@@ -14,10 +14,8 @@ use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-use super::RendererInfo;
 use super::display::without_panic;
-use super::window::{Frame, PaintTimes, Surface, timed};
-use crate::cli::arguments::Renderer;
+use super::surface::{Frame, PaintTimes, Surface, timed};
 
 /// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [
@@ -34,7 +32,6 @@ const SOFTWARE: [&str; 7] = [
 pub(super) struct Gpu {
     painter: Painter,
     size: [u32; 2],
-    info: RendererInfo,
     failure: Failure,
 }
 
@@ -42,14 +39,14 @@ pub(super) struct Gpu {
 type Failure = Arc<Mutex<Option<String>>>;
 
 impl Gpu {
-    /// Starts the best adapter that can draw to the window; `software` also allows software
-    /// adapters.
+    /// Starts the best adapter that can draw to the window, and describes it; `software` also allows
+    /// software adapters.
     pub(super) fn new(
         ctx: &egui::Context,
         event_loop: &ActiveEventLoop,
         window: &Arc<Window>,
         software: bool,
-    ) -> Result<Self, String> {
+    ) -> Result<(Self, String), String> {
         // Drivers can be broken in many ways, and wgpu panics on some of them.
         without_panic(|| Self::start(ctx, event_loop, window, software)).flatten()
     }
@@ -59,7 +56,7 @@ impl Gpu {
         event_loop: &ActiveEventLoop,
         window: &Arc<Window>,
         software: bool,
-    ) -> Result<Self, String> {
+    ) -> Result<(Self, String), String> {
         let mut setup = WgpuSetupCreateNew::from_display_handle(event_loop.owned_display_handle());
         setup.native_adapter_selector =
             Some(Arc::new(move |adapters, surface| best(adapters, surface, software)));
@@ -75,14 +72,11 @@ impl Gpu {
             .map_err(|error| reason(&error))?;
         let state = painter.render_state().ok_or("the adapter did not start")?;
         let failure = watch(&state.device);
-        let info =
-            RendererInfo { renderer: Renderer::Wgpu, detail: describe(&state.adapter.get_info()) };
-        let size = window.inner_size();
-        Ok(Self { painter, size: [size.width, size.height], info, failure })
+        let description = describe(&state.adapter.get_info());
+        let size = window.inner_size().into();
+        Ok((Self { painter, size, failure }, description))
     }
-}
 
-impl Gpu {
     /// Uploads changed textures before painting would, so that the upload can be timed.
     fn set_textures(&self, delta: &mut TexturesDelta) {
         let Some(state) = self.painter.render_state() else { return };
@@ -96,10 +90,6 @@ impl Gpu {
 }
 
 impl Surface for Gpu {
-    fn info(&self) -> &RendererInfo {
-        &self.info
-    }
-
     fn max_texture_side(&self) -> Option<usize> {
         self.painter.max_texture_side()
     }

@@ -1,4 +1,4 @@
-//! The open window: its events, its frames, and the program's requests to it.
+//! The open window: its events, its frames, and the app's requests to it.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -12,16 +12,20 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::Window;
 
-use super::window::{Frame, PaintTimes, Surface, UserEvent};
-use super::{PresentError, RendererInfo, start};
-use crate::ui::program::{FrameTimes, Program};
+use super::display::UserEvent;
+use super::error::PresentError;
+use super::frame_log::{FrameLog, FrameTimes};
+use super::start::{Drawn, pace};
+use super::surface::{Frame, PaintTimes, Surface};
+use crate::ui::app::{App, complain};
 
 /// The open window.
 ///
 /// The fields are dropped in this order: the window comes last.
 pub(super) struct Open {
     surface: Box<dyn Surface>,
-    program: Box<dyn Program>,
+    app: App,
+    log: Option<FrameLog>,
     state: egui_winit::State,
     ctx: egui::Context,
     info: ViewportInfo,
@@ -34,7 +38,7 @@ pub(super) struct Open {
     /// Time of the first input event that no frame has answered yet.
     input_since: Option<Instant>,
     /// True if the window was requested to open maximised and is not maximised yet.
-    maximizing: bool,
+    pub(super) maximizing: bool,
     shown: Option<Instant>,
     /// Start of the last frame, and the minimum time between it and a frame that only animates.
     began: Instant,
@@ -43,15 +47,14 @@ pub(super) struct Open {
 }
 
 impl Open {
-    /// Creates the program for a window that is not shown yet.
+    /// Gives the app a window that is not shown yet.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
-        window: Arc<Window>,
-        surface: Box<dyn Surface>,
+        Drawn { window, surface, renderer, detail }: Drawn,
         proxy: EventLoopProxy<UserEvent>,
-        make_program: impl FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
-        maximized: bool,
+        mut app: App,
+        log: Option<FrameLog>,
     ) -> Self {
         let mut state = egui_winit::State::new(
             ctx.clone(),
@@ -70,8 +73,11 @@ impl Open {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
             input.pixels_per_point = pixels_per_point;
         });
+        App::set_up(&ctx, &app.session().settings);
+        app.drawn_by(format!("{renderer} ({detail})"));
         Self {
-            program: make_program(&ctx, surface.info()),
+            app,
+            log,
             state,
             ctx,
             info,
@@ -80,19 +86,24 @@ impl Open {
             repaint_at: None,
             asked: false,
             input_since: None,
-            maximizing: maximized,
+            maximizing: false,
             shown: None,
             began: Instant::now(),
-            pace: start::pace(surface.info().renderer, &window),
+            pace: pace(renderer, &window),
             surface,
             window,
         }
     }
 
-    /// Ends the program: its last chance to save.
+    /// Ends the app: its last chance to save.
     pub(super) fn end(mut self) {
         self.ctx.on_exit();
-        self.program.on_exit();
+        self.app.on_exit();
+        if let Some(log) = &self.log
+            && let Err(error) = log.save()
+        {
+            complain(&format!("{}: {error}", log.path.display()));
+        }
         self.delta.clear();
     }
 
@@ -175,7 +186,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Runs the program once and paints. Returns true if the window should be closed.
+    /// Runs the app once and paints. Returns true if the window should be closed.
     pub(super) fn frame(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -195,7 +206,7 @@ impl Open {
         let mut input = self.state.take_egui_input(&self.window);
         input.viewports.insert(ViewportId::ROOT, self.info.clone());
         let zoom = self.ctx.zoom_factor();
-        let mut output = self.ctx.run_ui(input, |ui| self.program.ui(ui));
+        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
         self.keep_pointer(zoom);
         self.info.events.clear();
         let ui_done = began.elapsed();
@@ -209,7 +220,7 @@ impl Open {
             return Ok(true);
         }
         if closing && self.info.minimized == Some(true) {
-            // The program wants to ask something before it closes.
+            // The app wants to ask something before it closes.
             self.window.set_minimized(false);
         }
         self.paint(event_loop, output, began, ui_done, exposed)?;
@@ -270,7 +281,7 @@ impl Open {
             delta: &mut self.delta,
             screenshots: take_screenshots(&mut self.actions),
             exposed,
-            is_timed: self.program.wants_upload_time(),
+            is_timed: self.log.is_some(),
         };
         let PaintTimes { upload, wait } = self.surface.paint(frame).map_err(PresentError::Lost)?;
         if self.shown.is_none() {
@@ -282,19 +293,17 @@ impl Open {
             }
         }
         let now = Instant::now();
-        let frame = now - began;
-        self.program.presented(&FrameTimes {
-            since_input: self.input_since.take().map(|since| now - since),
-            frame,
-            ui,
-            upload,
-            paint: frame.saturating_sub(ui).saturating_sub(upload + wait),
-            wait,
-        });
+        let (frame, input) = (now - began, self.input_since.take());
+        if let Some(log) = &mut self.log {
+            let since_input = input.map(|since| now - since);
+            let paint = frame.saturating_sub(ui).saturating_sub(upload + wait);
+            let times = FrameTimes { since_input, frame, ui, upload, paint, wait };
+            log.push(times, self.app.work_presented());
+        }
         Ok(())
     }
 
-    /// Executes the program's requests to the window.
+    /// Executes the app's requests to the window.
     fn apply(&mut self, commands: Vec<ViewportCommand>) {
         let (ctx, window) = (&self.ctx, &self.window);
         egui_winit::process_viewport_commands(

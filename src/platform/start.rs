@@ -1,18 +1,21 @@
 //! Opens the window and chooses its renderer.
 
-use super::cpu::Cpu;
-use super::display::cause;
-use super::{PresentError, WindowOptions};
-
-#[cfg(feature = "wgpu")]
-use super::gpu::Gpu;
-use super::window::Surface;
-use crate::cli::arguments::Renderer;
-use egui::ViewportBuilder;
+use std::io::Cursor;
 use std::sync::Arc;
 use std::time::Duration;
+
+use egui::ViewportBuilder;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
+
+use super::cpu::Cpu;
+use super::display::cause;
+use super::error::PresentError;
+#[cfg(feature = "wgpu")]
+use super::gpu::Gpu;
+use super::surface::Surface;
+use crate::cli::arguments::Renderer;
+use crate::model::window_geometry::WindowGeometry;
 
 /// Returns egui's context, configured for the window.
 pub(super) fn context() -> egui::Context {
@@ -26,8 +29,7 @@ pub(super) fn context() -> egui::Context {
 }
 
 /// Returns the settings of the window to open, with its size and place limited to the screens.
-pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> ViewportBuilder {
-    let geometry = options.geometry;
+pub(super) fn builder(geometry: WindowGeometry, event_loop: &ActiveEventLoop) -> ViewportBuilder {
     let screens: Vec<egui::Rect> = event_loop
         .available_monitors()
         .map(|monitor| {
@@ -45,8 +47,8 @@ pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> 
         size = size.min(largest.max(egui::Vec2::splat(64.0)));
     }
     let mut builder = ViewportBuilder::default()
-        .with_title(&options.title)
-        .with_app_id(&options.app_id)
+        .with_title("Pinhole")
+        .with_app_id("pinhole")
         .with_inner_size(size)
         .with_min_inner_size([320.0, 240.0])
         .with_maximized(geometry.maximized)
@@ -56,10 +58,29 @@ pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> 
     {
         builder = builder.with_position(position);
     }
-    if let Some(icon) = &options.icon {
-        builder = builder.with_icon(icon.clone());
+    if let Some(icon) = icon() {
+        builder = builder.with_icon(icon);
     }
     builder
+}
+
+/// Returns the icon of the window; `None` still lets the window open.
+fn icon() -> Option<egui::IconData> {
+    let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../../assets/icon.png")));
+    decoder.set_transformations(png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().ok()?;
+    let mut rgba = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut rgba).ok()?;
+    Some(egui::IconData { rgba, width: info.width, height: info.height })
+}
+
+/// A window and its renderer.
+pub(super) struct Drawn {
+    pub(super) window: Arc<Window>,
+    pub(super) surface: Box<dyn Surface>,
+    pub(super) renderer: Renderer,
+    /// The adapter and its driver, or the reason why the CPU draws.
+    pub(super) detail: String,
 }
 
 /// Returns a window and its renderer: the one the user chose, otherwise the best that works.
@@ -68,7 +89,7 @@ pub(super) fn surface(
     ctx: &egui::Context,
     event_loop: &ActiveEventLoop,
     builder: &ViewportBuilder,
-) -> Result<(Arc<Window>, Box<dyn Surface>), PresentError> {
+) -> Result<Drawn, PresentError> {
     let open = || {
         let window = egui_winit::create_window(ctx, event_loop, builder);
         window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
@@ -76,12 +97,16 @@ pub(super) fn surface(
     #[cfg(feature = "wgpu")]
     let on_adapter = |by_hand| {
         let window = open()?;
-        let gpu = Gpu::new(ctx, event_loop, &window, by_hand);
-        Ok(gpu.map(|gpu| (window, Box::new(gpu) as Box<dyn Surface>)))
+        Ok(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| Drawn {
+            window,
+            surface: Box::new(gpu),
+            renderer: Renderer::Wgpu,
+            detail,
+        }))
     };
     #[cfg(not(feature = "wgpu"))]
     let on_adapter = |_| Ok(Err("this build has no feature wgpu".to_owned()));
-    let reason = if choice == Some(Renderer::Cpu) {
+    let detail = if choice == Some(Renderer::Cpu) {
         "chosen by hand".to_owned()
     } else {
         let by_hand = choice == Some(Renderer::Wgpu);
@@ -93,8 +118,9 @@ pub(super) fn surface(
         }
     };
     let window = open()?;
-    let cpu = Cpu::new(event_loop, &window, reason).map_err(PresentError::NoWindow)?;
-    Ok((window, Box::new(cpu)))
+    let cpu =
+        Cpu::new(event_loop, &window).map_err(|error| PresentError::NoWindow(error.to_string()))?;
+    Ok(Drawn { window, surface: Box::new(cpu), renderer: Renderer::Cpu, detail })
 }
 
 /// Returns the minimum time between two frames of an animation.
@@ -111,5 +137,15 @@ pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
             let rate = rate.filter(|&rate| rate > 0).unwrap_or(USUAL_MILLIHERTZ);
             Duration::from_secs_f64(1000.0 / f64::from(rate))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_icon_is_a_picture() {
+        let icon = super::icon().expect("assets/icon.png is a PNG");
+        assert_eq!(icon.rgba.len(), (icon.width * icon.height * 4) as usize);
+        assert!(icon.rgba.chunks(4).any(|pixel| pixel != &icon.rgba[..4]));
     }
 }

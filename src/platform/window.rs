@@ -1,136 +1,67 @@
-//! The window's event loop, which passes input to egui, and egui's output to a [`Surface`] and the
+//! The window's event loop, which passes input to egui, and egui's output to a renderer and the
 //! desktop.
 //!
 //! All renderers share one loop. It sleeps until there is input or until egui asked to be woken.
 
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
-use egui::ScreenshotCallback;
-use egui::epaint::{ClippedPrimitive, textures::TexturesDelta};
-use egui_winit::accesskit_winit;
 use winit::application::ApplicationHandler;
 use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
-use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
-use winit::window::{Window, WindowId};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
+use winit::window::WindowId;
 
+use super::display::{UserEvent, event_loop};
+use super::error::PresentError;
+use super::frame_log::FrameLog;
 use super::open::Open;
-use super::{PresentError, RendererInfo, WindowOptions, start};
+use super::start;
 use crate::cli::arguments::Renderer;
-use crate::ui::program::Program;
+use crate::model::window_geometry::WindowGeometry;
+use crate::ui::app::App;
 
-/// A renderer of the window.
-pub(super) trait Surface {
-    /// Returns the renderer's description.
-    fn info(&self) -> &RendererInfo;
-
-    /// Returns the maximum side of a texture.
-    fn max_texture_side(&self) -> Option<usize>;
-
-    /// Draws a frame and presents it.
-    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String>;
-}
-
-/// The parts of the painting time that are not drawing.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct PaintTimes {
-    /// Time for uploading textures; zero unless the frame is timed.
-    pub(super) upload: Duration,
-    /// Time for waiting for the display.
-    pub(super) wait: Duration,
-}
-
-/// Runs a function and returns its duration, or zero if no time is requested.
-pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
-    let start = is_asked.then(Instant::now);
-    run();
-    start.map_or(Duration::ZERO, |start| start.elapsed())
-}
-
-/// A frame to draw.
-pub(super) struct Frame<'a> {
-    pub(super) window: &'a Arc<Window>,
-    /// The window's size in pixels, not zero.
-    pub(super) size: [u32; 2],
-    pub(super) pixels_per_point: f32,
-    /// The background colour.
-    pub(super) ground: egui::Color32,
-    pub(super) primitives: Vec<ClippedPrimitive>,
-    /// Changes of textures; the renderer takes them out.
-    pub(super) delta: &'a mut TexturesDelta,
-    /// The requests for a copy of the picture.
-    pub(super) screenshots: Vec<ScreenshotCallback>,
-    /// True if the display may have lost its picture.
-    pub(super) exposed: bool,
-    /// True if the time of the upload is requested.
-    pub(super) is_timed: bool,
-}
-
-/// An event, apart from the window's own events, that wakes the event loop.
-#[derive(Debug)]
-pub(super) enum UserEvent {
-    /// A repaint that egui requested.
-    Repaint {
-        when: Instant,
-        /// The pass that requested it. A request is out of date once others have run since.
-        pass: u64,
-    },
-    /// A request of a screen reader or a similar tool.
-    Accessibility(accesskit_winit::Event),
-}
-
-impl From<accesskit_winit::Event> for UserEvent {
-    fn from(event: accesskit_winit::Event) -> Self {
-        Self::Accessibility(event)
-    }
-}
-
-/// Runs the event loop until the window is closed.
-pub(super) fn run<F>(
-    event_loop: EventLoop<UserEvent>,
+/// Opens the window and returns when it is closed. `choice` is the renderer that the user requested;
+/// `None` takes the best that works.
+pub(super) fn run(
     choice: Option<Renderer>,
-    options: WindowOptions,
-    make_program: F,
-) -> Result<(), PresentError>
-where
-    F: FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
-{
+    geometry: WindowGeometry,
+    app: App,
+    log: Option<FrameLog>,
+) -> Result<(), PresentError> {
+    let event_loop = event_loop()?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let mut handler = Handler {
         choice,
-        options,
-        make_program: Some(make_program),
+        geometry,
+        app: Some((app, log)),
         proxy: event_loop.create_proxy(),
         open: None,
         failure: None,
     };
     let ended = event_loop.run_app(&mut handler);
     handler.finish();
-    match (handler.failure, ended) {
-        (Some(failure), _) => Err(failure),
-        (None, Err(error)) => Err(PresentError::Lost(error.to_string())),
-        (None, Ok(())) => Ok(()),
+    match handler.failure {
+        Some(failure) => Err(failure),
+        None => ended.map_err(|error| PresentError::Lost(error.to_string())),
     }
 }
 
-struct Handler<F> {
+struct Handler {
     choice: Option<Renderer>,
-    options: WindowOptions,
-    make_program: Option<F>,
+    geometry: WindowGeometry,
+    /// The app and its log until the window is open.
+    app: Option<(App, Option<FrameLog>)>,
     proxy: EventLoopProxy<UserEvent>,
     open: Option<Open>,
     failure: Option<PresentError>,
 }
 
-impl<F> Handler<F>
-where
-    F: FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
-{
+impl Handler {
     fn start(&mut self, event_loop: &ActiveEventLoop) -> Result<(), PresentError> {
-        let Some(make_program) = self.make_program.take() else { return Ok(()) };
+        let Some((app, log)) = self.app.take() else { return Ok(()) };
         let ctx = start::context();
-        let builder = start::builder(&self.options, event_loop);
-        let (window, surface) = start::surface(self.choice, &ctx, event_loop, &builder)?;
+        let builder = start::builder(self.geometry, event_loop);
+        let drawn = start::surface(self.choice, &ctx, event_loop, &builder)?;
         let proxy = Mutex::new(self.proxy.clone());
         ctx.set_request_repaint_callback(move |info| {
             let when = Instant::now() + info.delay;
@@ -138,9 +69,8 @@ where
             // Sending fails only at the very end, when nothing needs to be painted.
             let _ = proxy.lock().unwrap_or_else(PoisonError::into_inner).send_event(event);
         });
-        let maximized = self.options.geometry.maximized;
-        let proxy = self.proxy.clone();
-        let mut open = Open::new(event_loop, ctx, window, surface, proxy, make_program, maximized);
+        let mut open = Open::new(event_loop, ctx, drawn, self.proxy.clone(), app, log);
+        open.maximizing = self.geometry.maximized;
         // Paint before showing the window, to avoid a flash of an empty window.
         let closed = open.frame(event_loop, true)?;
         self.open = Some(open);
@@ -174,10 +104,7 @@ where
     }
 }
 
-impl<F> ApplicationHandler<UserEvent> for Handler<F>
-where
-    F: FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
-{
+impl ApplicationHandler<UserEvent> for Handler {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if let Err(failure) = self.start(event_loop) {
             self.failure = Some(failure);

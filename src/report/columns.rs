@@ -25,19 +25,23 @@ pub(crate) fn aligned<const N: usize>(out: &mut String, rows: &[[String; N]], wi
 /// far.
 pub(crate) fn wrapped(out: &mut String, width: usize, head: &str, text: &str) {
     let indent = head.chars().count();
-    let mut line = head.to_owned();
-    let mut empty = true;
-    for word in text.split_whitespace() {
-        if !empty && line.chars().count() + 1 + word.chars().count() > width {
-            let _ = writeln!(out, "{}", line.trim_end());
-            line = " ".repeat(indent);
-            empty = true;
-        }
-        if !empty {
-            line.push(' ');
-        }
-        line.push_str(word);
-        empty = false;
+    for (k, line) in lines(text, width - indent).into_iter().enumerate() {
+        let head = if k == 0 { head } else { "" };
+        let _ = writeln!(out, "{head:indent$}{line}");
     }
-    let _ = writeln!(out, "{}", line.trim_end());
+}
+
+/// Splits a text into lines of at most `width` characters.
+pub(crate) fn lines(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }

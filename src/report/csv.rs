@@ -1,26 +1,6 @@
 //! The report as CSV: a row a case and method.
 
-use super::model::Report;
-
-/// The first line.
-const HEADER: [&str; 16] = [
-    "case",
-    "knob_name",
-    "knob",
-    "coverage",
-    "method",
-    "wrong",
-    "decisions",
-    "ulp_median",
-    "ulp_p99",
-    "ulp_max",
-    "normal_error_max",
-    "ns_per_pixel_median",
-    "ns_per_pixel_min",
-    "steps_f64",
-    "steps_double_double",
-    "steps_exact",
-];
+use super::model::{Case, MethodRow, Report};
 
 /// The whole file. What does not exist is an empty cell; numbers read back to the same `f64`.
 ///
@@ -28,30 +8,35 @@ const HEADER: [&str; 16] = [
 /// None: what is written goes to memory.
 pub fn to_csv(report: &Report) -> csv::Result<Vec<u8>> {
     let mut out = csv::Writer::from_writer(Vec::new());
-    out.write_record(HEADER)?;
-    let number = |x: Option<f64>| x.map(|x| format!("{x:?}")).unwrap_or_default();
-    let count = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_default();
+    out.write_record(cells(&Case::default(), &MethodRow::default()).map(|(name, _)| name))?;
     for case in &report.cases {
         for row in &case.methods {
-            out.write_record([
-                case.name.clone(),
-                case.knob_name.clone(),
-                number(case.knob),
-                number(Some(case.coverage)),
-                row.name.clone(),
-                row.wrong.to_string(),
-                row.decisions.to_string(),
-                number(row.ulp.median),
-                number(row.ulp.p99),
-                number(row.ulp.max),
-                number(row.normal_error_max),
-                number(row.ns_per_pixel.median),
-                number(row.ns_per_pixel.min),
-                count(row.steps.map(|steps| steps.f64)),
-                count(row.steps.map(|steps| steps.double_double)),
-                count(row.steps.map(|steps| steps.exact)),
-            ])?;
+            out.write_record(cells(case, row).map(|(_, cell)| cell))?;
         }
     }
     out.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+}
+
+/// Returns the columns' names and the cells of a row.
+fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 16] {
+    let number = |x: Option<f64>| x.map(|x| format!("{x:?}")).unwrap_or_default();
+    let count = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_default();
+    [
+        ("case", case.name.clone()),
+        ("knob_name", case.knob_name.clone()),
+        ("knob", number(case.knob)),
+        ("coverage", number(Some(case.coverage))),
+        ("method", row.name.clone()),
+        ("wrong", row.wrong.to_string()),
+        ("decisions", row.decisions.to_string()),
+        ("ulp_median", number(row.ulp.median)),
+        ("ulp_p99", number(row.ulp.p99)),
+        ("ulp_max", number(row.ulp.max)),
+        ("normal_error_max", number(row.normal_error_max)),
+        ("ns_per_pixel_median", number(row.ns_per_pixel.median)),
+        ("ns_per_pixel_min", number(row.ns_per_pixel.min)),
+        ("steps_f64", count(row.steps.map(|steps| steps.f64))),
+        ("steps_double_double", count(row.steps.map(|steps| steps.double_double))),
+        ("steps_exact", count(row.steps.map(|steps| steps.exact))),
+    ]
 }

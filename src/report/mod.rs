@@ -4,7 +4,6 @@
 
 pub mod columns;
 pub mod csv;
-pub mod json;
 #[cfg(feature = "report")]
 pub mod machine;
 #[cfg(feature = "report")]

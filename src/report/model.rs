@@ -40,7 +40,7 @@ pub struct Case {
 /// Results of one method in one case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MethodRow {
-    /// Its name, such as `half-b-f32`.
+    /// The method's name, such as `half-b-f32`.
     pub name: String,
     /// Decisions (hit or miss, which object is first) that are not what exact arithmetic gives.
     pub wrong: u64,
@@ -115,7 +115,7 @@ impl Report {
 }
 
 impl Case {
-    /// Its name, with the knob where it has one: `tiny far sphere, radius / distance = 1e-6`.
+    /// Returns the name, with the knob where it has one: `tiny far sphere, radius / distance = 1e-6`.
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };

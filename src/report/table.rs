@@ -9,7 +9,7 @@ use crate::report::columns::{aligned, widths, wrapped};
 /// Maximum width of a line, in characters.
 const WIDTH: usize = 118;
 
-/// The columns: name, and whether the next one belongs to it in the head above.
+/// The names of the columns.
 const COLUMNS: [&str; 10] =
     ["method", "wrong", "share", "median", "p99", "max", "normal", "median", "min", "× baseline"];
 

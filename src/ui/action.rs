@@ -24,7 +24,7 @@ use crate::view::derivation::Markup;
 pub struct MadeUp {
     /// The document.
     pub document: Document,
-    /// What the window calls it.
+    /// The window's name for it.
     pub title: String,
     /// The ray to look at, if any.
     pub uv: Option<DVec2>,
@@ -56,9 +56,9 @@ pub enum FileAction {
     AskSaveAs,
     /// Save to this path.
     SaveAs {
-        /// Where to.
+        /// The file.
         path: PathBuf,
-        /// What to go on with if that worked.
+        /// The way to leave if that worked.
         then: Option<Leave>,
     },
     /// Save, then go on with this if that worked.
@@ -94,20 +94,20 @@ pub enum FigureAction {
     Ask,
     /// Write a figure.
     Export {
-        /// Which.
+        /// The figure.
         order: Order,
-        /// Where to.
+        /// The file.
         path: PathBuf,
     },
     /// Ask how to export the animation that is open.
     AskAnimation,
     /// Write an animation.
     ExportAnimation {
-        /// What each figure shows.
+        /// The figure of each frame.
         order: Order,
-        /// How many there are.
+        /// The number of frames.
         frames: Frames,
-        /// Where to.
+        /// The file.
         path: PathBuf,
     },
     /// Put the derivation on the clipboard.
@@ -147,9 +147,9 @@ pub enum PlayAction {
     Open(Kind),
     /// Let it run, or rest.
     Toggle,
-    /// So many single steps on; negative: back.
+    /// Go this many steps on; negative: back.
     Step(i64),
-    /// So many speeds faster, of those to choose from; negative: slower.
+    /// Choose a speed this many places faster; negative: slower.
     Faster(i32),
     /// Begin again after the end, or not.
     Loop,
@@ -243,7 +243,7 @@ pub enum LookAction {
     Fill(Full),
 }
 
-/// What can be laid over the window.
+/// Something that can be laid over the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The command palette.
@@ -319,134 +319,70 @@ action_of! {
     Overlay(Overlay),
 }
 
-/// What becomes of the open animation before an action is carried out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlayEnd {
-    /// It goes on.
+/// The end of the open animation before an action is carried out.
+pub(crate) enum PlayEnd {
     GoesOn,
-    /// It ends with everything as it is now.
+    /// Everything stays as it is now.
     Keeps,
-    /// It ends with everything as it was at the start.
+    /// Everything becomes as it was at the start.
     GivesBack,
 }
 
-/// What there is only sometimes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Available {
+/// The things that actions are done to and that are there only sometimes.
+#[derive(Clone, Copy)]
+pub(crate) struct Available {
     /// A step to undo.
-    pub undo: bool,
+    pub(crate) undo: bool,
     /// A step to redo.
-    pub redo: bool,
-    /// A lesson that is open.
-    pub lesson: bool,
-    /// An animation that is open.
-    pub animation: bool,
-    /// A frozen camera to compare with.
-    pub ghost: bool,
-    /// A student's answers.
-    pub answers: bool,
+    pub(crate) redo: bool,
+    pub(crate) lesson: bool,
+    pub(crate) animation: bool,
+    pub(crate) ghost: bool,
+    pub(crate) answers: bool,
 }
 
 impl Action {
-    /// Tells what becomes of the open animation: the camera is saved as it is seen; who goes elsewhere
+    /// Returns the end of the open animation: the camera is saved as it is seen; who goes elsewhere
     /// leaves the camera as it was.
-    pub fn play_end(&self) -> PlayEnd {
+    pub(crate) fn play_end(&self) -> PlayEnd {
         match self {
-            Action::File(action) => match action {
-                FileAction::AskOpen => PlayEnd::GoesOn,
-                FileAction::Discard(_) => PlayEnd::GivesBack,
-                FileAction::Save
-                | FileAction::AskSaveAs
-                | FileAction::SaveAs { .. }
-                | FileAction::SaveThen(_) => PlayEnd::Keeps,
-            },
-            Action::Leave(_) | Action::History(HistoryAction::Undo | HistoryAction::Redo) => {
-                PlayEnd::GivesBack
-            }
-            Action::Lesson(action) => match action {
-                LessonAction::Close => PlayEnd::GivesBack,
-                LessonAction::Next | LessonAction::Previous => PlayEnd::GoesOn,
-            },
-            Action::Ghost(action) => match action {
-                GhostAction::Swap => PlayEnd::GivesBack,
-                GhostAction::Freeze | GhostAction::Drop => PlayEnd::GoesOn,
-            },
-            Action::Figure(_)
-            | Action::Exchange(_)
-            | Action::Answers(_)
-            | Action::Play(_)
-            | Action::Steer(_)
-            | Action::Observe(_)
-            | Action::Object(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => PlayEnd::GoesOn,
+            Action::File(FileAction::AskOpen) => PlayEnd::GoesOn,
+            Action::File(FileAction::Discard(_))
+            | Action::Leave(_)
+            | Action::History(_)
+            | Action::Lesson(LessonAction::Close)
+            | Action::Ghost(GhostAction::Swap) => PlayEnd::GivesBack,
+            Action::File(_) => PlayEnd::Keeps,
+            _ => PlayEnd::GoesOn,
         }
     }
 
-    /// Tells what it may change that something on the screen shows, other than what is derived.
+    /// Returns the changes that it may make to something on the screen that is not derived.
     pub(crate) fn changes(&self) -> Changed {
         match self {
-            Action::Steer(steer) => match steer {
-                Steer::Look(..) | Steer::Orbit(..) | Steer::Dolly(_) => Changed::POSE,
-                Steer::Zoom(_) => Changed::CAMERA,
-            },
+            Action::Steer(Steer::Zoom(_)) => Changed::CAMERA,
+            Action::Steer(_) => Changed::POSE,
             Action::Object(_) => Changed::OBJECTS,
             Action::Observe(_) | Action::Figure(_) => Changed::NOTHING,
-            Action::Leave(_)
-            | Action::File(_)
-            | Action::Lesson(_)
-            | Action::History(_)
-            | Action::Exchange(_)
-            | Action::Answers(_)
-            | Action::Play(_)
-            | Action::Ghost(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => Changed::SESSION,
+            _ => Changed::SESSION,
         }
     }
 
-    /// Whether there is what it is done to.
-    pub fn is_possible(&self, there: Available) -> bool {
+    /// Returns true if there is something to do it to.
+    pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
-            Action::Lesson(_) => there.lesson,
-            Action::Leave(leave) => match leave {
-                Leave::BackToStep => there.lesson,
-                Leave::Open(_) | Leave::Show(_) | Leave::GoTo(_) | Leave::Quit => true,
-            },
-            Action::Ghost(action) => match action {
-                GhostAction::Drop | GhostAction::Swap => there.ghost,
-                GhostAction::Freeze => true,
-            },
-            Action::Play(action) => match action {
-                PlayAction::Toggle | PlayAction::Step(_) => there.animation,
-                PlayAction::Open(_)
-                | PlayAction::Faster(_)
-                | PlayAction::Loop
-                | PlayAction::Keep
-                | PlayAction::Close => true,
-            },
-            Action::Answers(action) => match action {
-                AnswersAction::PutAway => there.answers,
-                AnswersAction::Ask | AnswersAction::Check(_) => true,
-            },
-            Action::File(_)
-            | Action::Figure(_)
-            | Action::Exchange(_)
-            | Action::Steer(_)
-            | Action::Observe(_)
-            | Action::Object(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => true,
+            Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
+            Action::Ghost(GhostAction::Drop | GhostAction::Swap) => there.ghost,
+            Action::Play(PlayAction::Toggle | PlayAction::Step(_)) => there.animation,
+            Action::Answers(AnswersAction::PutAway) => there.answers,
+            _ => true,
         }
     }
 }
 
-/// What is either on or off.
+/// Something that is either on or off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switch {
     /// Something that is drawn over the views.
@@ -461,15 +397,15 @@ pub enum Switch {
     KeepPixelShape,
     /// Distance, width and height go together, so that the picture stays.
     KeepPicture,
-    /// Nothing moves by itself.
+    /// Things do not move by themselves.
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
     Spotlight,
 }
 
 impl Switch {
-    /// Whether it is on.
-    pub fn is_on(self, session: &Session) -> bool {
+    /// Returns true if it is on.
+    pub(crate) fn is_on(self, session: &Session) -> bool {
         let settings = &session.settings;
         match self {
             Switch::Item(item) => settings.items.shows(item),

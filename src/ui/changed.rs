@@ -1,4 +1,4 @@
-//! What the panels changed in a pass, as far as it matters to what is drawn above them.
+//! The changes that the panels made in a pass, as far as they matter to what is drawn above them.
 
 use std::ops::{BitOr, BitOrAssign};
 
@@ -6,14 +6,14 @@ use pinhole_core::Camera;
 
 /// Changes of the document and of how it is looked at.
 ///
-/// What is derived shows them in the same pass. What was drawn before them does not: the pass is run
+/// Derived values show them in the same pass. Whatever was drawn before them does not: the pass is run
 /// again before anything is presented.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[must_use]
 pub(crate) struct Changed(u8);
 
 impl Changed {
-    /// Nothing was changed.
+    /// No change.
     pub(crate) const NOTHING: Changed = Changed(0);
     /// The eye, or the orientation within its kind: only their own fields and the views show them.
     pub(crate) const POSE: Changed = Changed(1);
@@ -24,23 +24,13 @@ impl Changed {
     /// Selection, settings and all else that says how the document is looked at.
     pub(crate) const SESSION: Changed = Changed(8);
 
-    /// This, if that is so.
+    /// Returns this change, if the condition holds.
     pub(crate) fn when(self, is_so: bool) -> Changed {
         if is_so { self } else { Changed::NOTHING }
     }
 
-    /// Edits a part of the session.
-    pub(crate) fn in_session<T: Clone + PartialEq>(
-        part: &mut T,
-        edit: impl FnOnce(&mut T),
-    ) -> Changed {
-        let before = part.clone();
-        edit(part);
-        Changed::SESSION.when(*part != before)
-    }
-
-    /// Returns what of the camera is another one.
-    pub(crate) fn of_camera(before: &Camera, now: &Camera) -> Changed {
+    /// Returns the change from one camera to another.
+    pub(crate) fn between_cameras(before: &Camera, now: &Camera) -> Changed {
         if before == now {
             return Changed::NOTHING;
         }
@@ -50,7 +40,7 @@ impl Changed {
         if moved == *now && same_kind && can_see { Changed::POSE } else { Changed::CAMERA }
     }
 
-    /// Whether something that is drawn above the panels shows it.
+    /// Returns true if something that is drawn above the panels shows it.
     pub(crate) fn is_shown_above(self) -> bool {
         self.0 & !Changed::POSE.0 != 0
     }

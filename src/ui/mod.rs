@@ -12,7 +12,6 @@ pub mod frame_times;
 pub mod motion;
 pub mod panels;
 pub mod practice;
-pub mod program;
 pub mod ray;
 pub mod scene;
 pub mod tools;

@@ -13,27 +13,20 @@ pub(crate) struct ViewTexture {
 
 impl ViewTexture {
     /// Returns the texture that holds `image`.
-    pub(crate) fn of(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
+    pub(crate) fn upload(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
         // Nearest: one texel is one physical pixel, and a picture's pixels keep sharp edges.
         let options = TextureOptions::NEAREST;
-        let known = self.uploaded.as_ref().is_some_and(|known| Arc::ptr_eq(known, image));
-        match &mut self.texture {
-            Some(texture) if known => texture.id(),
-            Some(texture) => {
+        if self.uploaded.as_ref().is_none_or(|uploaded| !Arc::ptr_eq(uploaded, image)) {
+            self.uploaded = Some(Arc::clone(image));
+            match &mut self.texture {
                 // A partial update of the same size avoids a reallocation.
-                if texture.size() == image.size {
+                Some(texture) if texture.size() == image.size => {
                     texture.set_partial([0, 0], Arc::clone(image), options);
-                } else {
-                    texture.set(Arc::clone(image), options);
                 }
-                self.uploaded = Some(Arc::clone(image));
-                texture.id()
-            }
-            None => {
-                let texture = ctx.load_texture("view", Arc::clone(image), options);
-                self.uploaded = Some(Arc::clone(image));
-                self.texture.insert(texture).id()
+                Some(texture) => texture.set(Arc::clone(image), options),
+                None => self.texture = Some(ctx.load_texture("view", Arc::clone(image), options)),
             }
         }
+        self.texture.as_ref().map(TextureHandle::id).unwrap_or_default()
     }
 }

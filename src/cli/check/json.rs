@@ -4,11 +4,9 @@ use pinhole_lecture::grading::{Answers, GivenHit, Graded, Right, Worst};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::cli::CommandError;
-
-/// Behind the fields of the contract stand those that say more.
+/// The fields of the contract, and behind them those that say more.
 #[derive(Serialize)]
-struct Check {
+pub(super) struct Check {
     kind: &'static str,
     answers: usize,
     agree: usize,
@@ -24,29 +22,27 @@ struct Check {
     unanswered: usize,
 }
 
-pub(super) fn to_json(graded: &Graded) -> Result<String, CommandError> {
-    let grade = &graded.grade;
-    let diagnosis = &grade.diagnosis;
-    let check = Check {
-        kind: grade.kind.name(),
-        answers: grade.answers(),
-        agree: grade.agree(),
-        tolerance: grade.tolerance,
-        worst: grade.worst.as_ref().map_or(Value::Null, |worst| worst_of(graded, worst)),
-        mistakes: diagnosis.mistakes.iter().map(|mistake| mistake.id()).collect(),
-        advice: graded.advice(),
-        alternatives: diagnosis
-            .alternatives
-            .iter()
-            .map(|set| set.iter().map(|mistake| mistake.id()).collect())
-            .collect(),
-        shade: grade.shade.map(|shade| shade.name()),
-        unanswered: grade.unanswered,
-    };
-    let mut text = serde_json::to_string_pretty(&check)
-        .map_err(|error| CommandError::Input(error.to_string()))?;
-    text.push('\n');
-    Ok(text)
+impl Check {
+    pub(super) fn new(graded: &Graded) -> Check {
+        let grade = &graded.grade;
+        let diagnosis = &grade.diagnosis;
+        Check {
+            kind: grade.kind.name(),
+            answers: grade.answers(),
+            agree: grade.agree(),
+            tolerance: grade.tolerance,
+            worst: grade.worst.as_ref().map_or(Value::Null, |worst| worst_of(graded, worst)),
+            mistakes: diagnosis.mistakes.iter().map(|mistake| mistake.id()).collect(),
+            advice: graded.advice(),
+            alternatives: diagnosis
+                .alternatives
+                .iter()
+                .map(|set| set.iter().map(|mistake| mistake.id()).collect())
+                .collect(),
+            shade: grade.shade.map(|shade| shade.name()),
+            unanswered: grade.unanswered,
+        }
+    }
 }
 
 /// The place, the answer given, the right one, and the distance between them: `null` where a hit is taken for a
@@ -85,19 +81,13 @@ fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     };
     let name = ["u", "v", "w"].get(index);
     let error = worst.error.is_finite().then_some(worst.error);
+    let mut value = json!({"given": given, "right": right, "error": error});
     match graded.pixel(index) {
-        Some(pixel) => json!({
-            "row": pixel.row + graded.count_from,
-            "column": pixel.column + graded.count_from,
-            "given": given,
-            "right": right,
-            "error": error,
-        }),
-        None => json!({
-            "vector": name,
-            "given": given,
-            "right": right,
-            "error": error,
-        }),
+        Some(pixel) => {
+            value["row"] = json!(pixel.row + graded.count_from);
+            value["column"] = json!(pixel.column + graded.count_from);
+        }
+        None => value["vector"] = json!(name),
     }
+    value
 }

@@ -4,13 +4,12 @@ use pinhole_core::{DVec3, Root};
 use serde::Serialize;
 
 use super::Readout;
-use crate::cli::CommandError;
 
 /// Numbers read back to the same `f64`. One beyond its range, such as the distance between two
 /// points at its ends, is `null`: JSON has no infinity. The conditioning never is, as the core caps
 /// it at the largest `f64`.
 #[derive(Serialize)]
-struct Inspect<'a> {
+pub(super) struct Inspect<'a> {
     camera: Camera,
     pixel: Option<Pixel>,
     uv: [f64; 2],
@@ -53,10 +52,10 @@ struct Hit<'a> {
 }
 
 impl Readout<'_> {
-    pub(super) fn to_json(&self) -> Result<String, CommandError> {
+    pub(super) fn json(&self) -> Inspect<'_> {
         let Readout { camera, up_angle, inspection, .. } = self;
         let basis = camera.basis();
-        let inspect = Inspect {
+        Inspect {
             camera: Camera {
                 eye: array(camera.eye()),
                 u: array(basis.u),
@@ -73,11 +72,7 @@ impl Readout<'_> {
             },
             hits: inspection.roots.iter().map(|root| self.hit(root)).collect(),
             first: inspection.first,
-        };
-        let mut text = serde_json::to_string_pretty(&inspect)
-            .map_err(|error| CommandError::Input(error.to_string()))?;
-        text.push('\n');
-        Ok(text)
+        }
     }
 
     fn hit(&self, root: &Root) -> Hit<'_> {

@@ -11,7 +11,7 @@ pub(in crate::figures) struct Page<'a> {
     /// The title: what it shows, in words.
     pub(in crate::figures) title: &'a str,
     pub(in crate::figures) size: [usize; 2],
-    /// Behind everything, unless it is transparent.
+    /// The background, unless it is transparent.
     pub(in crate::figures) ground: Option<Color32>,
     /// All that is drawn, from the back to the front.
     pub(in crate::figures) parts: Vec<Part>,

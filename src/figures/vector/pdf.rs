@@ -1,6 +1,6 @@
 //! A figure as a PDF of one page: strokes as strokes, text as text, in fonts that are in the file.
 //!
-//! By krilla: it takes glyphs with their places and keeps them text, where turning the SVG into a PDF
+//! Written by krilla: it takes glyphs with their places and keeps them text, where turning the SVG into a PDF
 //! would lay the text out anew, and it embeds only the letters that are there.
 
 use std::collections::HashMap;

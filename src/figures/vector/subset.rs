@@ -30,15 +30,13 @@ pub(super) fn subset(face: Face, letters: &BTreeSet<char>) -> Result<Vec<u8>, St
             mappings.push((*letter, GlyphId::from(glyphs.remap(glyph))));
         }
     }
-    let typeset_message =
-        |error: &dyn std::fmt::Display| format!("the font {}: {error}", face.family());
-    let outlines =
-        subsetter::subset(face.data(), 0, &glyphs).map_err(|error| typeset_message(&error))?;
-    let whole = FontRef::new(face.data()).map_err(|error| typeset_message(&error))?;
-    let outlines = FontRef::new(&outlines).map_err(|error| typeset_message(&error))?;
-    let cmap = Cmap::from_mappings(mappings).map_err(|error| typeset_message(&error))?;
+    let problem = |error: &dyn std::fmt::Display| format!("the font {}: {error}", face.family());
+    let outlines = subsetter::subset(face.data(), 0, &glyphs).map_err(|error| problem(&error))?;
+    let whole = FontRef::new(face.data()).map_err(|error| problem(&error))?;
+    let outlines = FontRef::new(&outlines).map_err(|error| problem(&error))?;
+    let cmap = Cmap::from_mappings(mappings).map_err(|error| problem(&error))?;
     let mut font = FontBuilder::new();
-    font.add_table(&cmap).map_err(|error| typeset_message(&error))?;
+    font.add_table(&cmap).map_err(|error| problem(&error))?;
     for tag in KEPT.map(Tag::new) {
         if let Some(table) = whole.data_for_tag(tag) {
             font.add_raw(tag, table.as_bytes());

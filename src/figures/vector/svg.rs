@@ -66,7 +66,7 @@ fn style(parts: &[Part]) -> Result<String, String> {
     Ok(out)
 }
 
-/// Its own pixels, which nobody is to smooth.
+/// The picture's own pixels, which nobody is to smooth.
 fn image(picture: &Picture, [width, height]: [usize; 2]) -> Result<String, String> {
     let pixels: Vec<[u8; 4]> = picture.pixels.iter().map(Color32::to_srgba_unmultiplied).collect();
     let [columns, rows] = picture.size.map(|n| n as u32);

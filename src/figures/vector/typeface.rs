@@ -23,7 +23,7 @@ struct Typeface {
 
 struct Typefaces {
     all: Vec<Typeface>,
-    /// For each family, in which order its fonts are asked for a letter.
+    /// The order in which the fonts of a family are asked for a letter.
     chains: HashMap<FontFamily, Vec<Face>>,
 }
 

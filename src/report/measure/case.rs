@@ -26,39 +26,29 @@ pub(super) struct Made {
     pub(super) left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
 }
 
-/// A case before it is made.
-pub(super) struct Plan {
-    pub(super) name: String,
-    pub(super) knob: Option<f64>,
-    pub(super) knob_name: String,
+/// One case: to come, under way or done.
+pub(super) struct CaseRun {
+    /// The case, with results once it is done.
+    case: Case,
+    limits: Limits,
+    make: Option<Box<dyn FnOnce() -> Made + Send>>,
+    work: Option<Work>,
+    left_out: Option<String>,
+}
+
+/// The amount of work for a case.
+pub(super) struct Limits {
     /// Number of times that every method is timed.
     pub(super) rounds: usize,
     /// Time after which to stop, finished or not.
     pub(super) budget: Duration,
     /// Number of pieces of work that it counts as.
     pub(super) pieces: usize,
-    pub(super) make: Box<dyn FnOnce() -> Made + Send>,
-}
-
-/// One case: to come, under way or done.
-pub(super) struct CaseRun {
-    case: Case,
-    rounds: usize,
-    budget: Duration,
-    pieces: usize,
-    state: State,
-}
-
-enum State {
-    ToCome(Box<dyn FnOnce() -> Made + Send>),
-    Making,
-    Working(Box<Work>),
-    Done(Option<String>),
 }
 
 struct Work {
     sets: Vec<SetWork>,
-    made: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
+    left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
     coverage: Option<f64>,
     spent: Duration,
     is_timing_next: bool,
@@ -85,66 +75,64 @@ struct Worker {
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
-    pub(super) fn new(plan: Plan) -> CaseRun {
-        let Plan { name, knob, knob_name, rounds, budget, pieces, make } = plan;
-        let case = Case { name, knob, knob_name, ..Case::default() };
-        CaseRun { case, rounds, budget, pieces, state: State::ToCome(make) }
+    /// Will measure a case, whose parts are made when its turn comes.
+    pub(super) fn new(
+        case: Case,
+        limits: Limits,
+        make: impl FnOnce() -> Made + Send + 'static,
+    ) -> CaseRun {
+        CaseRun { case, limits, make: Some(Box::new(make)), work: None, left_out: None }
     }
 
     pub(super) fn total(&self) -> usize {
-        self.pieces
+        self.limits.pieces
     }
 
     pub(super) fn done(&self) -> usize {
-        match &self.state {
-            State::ToCome(_) | State::Making => 0,
-            State::Working(work) => {
-                let share = work.share(self.rounds).max(work.spent.div_duration_f64(self.budget));
-                ((share * self.pieces as f64) as usize).min(self.pieces)
+        let Limits { rounds, budget, pieces } = self.limits;
+        match &self.work {
+            Some(work) => {
+                let share = work.share(rounds).max(work.spent.div_duration_f64(budget));
+                ((share * pieces as f64) as usize).min(pieces)
             }
-            State::Done(_) => self.pieces,
+            None if self.has_begun() => pieces,
+            None => 0,
         }
     }
 
     pub(super) fn has_begun(&self) -> bool {
-        matches!(self.state, State::Working(_) | State::Done(_))
+        self.make.is_none()
     }
 
     pub(super) fn is_done(&self) -> bool {
-        match &self.state {
-            State::Working(work) => work.spent >= self.budget || work.share(self.rounds) >= 1.0,
-            State::Done(_) => true,
-            State::ToCome(_) | State::Making => false,
-        }
+        let Limits { rounds, budget, .. } = self.limits;
+        let is_over = |work: &Work| work.spent >= budget || work.share(rounds) >= 1.0;
+        self.work.as_ref().map_or(self.has_begun(), is_over)
     }
 
-    /// One piece of work.
+    /// Does one piece of work.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
-        match std::mem::replace(&mut self.state, State::Making) {
-            State::ToCome(make) => self.state = State::Working(Box::new(Work::new(make()))),
-            State::Working(mut work) => {
-                work.step(self.rounds, one_thread);
-                self.state = State::Working(work);
-            }
-            other => self.state = other,
+        if let Some(make) = self.make.take() {
+            self.work = Some(Work::new(make()));
+        } else if let Some(work) = &mut self.work {
+            work.step(self.limits.rounds, one_thread);
         }
     }
 
     /// Keeps the results and drops all else.
     pub(super) fn finish(&mut self) {
-        (self.case, self.state) = (self.report(), State::Done(self.left_out()));
+        (self.case, self.left_out, self.work) = (self.report(), self.left_out(), None);
     }
 
     pub(super) fn left_out(&self) -> Option<String> {
-        match &self.state {
-            State::Working(work) => (work.made)(work.sets.first().map_or(0, |set| set.decided)),
-            State::Done(left_out) => left_out.clone(),
-            State::ToCome(_) | State::Making => None,
+        match &self.work {
+            Some(work) => (work.left_out)(work.sets.first().map_or(0, |set| set.decided)),
+            None => self.left_out.clone(),
         }
     }
 
     pub(super) fn report(&self) -> Case {
-        let State::Working(work) = &self.state else { return self.case.clone() };
+        let Some(work) = &self.work else { return self.case.clone() };
         let workers = work.sets.iter().flat_map(|set| &set.workers);
         let mut rows: Vec<_> = workers.map(|w| (w.method, w.tally.row(w.method))).collect();
         let place = |method| Method::ALL.iter().position(|other| *other == method);
@@ -163,7 +151,7 @@ impl Work {
         let sets = made.sets.into_iter().map(SetWork::new).collect();
         Work {
             sets,
-            made: made.left_out,
+            left_out: made.left_out,
             coverage: made.coverage,
             spent: start.elapsed(),
             is_timing_next: false,

@@ -10,9 +10,10 @@ use pinhole_core::{
 };
 use pinhole_reference::{self as reference, Family, FrameCase, Kind, Object, RayCase};
 
-use super::case::{CaseRun, Made, Plan, Set};
+use super::case::{CaseRun, Limits, Made, Set};
 use super::scenes::methods_for;
 use super::subject::{Picture, Subject};
+use crate::report::model::Case;
 
 /// Rays for each setting of a knob.
 const RAYS: usize = 1000;
@@ -29,7 +30,7 @@ pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let knobs: usize = Family::all().filter(is_measured).map(|family| family.knobs().len()).sum();
     let budget = BUDGET / knobs.max(1) as u32;
     let of_knobs = |family: &'static Family| {
-        family.knobs().iter().map(move |knob| CaseRun::new(plan(family, *knob, seed, budget)))
+        family.knobs().iter().map(move |knob| case(family, *knob, seed, budget))
     };
     let cases = Family::all().filter(is_measured).flat_map(of_knobs).collect();
     let bases: Vec<_> =
@@ -43,16 +44,15 @@ pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     (cases, vec![bases, planes.to_owned()])
 }
 
-fn plan(family: &'static Family, knob: f64, seed: u64, budget: Duration) -> Plan {
-    Plan {
+fn case(family: &'static Family, knob: f64, seed: u64, budget: Duration) -> CaseRun {
+    let case = Case {
         name: family.name().to_owned(),
         knob: Some(knob),
         knob_name: family.knob_name().to_owned(),
-        rounds: 15,
-        budget,
-        pieces: 10,
-        make: Box::new(move || make(family, knob, seed)),
-    }
+        ..Case::default()
+    };
+    let limits = Limits { rounds: 15, budget, pieces: 10 };
+    CaseRun::new(case, limits, move || make(family, knob, seed))
 }
 
 /// The `f64` methods get the family's cases; the `f32` methods get those in numbers that are exact in

@@ -7,8 +7,9 @@ use std::time::Duration;
 use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
 
-use super::case::{CaseRun, Made, Plan, Set};
+use super::case::{CaseRun, Limits, Made, Set};
 use super::subject::{Picture, Subject, objects_of};
+use crate::report::model::Case;
 
 /// Maximum number of pixels a side that are looked at.
 const SIDE: u32 = 400;
@@ -25,8 +26,7 @@ const SEED: u64 = 1;
 struct Part {
     title: String,
     scene: Scene,
-    budget: Duration,
-    pieces: usize,
+    limits: Limits,
 }
 
 /// The cases, and what they leave out.
@@ -38,15 +38,19 @@ pub(super) fn cases(
     let resolved = camera.resolve()?;
     let mut left_out = Vec::new();
     let parts = parts(name, scene, camera, &mut left_out);
-    let run = |part| CaseRun::new(plan(part, *camera, resolved));
+    let camera = *camera;
+    let run = |Part { title, scene, limits }| {
+        let case = Case { name: title.clone(), ..Case::default() };
+        CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved))
+    };
     Ok((parts.into_iter().map(run).collect(), left_out))
 }
 
 /// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
 fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Part> {
     let part = |title: String, scene: Scene, seconds, pieces| {
-        let budget = Duration::from_secs(seconds);
-        Part { title, scene, budget, pieces }
+        let limits = Limits { rounds: 41, budget: Duration::from_secs(seconds), pieces };
+        Part { title, scene, limits }
     };
     let mut parts = vec![part(name.to_owned(), scene.clone(), 12, 400)];
     let (spheres, planes) = (scene.spheres(), scene.planes());
@@ -93,20 +97,6 @@ pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
         Method::Ladder | Method::DoubleDouble => true,
     };
     Method::ALL.iter().copied().filter(differ).collect()
-}
-
-fn plan(part: Part, camera: Camera, resolved: ResolvedCamera) -> Plan {
-    let Part { title, scene, budget, pieces } = part;
-    let name = title.clone();
-    Plan {
-        name,
-        knob: None,
-        knob_name: String::new(),
-        rounds: 41,
-        budget,
-        pieces,
-        make: Box::new(move || make(&title, scene, &camera, &resolved)),
-    }
 }
 
 fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Made {

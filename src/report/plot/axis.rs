@@ -22,7 +22,7 @@ pub(crate) struct Tick {
 }
 
 impl Decades {
-    /// Over all positive values; `zero` is where zeros stand.
+    /// Creates a scale over all positive values; zeros stand at `zero`.
     pub(crate) fn over(values: impl Iterator<Item = f64>, along: Stretch, zero: f64) -> Decades {
         let [low, high] = range(values).unwrap_or([0.5, 1.0]);
         let (low, mut high) = (low.log10().floor() as i32, high.log10().ceil() as i32);
@@ -74,7 +74,7 @@ pub(crate) struct Close {
 }
 
 impl Close {
-    /// Over all positive values.
+    /// Creates a scale over all positive values.
     pub(crate) fn over(values: impl Iterator<Item = f64>, along: Stretch) -> Close {
         let [low, high] = range(values).unwrap_or([1.0, 10.0]).map(f64::log10);
         let margin = (0.06 * (high - low)).max(0.12);
@@ -123,7 +123,7 @@ enum KnobScale {
 }
 
 impl Knobs {
-    /// Over these settings.
+    /// Creates a scale of these settings.
     pub(crate) fn over(knobs: &[f64], along: Stretch) -> Knobs {
         let mut sorted = knobs.to_vec();
         sorted.sort_by(f64::total_cmp);

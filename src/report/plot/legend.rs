@@ -6,7 +6,7 @@ use egui::Align;
 use super::frame::{TEXT, WEAK};
 use super::marker::{self, WRONG, marker_of};
 use super::summary::{Summary, Worst};
-use crate::figures::chart::{Chart, Point};
+use crate::figures::chart::{Chart, Point, bold, plain};
 use crate::model::number::grouped;
 
 /// Distance from one line to the next, in points.
@@ -20,9 +20,9 @@ const COLUMNS: [f64; 2] = [156.0, 272.0];
 
 /// Draws the table from its left top corner; the ring's meaning stands below.
 pub(crate) fn draw(chart: &mut Chart, [left, top]: Point, summary: &Summary) {
-    chart.bold([left, top], Align::LEFT, 17.0, TEXT, "wrong decisions");
+    chart.text([left, top], Align::LEFT, bold(17.0), TEXT, "wrong decisions");
     for (name, x) in ["f32", "f64"].into_iter().zip(COLUMNS) {
-        chart.bold([left + x + 16.0, top], Align::LEFT, 17.0, TEXT, name);
+        chart.text([left + x + 16.0, top], Align::LEFT, bold(17.0), TEXT, name);
     }
     let mut families: Vec<&str> = Vec::new();
     for method in &summary.methods {
@@ -32,7 +32,7 @@ pub(crate) fn draw(chart: &mut Chart, [left, top]: Point, summary: &Summary) {
     }
     for (index, family) in families.iter().enumerate() {
         let y = top + LINE * (index as f64 + 1.1);
-        chart.text([left, y], Align::LEFT, 17.0, TEXT, *family);
+        chart.text([left, y], Align::LEFT, plain(17.0), TEXT, *family);
         for method in summary.methods.iter().filter(|method| method.family == *family) {
             let x = left + COLUMNS[usize::from(!method.single)];
             count(chart, [x, y], method);
@@ -40,7 +40,7 @@ pub(crate) fn draw(chart: &mut Chart, [left, top]: Point, summary: &Summary) {
     }
     let decisions = summary.methods.iter().map(|method| method.decisions).max().unwrap_or(0);
     let y = top + LINE * (families.len() as f64 + 1.2);
-    chart.text([left, y], Align::LEFT, 15.0, WEAK, format!("of {}", grouped(decisions)));
+    chart.text([left, y], Align::LEFT, plain(15.0), WEAK, format!("of {}", grouped(decisions)));
 }
 
 /// A mark and what it got wrong, ringed as in the panels.
@@ -48,9 +48,9 @@ fn count(chart: &mut Chart, [x, y]: Point, method: &Worst) {
     marker_of(method.family).draw(chart, [x, y], method.single);
     let at = [x + 20.0, y];
     if method.wrong == 0 {
-        chart.text(at, Align::LEFT, 17.0, WEAK, "0");
+        chart.text(at, Align::LEFT, plain(17.0), WEAK, "0");
         return;
     }
     marker::ring(chart, [x, y]);
-    chart.bold(at, Align::LEFT, 17.0, WRONG, grouped(method.wrong));
+    chart.text(at, Align::LEFT, bold(17.0), WRONG, grouped(method.wrong));
 }

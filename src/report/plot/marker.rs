@@ -58,7 +58,7 @@ pub(crate) fn ring(chart: &mut Chart, center: Point) {
 }
 
 impl Marker {
-    /// Its colour on light or dark ground: what would be lost on dark is lightened.
+    /// Returns the colour on light or dark ground: what would be lost on dark is lightened.
     pub(crate) fn color_on(&self, dark: bool) -> Color32 {
         if !dark {
             return self.color;

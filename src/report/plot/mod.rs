@@ -20,7 +20,7 @@ use self::summary::Summary;
 pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
 use crate::figures::Figure;
-use crate::figures::chart::Chart;
+use crate::figures::chart::{Chart, bold, plain};
 
 const TITLE: &str = "Error against run time";
 
@@ -50,7 +50,7 @@ pub fn figure(report: &Report, scale: f32) -> Figure {
 
 /// Writes the title and how to read what is below; returns where it ends.
 fn head(chart: &mut Chart) -> f64 {
-    chart.bold([MARGIN, 40.0], Align::LEFT, 30.0, TEXT, TITLE);
+    chart.text([MARGIN, 40.0], Align::LEFT, bold(30.0), TEXT, TITLE);
     let how_to_read = [
         "Down and left is better. Filled: f64; hollow: f32. A mark stands at the largest error in t, \
          its stem ends at the 99th percentile.",
@@ -104,13 +104,13 @@ fn row(chart: &mut Chart, top: f64, summary: &Summary) {
         1 => case.title(),
         _ => case.name.clone(),
     };
-    chart.bold([MARGIN, top + 14.0], Align::LEFT, 22.0, TEXT, settings);
+    chart.text([MARGIN, top + 14.0], Align::LEFT, bold(22.0), TEXT, settings);
     let coverage = format!("coverage {}", summary.coverage());
     let coverage = match summary.cases.len() {
         1 => coverage,
         count => format!("{count} settings, {coverage}"),
     };
-    chart.text([WIDTH - MARGIN, top + 14.0], Align::RIGHT, 17.0, WEAK, coverage);
+    chart.text([WIDTH - MARGIN, top + 14.0], Align::RIGHT, plain(17.0), WEAK, coverage);
     let (upper, lower) = (top + 62.0, top + 62.0 + PANEL);
     let left = MARGIN + NUMBERS;
     let right = WIDTH - MARGIN - legend::WIDTH - GAP - 14.0;
@@ -118,7 +118,7 @@ fn row(chart: &mut Chart, top: f64, summary: &Summary) {
     let whole = Frame { left, top: upper, right, bottom: lower };
     let errors = Errors::new(summary, whole);
     let what = "largest error in t, in ulps of f64".to_owned();
-    chart.text([MARGIN, top + 44.0], Align::LEFT, 17.0, TEXT, what);
+    chart.text([MARGIN, top + 44.0], Align::LEFT, plain(17.0), TEXT, what);
     if summary.has_knob() {
         let across = Frame { right: middle - 8.0, ..whole };
         panel::time(chart, across, &errors, summary);

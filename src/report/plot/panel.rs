@@ -6,7 +6,7 @@ use super::axis::{Close, Decades, Knobs, Tick};
 use super::frame::{FRAME, Frame, GRID, SMALL, TEXT, WEAK, across};
 use super::marker::{self, marker_of};
 use super::summary::{SINGLE, Summary, in_ulps_of_f64};
-use crate::figures::chart::{Chart, Point};
+use crate::figures::chart::{Chart, Point, plain};
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
@@ -46,7 +46,7 @@ impl Errors {
         for Tick { at, text } in self.scale.ticks(6) {
             chart.line(&[[left, at], [right, at]], GRID, 1.0);
             if numbers {
-                chart.text([left - 8.0, at], Align::RIGHT, SMALL, TEXT, text);
+                chart.text([left - 8.0, at], Align::RIGHT, plain(SMALL), TEXT, text);
             }
         }
         for ulp in [1.0, SINGLE] {
@@ -61,7 +61,7 @@ impl Errors {
             let Some(middle) = middle else { continue };
             chart.line(&[[left, edge], [right, edge]], FRAME, 1.0);
             if numbers {
-                chart.text([left - 8.0, middle], Align::RIGHT, SMALL, TEXT, name);
+                chart.text([left - 8.0, middle], Align::RIGHT, plain(SMALL), TEXT, name);
             }
         }
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
@@ -73,7 +73,7 @@ impl Errors {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.holds(ulp) {
                 let at = [frame.right + 6.0, self.scale.place(ulp)];
-                chart.text(at, Align::LEFT, 14.0, WEAK, name);
+                chart.text(at, Align::LEFT, plain(14.0), WEAK, name);
             }
         }
     }

@@ -14,10 +14,10 @@ use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::{Action, AnswersAction, Leave};
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 
-/// No larger file is graded in the window: two million answers, which take some seconds.
+/// Maximum size of a file that is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
-/// What a file that is dropped on the window is opened as: its first bytes tell.
+/// Returns the action for a file that is dropped on the window: its first bytes tell.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
@@ -35,7 +35,8 @@ pub(super) fn apply(scene: &mut OpenScene, action: AnswersAction) -> Option<Dial
         AnswersAction::Ask => {
             // Near the last one, or the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let field = PathField::answers_near(last.or(scene.open.file()));
+            let hint = "path of a .csv or .png file of answers";
+            let field = PathField::new(last.or(scene.open.file()), "", &["csv", "png"], hint);
             return Some(Dialog::Answers(field));
         }
         AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),

@@ -21,10 +21,13 @@ use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 use crate::view::derive::Deriver;
 
-/// What the step of the history is called that puts the camera where the ghost is.
+/// Names of the history's steps that put the camera where the ghost is, and that set it from the
+/// clipboard.
 const SWAP: &str = "swap with the ghost";
-/// And the one that sets it from the clipboard.
 const PASTE: &str = "paste a camera";
+
+/// Hint in the field of a scene's path.
+const SCENE: &str = "path of a .toml scene";
 
 impl App {
     /// Does it, or asks what stands in its way; what it may have changed.
@@ -126,7 +129,9 @@ impl App {
 
     fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
         match action {
-            FileAction::AskOpen => Some(Dialog::Open(PathField::to_open(self.scene.open.file()))),
+            FileAction::AskOpen => {
+                Some(Dialog::Open(PathField::new(self.scene.open.file(), "", &["toml"], SCENE)))
+            }
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs => Some(self.ask_save_as(None)),
             FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
@@ -157,7 +162,8 @@ impl App {
 
     fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
         let open = &self.scene.open;
-        Dialog::SaveAs { field: PathField::to_save(open.file(), &open.file_name()), then }
+        let field = PathField::new(open.file(), &open.file_name(), &["toml"], SCENE);
+        Dialog::SaveAs { field, then }
     }
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {

@@ -6,7 +6,6 @@ use pinhole_exchange::format::{ExportScene, Exported};
 use super::scene::OpenScene;
 use crate::model::files::save_written;
 use crate::model::translator::with;
-use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
 
@@ -24,14 +23,12 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
 }
 
 /// Tells what became of the last paste, until the camera is another one.
-pub(super) fn paste_notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
+pub(super) fn paste_notice(ctx: &Context, scene: &mut OpenScene) {
     let pasted = &mut scene.session.translator.pasted;
-    let was_told = pasted.is_some();
     if pasted.as_ref().is_some_and(|said| said.camera != scene.open.document.camera) {
         *pasted = None;
     }
     translator::notice(ctx, pasted);
-    Changed::SESSION.when(was_told && pasted.is_none())
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {
@@ -50,7 +47,7 @@ pub(super) fn ask_where_to_save(scene: &OpenScene) -> Option<Dialog> {
         // A folder has no ending.
         _ => (target.name(), ""),
     };
-    let field = PathField::of_exchange(scene.open.file(), name);
+    let field = PathField::new(scene.open.file(), name, &[], "path of the file");
     Some(Dialog::Translate { field, ending })
 }
 

@@ -23,7 +23,7 @@ const VIEW: f32 = 960.0;
 const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
-/// What is on the screen.
+/// The screen as it was derived last.
 pub(super) struct Screen<'a> {
     pub(super) ctx: &'a Context,
     pub(super) scene: &'a OpenScene,

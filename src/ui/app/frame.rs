@@ -37,7 +37,6 @@ impl App {
             changed |= self.outputs(ui, &places);
         });
         self.over.marks(ui, self.scene.session.spotlight);
-        changed |= exchange::paste_notice(&ctx, &mut self.scene);
         self.keep_history(&ctx);
         self.playback.record(&ctx, &mut self.over.dialog);
         self.window.follow(&ctx, &self.scene);
@@ -50,7 +49,7 @@ impl App {
         workspace(self.scene.session.settings.layout)
     }
 
-    /// What comes from outside the panels: keys, the clipboard, dropped files and the close button.
+    /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         // Not under a dialog: its answer would then be about another scene.
         if !self.over.covers() {
@@ -114,11 +113,11 @@ impl App {
         }
     }
 
-    /// What there is for commands to be done to.
+    /// Returns what there is for commands to be done to.
     fn available(&self) -> Available {
         Available {
-            undo: self.history.undo_name().is_some(),
-            redo: self.history.redo_name().is_some(),
+            undo: self.history.steps.undo_name().is_some(),
+            redo: self.history.steps.redo_name().is_some(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
             ghost: self.scene.session.ghost.is_some(),
@@ -136,8 +135,7 @@ impl App {
         look::follow(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
         if !presenting {
-            let (undo, redo) = (self.history.undo_name(), self.history.redo_name());
-            let steps = top_bar::Steps { undo, redo };
+            let steps = [self.history.steps.undo_name(), self.history.steps.redo_name()];
             let (open, recent) = (&scene.open, &self.window.recent);
             let settings = &mut scene.session.settings;
             Panel::top("top bar").show(ui, |ui| {
@@ -182,14 +180,16 @@ impl App {
         }
         ui.separator();
         let resolved = document.camera.resolve().ok();
-        changed |= selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        let before = *selected;
+        selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        changed |= Changed::SESSION.when(*selected != before);
         ui.separator();
         changed |= objects::ui(ui, document, &mut scene.chosen_object);
         ui.add_space(8.0);
         changed
     }
 
-    /// Where the views lie, and what is beside them.
+    /// Lays out the views, and what is beside them.
     fn places(&mut self, ui: &mut Ui) -> (Places, Changed) {
         let areas = self.workspace().areas;
         let session = &mut self.scene.session;
@@ -204,7 +204,7 @@ impl App {
         (Places::new(areas, image, per_point, presenting), changed)
     }
 
-    /// What mouse and keys do in the views, and what they point at.
+    /// Takes the inputs of mouse and keys in the views, and what they point at.
     fn view_inputs(&mut self, ui: &mut Ui, places: &Places, actions: &mut Vec<Action>) -> Changed {
         let workspace = self.workspace();
         let (scene, shown) = (&mut self.scene, &self.views.derived);
@@ -231,11 +231,13 @@ impl App {
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
-    /// The views, and what the workspace has beside them.
+    /// Shows the views, and what the workspace has beside them. Whatever they change of the session is
+    /// derived in the next pass.
     fn outputs(&mut self, ui: &mut Ui, places: &Places) -> Changed {
+        let before = self.scene.session.clone();
         let workspace = self.workspace();
         let actions = &mut self.waiting;
-        let mut changed = self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
+        self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
         let settings = self.scene.session.settings;
         let mut desk = Desk {
             open: &self.scene.open,
@@ -252,13 +254,14 @@ impl App {
         if let (Some(beside), Some(area), Some(rect)) =
             (workspace.beside, places.beside_area, places.beside)
         {
-            changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
+            (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
             ui.set_clip_rect(places.rest);
-            changed |= (workspace.rest)(ui, &mut desk);
+            (workspace.rest)(ui, &mut desk);
         });
-        changed
+        exchange::paste_notice(ui.ctx(), &mut self.scene);
+        Changed::SESSION.when(self.scene.session != before)
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is

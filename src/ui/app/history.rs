@@ -14,16 +14,16 @@ const PAUSE: f64 = 1.0;
 /// The steps so far, and what the next one is told from.
 #[derive(Debug)]
 pub(super) struct SceneHistory {
-    history: History<Moment>,
+    pub(super) steps: History<Moment>,
     /// The document when the hand last rested.
     settled: Document,
-    /// What the last step was, to tell whether the next change goes on with it.
+    /// The last step, to tell whether the next change goes on with it.
     last: Option<Last>,
 }
 
-/// How it was at a step's beginning, or end.
+/// The state at a step's beginning, or end.
 #[derive(Clone, Debug)]
-enum Moment {
+pub(super) enum Moment {
     /// The scene is the same one.
     Edited(Box<Document>),
     /// Another scene or lesson's step, and how it was looked at.
@@ -39,22 +39,12 @@ struct Last {
 
 impl SceneHistory {
     pub(super) fn new(document: &Document) -> SceneHistory {
-        SceneHistory { history: History::default(), settled: document.clone(), last: None }
+        SceneHistory { steps: History::default(), settled: document.clone(), last: None }
     }
 
     /// The document after the last step.
     pub(super) fn settled(&self) -> &Document {
         &self.settled
-    }
-
-    /// What *Undo* would undo.
-    pub(super) fn undo_name(&self) -> Option<&str> {
-        self.history.undo_name()
-    }
-
-    /// What *Redo* would do again.
-    pub(super) fn redo_name(&self) -> Option<&str> {
-        self.history.redo_name()
     }
 
     /// Makes a step of what has changed since the hand last rested.
@@ -80,9 +70,9 @@ impl SceneHistory {
         });
         let settled = std::mem::replace(&mut self.settled, document.clone());
         if goes_on {
-            self.history.extend();
+            self.steps.extend();
         } else {
-            self.history.record(name.text.clone(), Moment::Edited(Box::new(settled)));
+            self.steps.record(name.text.clone(), Moment::Edited(Box::new(settled)));
         }
         self.last = Some(Last { name: name.text, focus, time });
     }
@@ -97,13 +87,12 @@ impl SceneHistory {
             return;
         }
         let name = format!("show {}", title_of(now.open.origin()));
-        self.history.record(name, Moment::Elsewhere(Box::new(before)));
+        self.steps.record(name, Moment::Elsewhere(Box::new(before)));
         self.take_as_settled(&now.open.document);
         self.last = None;
     }
 
-    /// What has changed in the document until now is no step: it was written to disk, or it is what
-    /// a lesson begins with.
+    /// Takes the changes until now for no step: they were written to disk, or a lesson begins with them.
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }
@@ -121,8 +110,8 @@ impl SceneHistory {
             Moment::Elsewhere(_) => Moment::Elsewhere(Box::new(scene.clone())),
         };
         let moment = match action {
-            HistoryAction::Undo => self.history.undo(here),
-            HistoryAction::Redo => self.history.redo(here),
+            HistoryAction::Undo => self.steps.undo(here),
+            HistoryAction::Redo => self.steps.redo(here),
         };
         let Some(moment) = moment else { return Opened::default() };
         let is_another = matches!(moment, Moment::Elsewhere(_));

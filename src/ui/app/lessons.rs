@@ -19,16 +19,16 @@ pub(super) struct Lessons {
     pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
-    /// Where the step was first looked at from, if it does not say so itself.
+    /// The first observer of the step, if it does not name one itself.
     seen_from: Option<Observer>,
-    /// As it was before the first step.
+    /// The session before the first step.
     before: Option<Session>,
     /// The scene that was open before the first step, as the command line names it.
-    scene_before: Option<PathBuf>,
+    pub(super) scene_before: Option<PathBuf>,
 }
 
 impl Lessons {
-    /// The world view was framed anew.
+    /// Takes note that the world view was framed anew.
     pub(super) fn framed(&mut self, observer: Observer) {
         self.seen_from = self.seen_from.or(Some(observer));
     }
@@ -40,10 +40,6 @@ impl Lessons {
             apply::give_back(before, &mut session);
         }
         session.settings
-    }
-
-    pub(super) fn scene_before(&self) -> Option<PathBuf> {
-        self.scene_before.clone()
     }
 
     /// The open lesson and its step, counted from 1, if it comes with the program.
@@ -115,7 +111,7 @@ impl OpenScene {
         self.open.leave_lesson();
     }
 
-    /// Whether anything was changed since the step of the open lesson was set.
+    /// Returns true if anything was changed since the step of the open lesson was set.
     pub(super) fn differs_from_step(&self) -> bool {
         self.lessons.open.as_ref().is_some_and(|open| {
             let seen_from = self.lessons.seen_from;

@@ -1,4 +1,4 @@
-//! How things are shown: carrying out its commands, presenter mode among them, and giving the window
+//! The look of things: carrying out its commands, presenter mode among them, and giving the window
 //! its colours and sizes.
 
 use egui::{Context, ThemePreference};

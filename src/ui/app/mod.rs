@@ -58,7 +58,7 @@ pub struct App {
     window: AppWindow,
     /// Actions for the next pass.
     waiting: Vec<Action>,
-    /// What has changed since the last pass.
+    /// The changes since the last pass.
     changed: Changed,
 }
 
@@ -127,7 +127,7 @@ impl App {
         &self.scene.open.document
     }
 
-    /// How the document is looked at.
+    /// The session, which looks at the document.
     pub fn session(&self) -> &Session {
         &self.scene.session
     }
@@ -142,18 +142,18 @@ impl App {
         self.playback.player.as_ref()
     }
 
-    /// What the last frame showed.
+    /// The values that the last frame showed.
     pub fn derived(&self) -> &Derived {
         &self.views.derived
     }
 
-    /// How many pictures were traced so far.
+    /// Number of pictures traced so far.
     pub fn pictures_traced(&self) -> u64 {
         self.views.deriver.traced()
     }
 
-    /// How long tracing may take while a hand moves what is traced; pictures are coarser where it
-    /// would take longer. For those who want to see it happen on any scene.
+    /// Sets the time that tracing may take while a hand moves what is traced; pictures are coarser where
+    /// it would take longer. For those who want to see it happen on any scene.
     pub fn follow_within(&mut self, budget: Duration) {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }

@@ -1,8 +1,8 @@
-//! What lies over the window: dialogs, the command palette, the list of keys, the ring round what has
+//! The overlays of the window: dialogs, the command palette, the list of keys, the ring round what has
 //! the focus, and the spotlight.
 
 use egui::{Context, Ui};
-use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::SceneSource;
 
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
@@ -13,10 +13,10 @@ use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::view::typesetting::theme;
 
-/// Of more objects, the palette lists the first ones.
+/// Maximum number of objects that the palette lists.
 const LISTED_OBJECTS: usize = 200;
 
-/// What lies over the window until it is closed.
+/// The overlays that are open.
 #[derive(Default)]
 pub(super) struct Over {
     pub(super) dialog: Option<Dialog>,
@@ -27,7 +27,7 @@ pub(super) struct Over {
 }
 
 impl Over {
-    /// Whether something lies over the window, which takes mouse and keys.
+    /// Returns true if something lies over the window, which takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
@@ -57,7 +57,7 @@ impl Over {
             let extra = commands_of_what_is_open(scene, recent);
             let commands = commands_table::all().iter().chain(&extra);
             let commands: Vec<&UiCommand> =
-                commands.filter(|verb| verb.action.is_possible(there)).collect();
+                commands.filter(|command| command.action.is_possible(there)).collect();
             if !palette::ui(ctx, palette, &commands, &scene.session, actions) {
                 self.palette = None;
             }
@@ -86,32 +86,17 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) ->
     let own = open.filter(|open| open.place().lesson == Which::File);
     let mut commands =
         own.map_or_else(Vec::new, |own| commands_table::of_lesson(Which::File, own.lesson()));
-    commands.extend(recent.iter().map(|path| open_again(path)));
+    commands.extend(recent.iter().map(|path| {
+        let name = format!("open {}", path.display());
+        let open = Leave::Open(SceneSource::File(path.to_owned()));
+        commands_table::command(Group::File, name, "Opens it again.", open)
+    }));
     let document = &scene.open.document;
     let count = document.object_count().min(LISTED_OBJECTS);
-    commands.extend((0..count).map(|index| object(document, index)));
+    commands.extend((0..count).map(|index| {
+        let name = format!("choose {}", document.title_of(index));
+        let about = "Shows its fields, and its handles in the world view.";
+        commands_table::command(Group::Objects, name, about, ObjectAction::Choose(index))
+    }));
     commands
-}
-
-/// An object to choose.
-fn object(document: &Document, index: usize) -> UiCommand {
-    UiCommand {
-        group: Group::Objects,
-        name: format!("choose {}", document.title_of(index)).into(),
-        about: "Shows its fields, and its handles in the world view.".into(),
-        keys: &[],
-        action: ObjectAction::Choose(index).into(),
-    }
-}
-
-/// A file that was opened lately.
-fn open_again(path: &std::path::Path) -> UiCommand {
-    use pinhole_exchange::scenes::SceneSource;
-    UiCommand {
-        group: Group::File,
-        name: format!("open {}", path.display()).into(),
-        about: "Opens it again.".into(),
-        keys: &[],
-        action: Leave::Open(SceneSource::File(path.to_owned())).into(),
-    }
 }

@@ -23,7 +23,7 @@ pub(super) struct Playback {
     recorder: Option<Recorder>,
 }
 
-/// What an animation begins with, besides the scene.
+/// The things that an animation begins with, besides the scene.
 pub(super) struct Seen<'a> {
     /// The selected ray.
     pub(super) inspection: Option<&'a Inspection>,
@@ -86,15 +86,7 @@ impl Playback {
             (PlayAction::Loop, Some(player)) => player.loops ^= true,
             (PlayAction::Keep, Some(_)) => self.keep(ctx, scene, history),
             (PlayAction::Close, Some(_)) => self.give_back(scene),
-            (
-                PlayAction::Toggle
-                | PlayAction::Step(_)
-                | PlayAction::Faster(_)
-                | PlayAction::Loop
-                | PlayAction::Keep
-                | PlayAction::Close,
-                None,
-            ) => {}
+            (_, None) => {}
         }
     }
 
@@ -150,12 +142,12 @@ impl Playback {
         }
     }
 
-    /// Whether an animation moves the camera: its frames are no steps of the history.
+    /// Returns true if an animation moves the camera: its frames are no steps of the history.
     pub(super) fn plays_camera(&self) -> bool {
         self.player.as_ref().is_some_and(|player| player.kind.moves_camera())
     }
 
-    /// Whether the camera is moving by itself just now.
+    /// Returns true if the camera is moving by itself just now.
     pub(super) fn is_running(&self) -> bool {
         self.plays_camera() && self.player.as_ref().is_some_and(|player| player.running)
     }

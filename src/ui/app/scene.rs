@@ -33,10 +33,10 @@ pub(super) struct OpenScene {
     pub(super) chosen_object: usize,
 }
 
-/// What showing a scene asks of the other parts.
+/// The work that showing a scene asks of the other parts.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Opened {
-    /// It is another scene: what was good in the one before is nothing to show in this one.
+    /// True for another scene: what was good in the one before is nothing to show in this one.
     pub(super) is_another: bool,
     /// The animation to open as soon as it is known what the ray hits.
     pub(super) play: Option<Kind>,
@@ -83,7 +83,7 @@ impl OpenScene {
         Opened { is_another: true, play: None }
     }
 
-    /// Whether there are unsaved changes, and whether anything is not as the lesson's step says.
+    /// Returns whether there are unsaved changes, and whether anything differs from the lesson's step.
     pub(super) fn marks(&self) -> [bool; 2] {
         [self.open.has_changes(), self.differs_from_step()]
     }

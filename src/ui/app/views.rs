@@ -10,7 +10,6 @@ use super::scene::OpenScene;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::ui::action::{Action, Observe};
-use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::places::Places;
 use crate::ui::scene::{framing, views};
@@ -30,13 +29,13 @@ const STEERING: [Key; 7] = [
     Key::Minus,
 ];
 
-/// What is derived, and its pictures on their way to the screen.
+/// The derived values, and their pictures on the way to the screen.
 #[derive(Default)]
 pub(super) struct Views {
     pub(super) deriver: Deriver,
     pub(super) derived: Derived,
     pub(super) adaptive_resolution: AdaptiveResolution,
-    /// What went into the last frame, for those who keep a log.
+    /// The work for the last frame, for those who keep a log.
     pub(super) frame_work: Option<FrameWork>,
     world: ViewTexture,
     camera: ViewTexture,
@@ -90,12 +89,11 @@ impl Views {
         scene: &mut OpenScene,
         hand: &mut InHand,
         actions: &mut Vec<Action>,
-    ) -> Changed {
+    ) {
         let derived = &self.derived;
-        let mut changed = Changed::NOTHING;
         if scene.session.presenting.is_none() {
             let image = scene.open.document.camera.image;
-            changed |= views::strips(ui, places, &mut scene.session.settings, image);
+            views::strips(ui, places, &mut scene.session.settings, image);
         }
         let (document, session) = (&scene.open.document, &scene.session);
         if let (Some(rect), Some(shown)) = (places.world, &derived.world_view) {
@@ -132,11 +130,10 @@ impl Views {
             actions.push(Observe::FrameCamera.into());
             ui.ctx().request_repaint();
         }
-        changed
     }
 }
 
-/// Whether mouse or keys move what is seen.
+/// Returns true if mouse or keys move what is seen.
 fn is_hand_moving(ctx: &Context) -> bool {
     ctx.input(|i| {
         let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;

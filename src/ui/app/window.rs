@@ -18,7 +18,7 @@ pub(super) struct AppWindow {
     /// Files opened or saved lately.
     pub(super) recent: Vec<PathBuf>,
     title: String,
-    /// What draws the window, in words.
+    /// The renderer of the window, in words.
     pub(super) renderer: String,
     may_close: bool,
     /// The user chose to lose the changes.
@@ -31,15 +31,8 @@ impl AppWindow {
         geometry: WindowGeometry,
         recent: Vec<PathBuf>,
     ) -> AppWindow {
-        AppWindow {
-            store,
-            geometry,
-            recent,
-            title: String::new(),
-            renderer: String::new(),
-            may_close: false,
-            discarded: false,
-        }
+        let (title, renderer) = (String::new(), String::new());
+        AppWindow { store, geometry, recent, title, renderer, may_close: false, discarded: false }
     }
 
     /// Puts a file at the head of the recent ones.
@@ -53,7 +46,7 @@ impl AppWindow {
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// Whether the close button was pressed, and nobody has said yet that it may be.
+    /// Returns true if the close button was pressed, and nobody has said yet that it may be.
     pub(super) fn is_to_close(&self, ctx: &Context) -> bool {
         ctx.input(|i| i.viewport().close_requested()) && !self.may_close
     }
@@ -97,7 +90,7 @@ impl AppWindow {
             selection: argument.is_some().then(|| scene.session.selection.into()),
             recent: self.recent.clone(),
             renderer: self.renderer.clone(),
-            last: argument.or_else(|| scene.lessons.scene_before()),
+            last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
         };
         if let Err(error) = store.save(&remembered) {

@@ -5,7 +5,7 @@ use egui::{Context, Event, Key, Modifiers};
 use super::all;
 use crate::ui::action::Action;
 
-/// When a key counts. Under a dialog none does.
+/// The time at which a key counts. Under a dialog none does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
     /// Always, also while something is typed, which is taken over first.
@@ -24,28 +24,28 @@ pub enum When {
     View,
     /// While the camera view has the focus, or nothing has and it is the only view.
     CameraView,
-    /// Likewise the world view.
+    /// The same for the world view.
     WorldView,
 }
 
 /// A key with what is held besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
-    /// What is held.
+    /// The modifiers that are held.
     pub modifiers: Modifiers,
-    /// What is pressed.
+    /// The key that is pressed.
     pub key: Key,
-    /// When it counts.
+    /// The time at which it counts.
     pub when: When,
 }
 
 impl Keys {
-    /// What it says on the keys, such as `Ctrl+Shift+S`.
+    /// Returns the words on the keys, such as `Ctrl+Shift+S`.
     pub fn text(&self) -> String {
         self.held() + name(self.key)
     }
 
-    /// What is held, as it says on the keys, such as `Ctrl+Shift+`.
+    /// Returns the words on the held keys, such as `Ctrl+Shift+`.
     pub(super) fn held(&self) -> String {
         let held = [
             (self.modifiers.command, "Ctrl+"),
@@ -55,7 +55,7 @@ impl Keys {
         held.iter().filter(|held| held.0).map(|held| held.1).collect()
     }
 
-    /// How often it was pressed; nobody else gets these presses.
+    /// Takes the presses of it, and returns their number.
     fn take(self, ctx: &Context) -> usize {
         let mut count = 0;
         ctx.input_mut(|input| {
@@ -108,10 +108,10 @@ pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Actio
         return Vec::new();
     }
     let mut actions = Vec::new();
-    for verb in all() {
-        for keys in verb.keys.iter().filter(|keys| counts(keys.when)) {
+    for command in all() {
+        for keys in command.keys.iter().filter(|keys| counts(keys.when)) {
             let times = keys.take(ctx);
-            actions.extend((0..times).map(|_| (keys.when, verb.action.clone())));
+            actions.extend((0..times).map(|_| (keys.when, command.action.clone())));
         }
     }
     actions

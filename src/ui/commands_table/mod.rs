@@ -14,13 +14,14 @@ use std::sync::LazyLock;
 
 pub use keys::{Keys, When, pressed};
 pub use search::{found, score};
-pub use table::{GESTURES, Gesture, of_lesson};
+pub use table::{GESTURES, Gesture};
+pub(crate) use table::{command, of_lesson};
 
 use egui::Key;
 
 use crate::ui::action::{Action, ObjectAction, Observe, Steer};
 
-/// What a command belongs to: a heading of the key sheet.
+/// The group of a command: a heading of the key sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// Opening, saving, quitting.
@@ -29,7 +30,7 @@ pub enum Group {
     Edit,
     /// The way through a lesson.
     Lesson,
-    /// In front of an audience.
+    /// Presenter mode.
     Presenting,
     /// The selected pixel and the observer.
     Views,
@@ -41,13 +42,13 @@ pub enum Group {
     Play,
     /// The program itself.
     Program,
-    /// Which views are shown.
+    /// The views that are shown.
     Layout,
-    /// What is drawn over the views.
+    /// The items drawn over the views.
     Overlay,
-    /// How pictures and window are coloured.
+    /// The colours of pictures and window.
     Colours,
-    /// How numbers are written.
+    /// The form of numbers.
     Numbers,
     /// The built-in scenes.
     Scene,
@@ -57,12 +58,12 @@ pub enum Group {
     Exercise,
     /// The wrong cameras.
     Mistake,
-    /// What draws the camera's picture.
+    /// The method that draws the camera's picture.
     Method,
 }
 
 impl Group {
-    /// Its heading, which the palette writes before a command's name.
+    /// Returns the heading, which the palette writes before a command's name.
     pub fn label(self) -> &'static str {
         match self {
             Group::File => "File",
@@ -90,25 +91,25 @@ impl Group {
 /// A command.
 #[derive(Clone, Debug)]
 pub struct UiCommand {
-    /// What it belongs to.
+    /// The heading that it stands under.
     pub group: Group,
-    /// What it is called within its group.
+    /// The name within its group.
     pub name: Cow<'static, str>,
-    /// What it does, in one sentence.
+    /// A sentence about it.
     pub about: Cow<'static, str>,
     /// The keys that do it; the first one is the one that menus tell.
     pub keys: &'static [Keys],
-    /// What is done.
+    /// The action.
     pub action: Action,
 }
 
 impl UiCommand {
-    /// What the palette calls it.
+    /// Returns the name in the palette.
     pub fn title(&self) -> String {
         format!("{}: {}", self.group.label(), self.name)
     }
 
-    /// Its keys in words, such as `Ctrl+Shift+Z, Ctrl+Y`.
+    /// Returns its keys in words, such as `Ctrl+Shift+Z, Ctrl+Y`.
     pub fn keys_text(&self) -> String {
         let texts: Vec<String> = self.keys.iter().map(Keys::text).collect();
         texts.join(", ")
@@ -125,7 +126,7 @@ pub fn all() -> &'static [UiCommand] {
 /// The first key of this action, such as `Ctrl+O`; nothing where it has none.
 pub fn shortcut(action: impl Into<Action>) -> String {
     with_action(&action.into())
-        .and_then(|verb| verb.keys.first())
+        .and_then(|command| command.keys.first())
         .map(Keys::text)
         .unwrap_or_default()
 }
@@ -136,10 +137,10 @@ pub fn keys_text(action: impl Into<Action>) -> String {
 }
 
 fn with_action(action: &Action) -> Option<&'static UiCommand> {
-    all().iter().find(|verb| verb.action == *action)
+    all().iter().find(|command| command.action == *action)
 }
 
-/// What commands that are one but for their direction are called together.
+/// Returns the common name of commands that are one but for their direction.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
@@ -152,26 +153,14 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer, there"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom, there"),
         Action::Object(ObjectAction::Next(_)) => Some("Previous and next object"),
-        Action::Observe(Observe::FrameCamera | Observe::FrameAll)
-        | Action::Object(_)
-        | Action::Leave(_)
-        | Action::File(_)
-        | Action::Lesson(_)
-        | Action::History(_)
-        | Action::Figure(_)
-        | Action::Exchange(_)
-        | Action::Answers(_)
-        | Action::Play(_)
-        | Action::Ghost(_)
-        | Action::Look(_)
-        | Action::Overlay(_) => None,
+        _ => None,
     }
 }
 
 /// The keys of commands that belong together: `Alt+arrows`, or all of them.
 fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
-    let keys: Vec<&Keys> = family.iter().flat_map(|verb| verb.keys).collect();
+    let keys: Vec<&Keys> = family.iter().flat_map(|command| command.keys).collect();
     let are_arrows = keys.len() == 4 && arrows.iter().all(|a| keys.iter().any(|k| k.key == *a));
     if let (true, Some(first)) = (are_arrows, keys.first())
         && keys.iter().all(|key| key.modifiers == first.modifiers)
@@ -186,17 +175,18 @@ fn keys_of(family: &[&UiCommand]) -> String {
 /// are one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
-    let with_keys: Vec<&UiCommand> = all().iter().filter(|verb| !verb.keys.is_empty()).collect();
+    let with_keys: Vec<&UiCommand> =
+        all().iter().filter(|command| !command.keys.is_empty()).collect();
     let same = |a: &&UiCommand, b: &&UiCommand| {
-        let of = |verb: &UiCommand| family(&verb.action);
+        let of = |command: &UiCommand| family(&command.action);
         of(a).is_some() && of(a) == of(b)
     };
-    let verbs = with_keys.chunk_by(same).map(|verbs| {
-        let name = family(&verbs[0].action).map_or(verbs[0].name.to_string(), str::to_owned);
-        (verbs[0].group, keys_of(verbs), name)
+    let commands = with_keys.chunk_by(same).map(|commands| {
+        let name = family(&commands[0].action).map_or(commands[0].name.to_string(), str::to_owned);
+        (commands[0].group, keys_of(commands), name)
     });
     let gestures = GESTURES.iter().map(|g| (g.group, g.how.to_owned(), g.does.to_owned()));
-    for (group, keys, name) in verbs.chain(gestures) {
+    for (group, keys, name) in commands.chain(gestures) {
         match groups.iter_mut().find(|(known, _)| *known == group) {
             Some((_, rows)) => rows.push((keys, name)),
             None => groups.push((group, vec![(keys, name)])),
@@ -211,20 +201,21 @@ mod tests {
 
     #[test]
     fn no_two_commands_have_the_same_title_or_the_same_action() {
-        for (k, verb) in all().iter().enumerate() {
+        for (k, command) in all().iter().enumerate() {
             for other in &all()[..k] {
-                assert_ne!(verb.title(), other.title());
-                assert_ne!(verb.action, other.action, "{}, {}", verb.title(), other.title());
+                assert_ne!(command.title(), other.title());
+                assert_ne!(command.action, other.action, "{}, {}", command.title(), other.title());
             }
         }
     }
 
     #[test]
     fn no_key_does_two_things_at_once() {
-        let keys = || all().iter().flat_map(|verb| verb.keys.iter().map(move |key| (key, verb)));
-        for (k, (key, verb)) in keys().enumerate() {
+        let keys =
+            || all().iter().flat_map(|command| command.keys.iter().map(move |key| (key, command)));
+        for (k, (key, command)) in keys().enumerate() {
             for (other, of) in keys().take(k) {
-                assert_ne!(key, other, "{} and {}", verb.title(), of.title());
+                assert_ne!(key, other, "{} and {}", command.title(), of.title());
             }
         }
     }
@@ -237,18 +228,18 @@ mod tests {
         names.sort();
         names.dedup();
         assert_eq!(names.len(), entries, "a name stands twice: {names:?}");
-        let all_keys: Vec<String> =
+        let keys: Vec<String> =
             sheet().into_iter().flat_map(|(_, rows)| rows.into_iter().map(|row| row.0)).collect();
-        for keys in ["Arrows", "Shift+arrows", "Alt+arrows", "Ctrl+arrows"] {
-            assert!(all_keys.iter().any(|shown| shown == keys), "{keys}: {all_keys:?}");
+        for arrows in ["Arrows", "Shift+arrows", "Alt+arrows", "Ctrl+arrows"] {
+            assert!(keys.iter().any(|keys| keys == arrows), "{keys:?}");
         }
     }
 
     #[test]
     fn every_command_is_said_in_a_sentence() {
-        for verb in all() {
-            assert!(verb.about.ends_with('.'), "{}: {}", verb.title(), verb.about);
-            assert!(!verb.name.is_empty());
+        for command in all() {
+            assert!(command.about.ends_with('.'), "{}: {}", command.title(), command.about);
+            assert!(!command.name.is_empty());
         }
     }
 }

@@ -7,18 +7,18 @@
 use super::UiCommand;
 
 /// The commands that fit what was typed, best first; all of them, in their order, where nothing was.
-pub fn found<'a>(typed: &str, verbs: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
+pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
     if typed.trim().is_empty() {
-        return verbs.collect();
+        return commands.collect();
     }
-    let scored = verbs.filter_map(|verb| Some((score(typed, &verb.title())?, verb)));
+    let scored = commands.filter_map(|command| Some((score(typed, &command.title())?, command)));
     let mut scored: Vec<(u32, &UiCommand)> = scored.collect();
     // Stable: equally good ones stay in the table's order.
     scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    scored.into_iter().map(|(_, verb)| verb).collect()
+    scored.into_iter().map(|(_, command)| command).collect()
 }
 
-/// How well a title fits what was typed: more is better, `None` where a word does not fit at all.
+/// Score of a title for what was typed: more is better, `None` where a word does not fit at all.
 /// Case does not count.
 pub fn score(typed: &str, title: &str) -> Option<u32> {
     let title: Vec<char> = title.to_lowercase().chars().collect();

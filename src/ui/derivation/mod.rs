@@ -11,6 +11,7 @@ use egui::{
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
 use crate::view::typesetting::derivation::{
     BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_line, paint,
@@ -103,9 +104,7 @@ impl DerivationPanel {
     fn head(&self, ui: &mut Ui, derivation: &Derivation, sections: &mut DerivationSections) {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new("Derivation").strong().size(SIZE));
-            let copy = ui.button("Copy");
-            ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label("Copy the derivation"));
-            if copy.clicked() {
+            if ui.button("Copy").named("Copy the derivation").clicked() {
                 ui.ctx().copy_text(derivation.to_string());
             }
             let menu = ui.menu_button("Copy as", |ui| {
@@ -115,14 +114,11 @@ impl DerivationPanel {
                     }
                 }
             });
-            let label = "Copy the derivation as";
-            ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label(label));
+            menu.response.named("Copy the derivation as");
             for section in DerivationSection::ALL {
                 let mut shown = sections.shows(section);
-                let response = ui.checkbox(&mut shown, section.label());
                 let name = format!("Derivation: {}", section.label());
-                ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-                if response.changed() {
+                if ui.checkbox(&mut shown, section.label()).named(name).changed() {
                     sections.set(section, shown);
                 }
             }
@@ -169,15 +165,9 @@ impl DerivationPanel {
             let title = RichText::new(&section.title).strong().size(SIZE);
             ui.add(egui::Label::new(title).selectable(false).sense(Sense::click()))
         });
-        let head = head.inner;
-        ui.ctx().accesskit_node_builder(head.id, |node| {
-            node.set_role(Role::Button);
-            node.set_label(format!(
-                "{}: {}",
-                if is_folded { "Unfold" } else { "Fold" },
-                section.title
-            ));
-        });
+        let verb = if is_folded { "Unfold" } else { "Fold" };
+        let name = format!("{verb}: {}", section.title);
+        let head = head.inner.with_role(Role::Button).named(name);
         if head.clicked() {
             self.folded.retain(|folded| *folded != key);
             if !is_folded {
@@ -223,18 +213,15 @@ fn band(ui: &Ui, rect: Rect) {
 fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) -> Response {
     let size = vec2(ui.available_width(), place.height);
     let (_, rect) = ui.allocate_space(size);
-    let response = ui.interact(rect, place.id, Sense::click());
+    // The accessible value of a plain text is the text.
+    let response = ui.interact(rect, place.id, Sense::click()).with_role(Role::Label);
+    let response = response.spoken(place.text.as_str());
     if response.clicked() {
         response.request_focus();
     }
-    ui.ctx().accesskit_node_builder(place.id, |node| {
-        node.set_role(Role::Label);
-        // The accessible value of a plain text is the text.
-        node.set_value(place.text.as_str());
-        if is_lit {
-            node.set_description("lit");
-        }
-    });
+    if is_lit {
+        ui.ctx().accesskit_node_builder(place.id, |node| node.set_description("lit"));
+    }
     if response.gained_focus() {
         response.scroll_to_me(None);
     }

@@ -8,52 +8,34 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::export::ExportForm;
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Dialog {
+pub(crate) enum Dialog {
     /// Asks for a file to open.
     Open(PathField),
     /// Asks for a student's answers to grade.
     Answers(PathField),
     /// Asks for a file to save to.
-    SaveAs {
-        /// The path.
-        field: PathField,
-        /// What follows once the scene is saved.
-        then: Option<Leave>,
-    },
-    /// Asks for a file to write the camera to, in another program's format.
-    Translate {
-        /// The path.
-        field: PathField,
-        /// The extension of the file's name; empty for a folder.
-        ending: &'static str,
-    },
+    SaveAs { field: PathField, then: Option<Leave> },
+    /// Asks for a file to write the camera to, in another program's format; `ending` is empty for a
+    /// folder.
+    Translate { field: PathField, ending: &'static str },
     /// Asks for a figure and a file to write it to.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
-    Progress {
-        /// Number of finished frames.
-        done: u32,
-        /// Total number of frames.
-        of: u32,
-    },
+    Progress { done: u32, of: u32 },
     /// Asks for a decision about unsaved changes before they are left.
-    Unsaved {
-        /// The document's name.
-        title: String,
-        /// What follows.
-        then: Leave,
-    },
+    Unsaved { title: String, then: Leave },
     /// Something to read and close.
     Message(Message),
 }
 
 /// Something to tell the user.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Message {
+pub(crate) struct Message {
     /// One line.
     title: String,
     /// The whole story.
@@ -75,7 +57,7 @@ impl Dialog {
 
 /// A field for a path, typed or chosen from a list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PathField {
+pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     /// The extensions of the listed files, and the hint in the empty field.
@@ -96,29 +78,9 @@ struct Entry {
 }
 
 impl PathField {
-    /// Creates the field for a scene to open; starts in the folder of `path`.
-    pub(crate) fn to_open(path: Option<&Path>) -> PathField {
-        PathField::of(path, "", &["toml"], "path of a .toml scene")
-    }
-
-    /// Creates the field for a scene to save; starts in the folder of `path`, with a name filled
-    /// in.
-    pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
-        PathField::of(path, name, &["toml"], "path of a .toml scene")
-    }
-
-    /// Creates the field for a camera in another program's format.
-    pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
-        PathField::of(path, name, &[], "path of the file")
-    }
-
-    /// Creates the field for a student's answers; starts in the folder of `path`.
-    pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
-        PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
-    }
-
-    /// Creates the field for files with these extensions.
-    pub(crate) fn of(
+    /// Creates the field for a file with one of these extensions; starts in the folder of `path`, with
+    /// `name` filled in.
+    pub(crate) fn new(
         path: Option<&Path>,
         name: &str,
         endings: &'static [&'static str],
@@ -166,12 +128,11 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the field and the folder. Returns a path once one is chosen.
+    /// Shows the field and the folder. Returns a path once one is chosen that is no folder.
     fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
         let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
-        let response = ui.add(field.desired_width(f32::INFINITY));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
+        let response = ui.add(field.desired_width(f32::INFINITY)).named("path");
         if response.changed() {
             self.overwrite = None;
         }
@@ -218,6 +179,9 @@ impl PathField {
         if ready && !typed.is_empty() {
             chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
         }
+        if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
+            self.list(folder);
+        }
         chosen
     }
 }
@@ -237,46 +201,47 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     let size_before = size();
     let response = Modal::new(id).show(ctx, |ui| {
         ui.set_width(460.0);
-        match open {
+        let answer = match open {
             Dialog::Open(field) => {
-                let open = |path| Leave::Open(SceneSource::File(path)).into();
-                open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
+                ui.heading("Open a scene");
+                let path = field.ui(ui, "Open", &mut close);
+                path.map(|path| Leave::Open(SceneSource::File(path)).into())
             }
             Dialog::Answers(field) => {
-                let title = ("Check a student’s answers", "Check");
-                let check = |path| AnswersAction::Check(path).into();
-                open_ui(ui, title, field, check, actions, &mut close);
+                ui.heading("Check a student’s answers");
+                let path = field.ui(ui, "Check", &mut close);
+                path.map(|path| AnswersAction::Check(path).into())
             }
             Dialog::SaveAs { field, then } => {
                 ui.heading("Save the scene as");
-                if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
-                    actions.push(FileAction::SaveAs { path, then: then.take() }.into());
-                    close = true;
-                }
+                let path = save_ui(ui, field, "Save", "toml", &mut close);
+                path.map(|path| FileAction::SaveAs { path, then: then.take() }.into())
             }
             Dialog::Translate { field, ending } => {
                 ui.heading("Save the camera for another program");
-                if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
-                    actions.push(ExchangeAction::Save(path).into());
-                    close = true;
-                }
+                let path = save_ui(ui, field, "Save", ending, &mut close);
+                path.map(|path| ExchangeAction::Save(path).into())
             }
-            Dialog::Export(form) => form.ui(ui, actions, &mut close),
-            Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
+            Dialog::Export(form) => form.ui(ui, &mut close),
+            Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, &mut close),
             Dialog::Progress { done, of } => {
                 ui.heading("Exporting the animation");
                 ui.add(ProgressBar::new(*done as f32 / (*of).max(1) as f32));
                 ui.label(format!("{done} of {of} frames"));
                 ui.add_space(8.0);
                 close |= ui.button("Cancel").clicked();
+                None
             }
             Dialog::Message(Message { title, text }) => {
                 ui.heading(title.as_str());
                 ui.label(text.as_str());
                 ui.add_space(8.0);
                 close |= ui.button("Close").clicked();
+                None
             }
-        }
+        };
+        close |= answer.is_some();
+        actions.extend(answer);
     });
     // It was put in the middle by the size it had, which may be that of another dialog. Shown there, it
     // would jump away from under the mouse.
@@ -285,25 +250,6 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     }
     if close || response.should_close() {
         *dialog = None;
-    }
-}
-
-fn open_ui(
-    ui: &mut Ui,
-    (title, verb): (&str, &str),
-    field: &mut PathField,
-    action: impl FnOnce(PathBuf) -> Action,
-    actions: &mut Vec<Action>,
-    close: &mut bool,
-) {
-    ui.heading(title);
-    if let Some(path) = field.ui(ui, verb, close) {
-        if path.is_dir() {
-            field.list(path);
-        } else {
-            actions.push(action(path));
-            *close = true;
-        }
     }
 }
 
@@ -317,10 +263,6 @@ pub(crate) fn save_ui(
 ) -> Option<PathBuf> {
     let mut chosen = None;
     if let Some(mut path) = field.ui(ui, verb, cancel) {
-        if path.is_dir() {
-            field.list(path);
-            return None;
-        }
         if path.extension().is_none() {
             path.set_extension(ending);
         }
@@ -337,20 +279,19 @@ pub(crate) fn save_ui(
     chosen
 }
 
-fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, actions: &mut Vec<Action>, close: &mut bool) {
+fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, close: &mut bool) -> Option<Action> {
     ui.heading(format!("Save the changes to {title}?"));
     ui.label("Without saving, they are lost.");
     ui.add_space(8.0);
-    ui.horizontal(|ui| {
-        for (text, action) in [
-            ("Save", Some(FileAction::SaveThen(then.clone()))),
-            ("Discard", Some(FileAction::Discard(then.clone()))),
-            ("Cancel", None),
-        ] {
-            if ui.button(text).clicked() {
-                actions.extend(action.map(Action::from));
-                *close = true;
-            }
+    let buttons = ui.horizontal(|ui| {
+        let save = ui.button("Save").clicked();
+        let discard = ui.button("Discard").clicked();
+        *close |= ui.button("Cancel").clicked();
+        match (save, discard) {
+            (true, _) => Some(FileAction::SaveThen(then.clone()).into()),
+            (_, true) => Some(FileAction::Discard(then.clone()).into()),
+            _ => None,
         }
     });
+    buttons.inner
 }

@@ -9,6 +9,7 @@ use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::dialog::{PathField, save_ui};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
 
@@ -36,7 +37,7 @@ impl OnScreen {
 
 /// The fields of the dialog.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ExportForm {
+pub(crate) struct ExportForm {
     field: PathField,
     subjects: Vec<OnScreen>,
     chosen: usize,
@@ -57,16 +58,14 @@ impl ExportForm {
     pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
         let hint = "path of an .svg, .pdf or .png file";
         let name = subjects.first().map_or("figure", |first| first.subject.name());
-        let field = PathField::of(scene, &format!("{name}.svg"), &ENDINGS, hint);
-        let size = subjects.first().map_or([1, 1], |first| first.dots());
-        let transparent = false;
+        let field = PathField::new(scene, &format!("{name}.svg"), &ENDINGS, hint);
         ExportForm {
             field,
-            subjects,
             chosen: 0,
-            size,
+            size: subjects.first().map_or([1, 1], |first| first.dots()),
+            subjects,
             style,
-            transparent,
+            transparent: false,
             animation: None,
             problem: None,
         }
@@ -81,13 +80,15 @@ impl ExportForm {
         self
     }
 
-    pub(crate) fn ui(&mut self, ui: &mut Ui, actions: &mut Vec<Action>, close: &mut bool) {
+    /// Shows the form. Returns the export once it is confirmed.
+    pub(crate) fn ui(&mut self, ui: &mut Ui, close: &mut bool) -> Option<Action> {
         let (heading, ending) = match &self.animation {
             Some(_) => ("Export the animation", "png"),
             None => ("Export a figure", "svg"),
         };
         ui.heading(heading);
-        let Some(shown) = self.subject(ui) else { return };
+        let shown = self.subject(ui)?;
+        let mut export = None;
         Grid::new("export").num_columns(2).show(ui, |ui| {
             self.looks(ui, shown);
             if let Some((_, frames)) = &mut self.animation {
@@ -109,12 +110,10 @@ impl ExportForm {
                     let OnScreen { subject, points, .. } = shown;
                     let ExportForm { size, style, transparent, .. } = *self;
                     let order = Order { subject, size, points, style, transparent };
-                    let export = match self.animation {
+                    export = Some(match self.animation {
                         Some((_, frames)) => FigureAction::ExportAnimation { order, frames, path },
                         None => FigureAction::Export { order, path },
-                    };
-                    actions.push(export.into());
-                    *close = true;
+                    });
                 }
                 Err(problem) => self.problem = Some(format!("Export {problem}")),
             }
@@ -122,14 +121,14 @@ impl ExportForm {
         if let Some(problem) = &self.problem {
             ui.label(RichText::new(problem).color(error_color(ui)));
         }
+        export.map(Action::from)
     }
 
     /// Shows the choice of the figure's subject.
     fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
         ui.horizontal(|ui| {
             for (k, shown) in self.subjects.iter().enumerate() {
-                let name = title(shown.subject);
-                if ui.radio(self.chosen == k, name).clicked() && self.chosen != k {
+                if ui.radio(self.chosen == k, shown.subject.title()).clicked() && self.chosen != k {
                     // A name that was not edited follows the subject.
                     let before = self.subjects[self.chosen].subject.name();
                     let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
@@ -144,19 +143,12 @@ impl ExportForm {
     }
 
     fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
-        let number = |ui: &mut Ui, value: &mut u32, name: &str| {
-            ui.label(name);
-            let response = ui.add(DragValue::new(value).range(1..=LARGEST).suffix(" dots"));
-            let label = format!("figure {name}");
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
-            ui.end_row();
-            response.changed()
-        };
+        let dots = |value| DragValue::new(value).range(1..=LARGEST).suffix(" dots");
         let [across, down] = shown.points;
         let follow =
             |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
         let [width, height] = &mut self.size;
-        let is_wider = number(ui, width, "width");
+        let is_wider = number(ui, "width", "figure width", dots(width));
         match shown.subject {
             Subject::Derivation => {
                 ui.label("height");
@@ -164,7 +156,7 @@ impl ExportForm {
                 ui.end_row();
             }
             subject => {
-                let is_higher = number(ui, height, "height");
+                let is_higher = number(ui, "height", "figure height", dots(height));
                 // The pixels of the camera's picture keep their shape.
                 if subject == Subject::Camera && is_wider {
                     *height = follow(*width, down / across);
@@ -194,29 +186,24 @@ impl ExportForm {
     }
 }
 
+/// Shows a row with a number. Returns true if it changed.
+fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
+    ui.label(label);
+    let response = ui.add(field).named(name);
+    ui.end_row();
+    response.changed()
+}
+
 /// Shows the number of frames, their rate, and the file format.
 fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
-    ui.label("frames");
-    let response = ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames"));
-    ui.end_row();
-    ui.label("per second");
-    let response = ui.add(DragValue::new(&mut frames.per_second).range(1..=120));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames per second"));
-    ui.end_row();
+    let count = DragValue::new(&mut frames.count).range(1..=MOST_FRAMES);
+    number(ui, "frames", "frames", count);
+    let rate = DragValue::new(&mut frames.per_second).range(1..=120);
+    number(ui, "per second", "frames per second", rate);
     ui.label("as");
     ui.horizontal(|ui| {
         ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG");
         ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
     });
     ui.end_row();
-}
-
-fn title(subject: Subject) -> &'static str {
-    match subject {
-        Subject::World => "World view",
-        Subject::Camera => "Camera view",
-        Subject::Derivation => "Derivation",
-        Subject::Lines => "Lines",
-    }
 }

@@ -7,6 +7,7 @@ use egui::{
 use crate::model::session::Session;
 use crate::ui::action::{Action, LookAction};
 use crate::ui::commands_table::{UiCommand, found};
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;
@@ -48,8 +49,8 @@ pub(crate) fn ui(
         let chosen = list(ui, &fitting, palette.chosen, is_new, session);
         let entered = ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
         let chosen = chosen.or(entered.then_some(palette.chosen));
-        if let Some(verb) = chosen.and_then(|chosen| fitting.get(chosen)) {
-            actions.push(verb.action.clone());
+        if let Some(command) = chosen.and_then(|chosen| fitting.get(chosen)) {
+            actions.push(command.action.clone());
             is_open = false;
         }
     });
@@ -72,8 +73,7 @@ fn field(ui: &mut Ui, palette: &mut Palette) {
         .font(egui::FontId::proportional(TEXT + 2.0))
         .desired_width(f32::INFINITY)
         .show(ui);
-    let response = field.response.response;
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Command"));
+    let response = field.response.response.named("Command");
     if !response.has_focus() {
         response.request_focus();
     }
@@ -95,15 +95,15 @@ fn list(
     ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink([false, true]).show(
         ui,
         |ui| {
-            for (k, verb) in fitting.iter().enumerate() {
+            for (k, command) in fitting.iter().enumerate() {
                 // As wide as the palette, with the keys at the right edge.
                 let layout = Layout::top_down_justified(Align::Min);
-                let entry = entry(verb, k == chosen, session, row);
+                let entry = entry(command, k == chosen, session, row);
                 let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
+                let response = response.named(command.title());
                 ui.ctx().accesskit_node_builder(response.id, |node| {
-                    node.set_label(verb.title());
                     node.set_selected(k == chosen);
-                    node.set_description(verb.about.to_string());
+                    node.set_description(command.about.to_string());
                 });
                 if follow && k == chosen {
                     response.scroll_to_me(Some(Align::Center));
@@ -117,22 +117,22 @@ fn list(
     if fitting.is_empty() {
         ui.label(RichText::new("no command has these letters").size(TEXT));
     }
-    if let Some(verb) = fitting.get(chosen) {
+    if let Some(command) = fitting.get(chosen) {
         ui.separator();
-        ui.label(RichText::new(&*verb.about).size(TEXT - 2.0));
+        ui.label(RichText::new(&*command.about).size(TEXT - 2.0));
     }
     clicked
 }
 
-fn entry<'a>(verb: &UiCommand, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
-    let state = match verb.action {
+fn entry<'a>(command: &UiCommand, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
+    let state = match command.action {
         Action::Look(LookAction::Toggle(switch)) if switch.is_on(session) => "on",
         Action::Look(LookAction::Toggle(_)) => "off",
         _ => "",
     };
-    let keys = verb.keys_text();
+    let keys = command.keys_text();
     let gap = if state.is_empty() || keys.is_empty() { "" } else { "   " };
-    Button::selectable(is_chosen, RichText::new(verb.title()).size(TEXT))
+    Button::selectable(is_chosen, RichText::new(command.title()).size(TEXT))
         .shortcut_text(RichText::new(format!("{state}{gap}{keys}")).size(TEXT - 2.0))
         .min_size(egui::vec2(0.0, row))
         .truncate()

@@ -10,8 +10,9 @@ use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, words};
 use crate::ui::changed::Changed;
+use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
-use crate::view::typesetting::theme::error_color;
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
 /// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
@@ -34,13 +35,13 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> C
     Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
         // Below the grid, where the text wraps: in a cell it would widen the panel.
-        ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
+        ui.label(fault_text(ui, fault));
     }
     let hint = "Editing width, height, W or H takes another of them along";
     ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
     pixel_shape(ui, camera);
     teaching::ui(ui, camera, settings);
-    Changed::of_camera(&before.0, camera) | Changed::SESSION.when(*settings != before.1)
+    Changed::between_cameras(&before.0, camera) | Changed::SESSION.when(*settings != before.1)
 }
 
 /// Shows the choice of how the camera is given, and converts the camera.
@@ -81,7 +82,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         ui.vertical(|ui| {
             ui.horizontal(|ui| vector_row(ui, name, value));
             if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-                ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
+                ui.label(fault_text(ui, fault));
             }
         });
         ui.end_row();
@@ -153,8 +154,7 @@ fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
     // While 1920 is typed, the value does not become 1, 19 and 192.
     let field = field.update_while_editing(false);
-    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y))).named(name);
     ui.end_row();
 }
 

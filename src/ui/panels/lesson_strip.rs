@@ -8,7 +8,9 @@ use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 use crate::model::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::marked_text;
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 18.0;
@@ -72,8 +74,7 @@ fn buttons(
     let mut button = |ui: &mut Ui, text: &str, name: &str, hint: &str, action: Option<Action>| {
         let button = Button::new(RichText::new(text).size(BUTTON));
         let response = ui.add_enabled(action.is_some(), button);
-        let response = response.on_hover_text(hint).on_disabled_hover_text(hint);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+        let response = response.on_hover_text(hint).on_disabled_hover_text(hint).named(name);
         if let (true, Some(action)) = (response.clicked(), action) {
             actions.push(action);
         }
@@ -143,8 +144,6 @@ fn entries(
     for (index, step) in lesson.steps.iter().enumerate() {
         let place = Place { lesson: which, step: index };
         let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
-        if ui.selectable_label(place == open.place(), text).clicked() {
-            actions.push(Leave::GoTo(place).into());
-        }
+        ui.selectable_label(place == open.place(), text).asks(Leave::GoTo(place), actions);
     }
 }

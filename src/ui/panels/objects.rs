@@ -1,14 +1,14 @@
 //! The scene's spheres and planes: a list for selection, and the fields of the selected object.
 
-use egui::{Button, RichText, ScrollArea, Ui};
+use egui::{Button, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, Shared};
 
-use crate::model::letters::typeset_message;
 use crate::ui::changed::Changed;
+use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_row};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme;
-use crate::view::typesetting::theme::error_color;
 
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
@@ -124,35 +124,33 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
 }
 
 fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
-    let spheres = document.spheres.len();
     let first_plane = document.sphere_count();
     let color = document.color_of(index as u32);
-    if index < spheres {
-        let mut item = document.spheres[index].clone();
-        if heading(ui, &mut item, color) {
-            document.spheres.remove(index);
-            return Changed::OBJECTS;
-        }
-        sphere(ui, &mut item.shape);
-        put(&mut document.spheres, index, item)
+    if index < document.spheres.len() {
+        edit(ui, &mut document.spheres, index, color, sphere)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
         Changed::NOTHING
     } else {
-        let index = index - first_plane;
-        let mut item = document.planes[index].clone();
-        if heading(ui, &mut item, color) {
-            document.planes.remove(index);
-            return Changed::OBJECTS;
-        }
-        plane(ui, &mut item.shape);
-        put(&mut document.planes, index, item)
+        edit(ui, &mut document.planes, index - first_plane, color, plane)
     }
 }
 
-/// Stores an object if it was edited: the list is shared with the steps of the history, and copied
-/// when it is written to.
-fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) -> Changed {
+/// Edits an object. It is stored only if it was edited: the list is shared with the steps of the
+/// history, and copied when it is written to.
+fn edit<S: Clone + PartialEq>(
+    ui: &mut Ui,
+    items: &mut Shared<Item<S>>,
+    index: usize,
+    color: Rgb,
+    fields: fn(&mut Ui, &mut S),
+) -> Changed {
+    let mut item = items[index].clone();
+    if heading(ui, &mut item, color) {
+        items.remove(index);
+        return Changed::OBJECTS;
+    }
+    fields(ui, &mut item.shape);
     let is_new = items[index] != item;
     if is_new {
         items[index] = item;
@@ -165,16 +163,12 @@ fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: It
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
     ui.horizontal(|ui| {
         let mut color = shown;
-        let response = ui.color_edit_button_srgb(&mut color);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("color"));
-        if response.changed() {
+        if ui.color_edit_button_srgb(&mut color).named("color").changed() {
             item.color = Some(color);
         }
         let mut name = item.name.clone().unwrap_or_default();
         let field = egui::TextEdit::singleline(&mut name).hint_text("name").desired_width(150.0);
-        let response = ui.add(field);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("name"));
-        if response.changed() {
+        if ui.add(field).named("name").changed() {
             item.name = (!name.is_empty()).then_some(name);
         }
         ui.button("Remove").clicked()
@@ -184,10 +178,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
 
 fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
     let fault = sphere.check().err();
-    ui.horizontal(|ui| {
-        ui.label("centre");
-        vector_row(ui, "centre", &mut sphere.center);
-    });
+    vector(ui, "centre", &mut sphere.center);
     ui.horizontal(|ui| {
         ui.label("radius");
         NumberField::new("radius", &mut sphere.radius).show(ui);
@@ -197,19 +188,20 @@ fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
 
 fn plane(ui: &mut Ui, plane: &mut Plane) {
     let fault = plane.check().err();
-    ui.horizontal(|ui| {
-        ui.label("point");
-        vector_row(ui, "point", &mut plane.point);
-    });
-    ui.horizontal(|ui| {
-        ui.label("normal");
-        vector_row(ui, "normal", &mut plane.normal);
-    });
+    vector(ui, "point", &mut plane.point);
+    vector(ui, "normal", &mut plane.normal);
     reason(ui, fault);
+}
+
+fn vector(ui: &mut Ui, name: &str, value: &mut DVec3) {
+    ui.horizontal(|ui| {
+        ui.label(name);
+        vector_row(ui, name, value);
+    });
 }
 
 fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
     if let Some(fault) = fault {
-        ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
+        ui.label(fault_text(ui, fault));
     }
 }

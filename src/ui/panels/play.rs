@@ -4,6 +4,8 @@ use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{Action, FigureAction, PlayAction};
+use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -19,9 +21,7 @@ const SCAN_PLACE: f32 = 196.0;
 /// Shows the menu of animations.
 pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for kind in Kind::ALL {
-        if ui.button(kind.label()).clicked() {
-            actions.push(PlayAction::Open(kind).into());
-        }
+        ui.button(kind.label()).asks(PlayAction::Open(kind), actions);
     }
 }
 
@@ -58,11 +58,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
 
 /// Shows a button with its text, its accessible name, and its hint.
 fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction, actions: &mut Vec<Action>) {
-    let response = ui.add(Button::new(text)).on_hover_text(hint);
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-    if response.clicked() {
-        actions.push(play.into());
-    }
+    ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play, actions);
 }
 
 /// Shows the buttons that end the animation, and its position; from right to left.
@@ -71,9 +67,7 @@ fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close, actions);
     let hint = "Close, with everything as it is now";
     button(ui, ["Keep", "Keep this", hint], PlayAction::Keep, actions);
-    if ui.button("Export…").clicked() {
-        actions.push(FigureAction::AskAnimation.into());
-    }
+    ui.button("Export…").asks(FigureAction::AskAnimation, actions);
     place(ui, player);
 }
 
@@ -111,8 +105,8 @@ fn place(ui: &mut Ui, player: &mut Player) {
         ui.label(RichText::new(player.place()).strong());
     });
     ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
-    let response = ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("position"));
+    let response =
+        ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false)).named("position");
     if response.changed() || response.dragged() {
         (player.begun, player.running) = (true, false);
     }

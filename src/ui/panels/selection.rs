@@ -4,20 +4,11 @@ use egui::{Grid, Ui};
 use pinhole_core::{Pixel, ResolvedCamera};
 
 use crate::model::session::Selection;
-use crate::ui::changed::Changed;
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the selection of a valid camera.
 pub(crate) fn ui(
-    ui: &mut Ui,
-    selection: &mut Selection,
-    resolved: Option<&ResolvedCamera>,
-    count_from_one: bool,
-) -> Changed {
-    Changed::in_session(selection, |selection| fields(ui, selection, resolved, count_from_one))
-}
-
-fn fields(
     ui: &mut Ui,
     selection: &mut Selection,
     resolved: Option<&ResolvedCamera>,
@@ -30,21 +21,19 @@ fn fields(
     };
     *selection = selection.inside(resolved.image());
     let uv = selection.uv(resolved);
-    let inside = match *selection {
-        Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(_) => resolved.pixel_of_uv(uv).map(|place| place.pixel),
+    let place = resolved.pixel_of_uv(uv);
+    // A point on an edge or corner belongs to no single pixel.
+    let (inside, known) = match *selection {
+        Selection::Pixel(pixel) => (Some(pixel), true),
+        Selection::Uv(_) => (
+            place.map(|place| place.pixel),
+            place.is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
+        ),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
         let image = resolved.image();
-        // A point on an edge or corner belongs to no single pixel.
-        let known = match *selection {
-            Selection::Pixel(_) => true,
-            Selection::Uv(_) => resolved
-                .pixel_of_uv(uv)
-                .is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
-        };
         let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
         let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
         ui.end_row();
@@ -80,8 +69,8 @@ fn index_field(
         .speed(0.2)
         .update_while_editing(false)
         .custom_formatter(|index, _| if known { index.to_string() } else { "–".to_owned() });
-    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    let response =
+        ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y))).named(name);
     *index = shown - from;
     response.changed()
 }

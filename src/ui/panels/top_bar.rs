@@ -13,29 +13,23 @@ use crate::model::overlay_items::Item;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 use crate::ui::action::{
-    Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, HistoryAction,
-    Leave, LookAction, Observe, Overlay,
+    Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
+    HistoryAction, Leave, LookAction, Observe, Overlay,
 };
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
-use crate::ui::scene::compare;
+use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::Markup;
 
-/// The steps that can be undone and redone.
-pub(crate) struct Steps<'a> {
-    /// The name of the last step.
-    pub(crate) undo: Option<&'a str>,
-    /// The name of the step that was undone last.
-    pub(crate) redo: Option<&'a str>,
-}
-
-/// Shows the bar, and writes the user's choices to `actions` and `settings`.
+/// Shows the bar, and writes the user's choices to `actions` and `settings`. `steps` are the names of
+/// those that can be undone and redone.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
-    steps: Steps,
+    steps: [Option<&str>; 2],
     there: Available,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
@@ -43,19 +37,19 @@ pub(crate) fn ui(
     let before = *settings;
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| file_menu(ui, recent, actions));
-        ui.menu_button("Edit", |ui| edit_menu(ui, steps, actions));
+        ui.menu_button("Edit", |ui| edit_menu(ui, steps, there, actions));
         ui.menu_button("Scenes", |ui| {
             for scene in builtin::all() {
-                if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
-                    actions.push(Leave::Open(SceneSource::Builtin(scene)).into());
-                }
+                ui.button(scene.name)
+                    .on_hover_text(scene.summary())
+                    .asks(Leave::Open(SceneSource::Builtin(scene)), actions);
             }
         });
         ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
         // These menus stay open for several clicks.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, there.ghost, settings, actions));
+        menu("Show").ui(ui, |ui| show_menu(ui, there, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
@@ -87,9 +81,8 @@ fn width_of(ui: &Ui, text: &str) -> f32 {
 fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         let which = Which::Builtin(index);
-        if ui.button(lessons::title_of(which, lesson)).clicked() {
-            actions.push(Leave::GoTo(Place { lesson: which, step: 0 }).into());
-        }
+        ui.button(lessons::title_of(which, lesson))
+            .asks(Leave::GoTo(Place { lesson: which, step: 0 }), actions);
     }
 }
 
@@ -114,9 +107,8 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
             ui.weak("no file yet");
         }
         for path in recent {
-            if ui.button(path.display().to_string()).clicked() {
-                actions.push(Leave::Open(SceneSource::File(path.clone())).into());
-            }
+            ui.button(path.display().to_string())
+                .asks(Leave::Open(SceneSource::File(path.clone())), actions);
         }
     });
     ui.separator();
@@ -126,36 +118,40 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
 /// Shows a menu entry with its key.
 fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>, actions: &mut Vec<Action>) {
     let action = action.into();
-    if ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).clicked() {
-        actions.push(action);
-    }
+    ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action, actions);
 }
 
-fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
-    let mut entry = |verb: &str, step: Option<&str>, action: HistoryAction| {
+/// Shows a menu entry that is disabled while there is nothing to do it to.
+fn possible_entry(
+    ui: &mut Ui,
+    text: &str,
+    action: impl Into<Action>,
+    there: Available,
+    actions: &mut Vec<Action>,
+) {
+    let action = action.into();
+    ui.add_enabled_ui(action.is_possible(there), |ui| entry(ui, text, action, actions));
+}
+
+fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &mut Vec<Action>) {
+    let verbs = [("Undo", HistoryAction::Undo), ("Redo", HistoryAction::Redo)];
+    for ((verb, action), step) in verbs.into_iter().zip(steps) {
         let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
-        let button = egui::Button::new(text).shortcut_text(shortcut(action));
-        if ui.add_enabled(step.is_some(), button).clicked() {
-            actions.push(action.into());
-        }
-    };
-    entry("Undo", steps.undo, HistoryAction::Undo);
-    entry("Redo", steps.redo, HistoryAction::Redo);
-    let paste =
-        egui::Button::new("Paste a camera").shortcut_text(shortcut(ExchangeAction::AskPaste));
-    if ui.add(paste).clicked() {
-        actions.push(ExchangeAction::AskPaste.into());
+        possible_entry(ui, &text, action, there, actions);
     }
+    entry(ui, "Paste a camera", ExchangeAction::AskPaste, actions);
 }
 
-fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn show_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     entry(ui, "Presenter mode", LookAction::Present, actions);
     entry(ui, "Frame all", Observe::FrameAll, actions);
     entry(ui, "Frame the camera", Observe::FrameCamera, actions);
     entry(ui, "Command palette", Overlay::Palette, actions);
     entry(ui, "Keys", Overlay::Keys, actions);
     ui.separator();
-    compare::menu(ui, has_ghost, actions);
+    possible_entry(ui, "Freeze the camera as ghost", GhostAction::Freeze, there, actions);
+    possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there, actions);
+    possible_entry(ui, "Drop the ghost", GhostAction::Drop, there, actions);
     ui.separator();
     ui.label("Drawn over the views");
     for item in Item::ALL {
@@ -187,12 +183,9 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
         ui.label("Smallest text while presenting");
         let Range { least, most, .. } = SMALLEST_TEXT;
         let field = egui::DragValue::new(&mut settings.smallest_text).range(least..=most);
-        let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(
-            "Points in a window of 1024 × 768; in a larger one it grows with the window",
-        );
-        ui.ctx().accesskit_node_builder(response.id, |node| {
-            node.set_label("smallest text while presenting");
-        });
+        let hint = "Points in a window of 1024 × 768; in a larger one it grows with the window";
+        let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(hint);
+        response.named("smallest text while presenting");
     });
     ui.separator();
     let zoom = |by| shortcut(LookAction::ZoomBy(by));
@@ -202,9 +195,8 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.label("Significant digits");
-        let response = ui
-            .add(egui::DragValue::new(&mut settings.digits).range(DIGITS.0..=DIGITS.1).speed(0.05));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("significant digits"));
+        ui.add(egui::DragValue::new(&mut settings.digits).range(DIGITS.0..=DIGITS.1).speed(0.05))
+            .named("significant digits");
     });
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
 }

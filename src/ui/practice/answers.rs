@@ -2,8 +2,7 @@
 //! answers, the worst answer, and the mistake that explains the errors.
 
 use egui::{
-    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
-    vec2,
+    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
@@ -13,6 +12,8 @@ use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::views;
+use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::fault;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
@@ -86,20 +87,13 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
 
 /// Shows, in place of the map, the reason why there is none.
 pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Session) {
-    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match (&derived.answers, &session.answers) {
         (_, None) => NONE,
         (None, Some(_)) => why_not(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
         (Some(Ok(_)), _) => "A basis has no place in the image.",
     };
-    let inside = rect.shrink(16.0);
-    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
-    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
-        ui.set_clip_rect(rect);
-        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
-        ui.label(RichText::new(text).size(17.0).strong());
-    });
+    fault::no_picture(ui, rect, text);
 }
 
 /// Shows the result of grading, and the actions on the answers.
@@ -125,16 +119,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
 
 fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
-        if ui.button("Check answers…").clicked() {
-            actions.push(AnswersAction::Ask.into());
-        }
+        ui.button("Check answers…").asks(AnswersAction::Ask, actions);
         let Some(answers) = &mut session.answers else { return };
-        if ui.button("Read again").on_hover_text("Reads the file as it is now").clicked() {
-            actions.push(AnswersAction::Check(answers.file.path.clone()).into());
-        }
-        if ui.button("Put away").clicked() {
-            actions.push(AnswersAction::PutAway.into());
-        }
+        ui.button("Read again")
+            .on_hover_text("Reads the file as it is now")
+            .asks(AnswersAction::Check(answers.file.path.clone()), actions);
+        ui.button("Put away").asks(AnswersAction::PutAway, actions);
         if !answers.are_numbered() {
             return;
         }
@@ -174,8 +164,9 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
         ui.label(typeset_message(mistake.advice()));
-        if mistake.is_in_gallery() && ui.button(format!("See it: {}", mistake.name())).clicked() {
-            actions.push(LookAction::Mistake(*mistake).into());
+        if mistake.is_in_gallery() {
+            let see = ui.button(format!("See it: {}", mistake.name()));
+            see.asks(LookAction::Mistake(*mistake), actions);
         }
     }
     for remark in graded.remarks() {

@@ -11,6 +11,7 @@ use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -139,8 +140,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
                 .range(0..=LARGEST_SEED)
                 .update_while_editing(false);
             let hint = format!("A whole number, 0 to {LARGEST_SEED}");
-            let response = ui.add(field).on_hover_text(hint);
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("exercise seed"));
+            ui.add(field).on_hover_text(hint).named("exercise seed");
             if typed != seed {
                 *exercises = Exercises::open(exercise, Some(typed));
             }
@@ -183,8 +183,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
             };
             let hint = if part.count() == 1 { "" } else { hint };
             let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
-            let response = ui.add(field.font(egui::FontId::proportional(TEXT)));
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+            let response = ui.add(field.font(egui::FontId::proportional(TEXT))).named(label);
             changed |= response.changed();
             left |= response.lost_focus();
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
@@ -220,8 +219,7 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &Typed) {
         if let Said::Judged(_) | Said::Follows(_) = said {
             sign(ui, said.is_good());
         }
-        let response = ui.add(egui::Label::new(text).wrap());
         let spoken = format!("{}: {}", part.asked.id(), said.sentence(part));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        ui.add(egui::Label::new(text).wrap()).spoken(spoken);
     });
 }

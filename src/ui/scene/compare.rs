@@ -1,7 +1,7 @@
 //! The comparison with the ghost: its picture or the differences beside the camera view, and both
 //! cameras in numbers below.
 
-use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder};
+use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 
@@ -12,7 +12,10 @@ use crate::model::ghost::{Beside, Ghost};
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;
 use crate::ui::action::{Action, GhostAction};
+use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::ghost::AgainstGhost;
 
@@ -24,21 +27,6 @@ const DIGITS: usize = 4;
 
 /// The text if there is no ghost.
 const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
-
-/// Shows the menu entries of the ghost.
-pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
-    for (text, keys, ghost, needs_one) in [
-        ("Freeze the camera as ghost", "G", GhostAction::Freeze, false),
-        ("Swap camera and ghost", "", GhostAction::Swap, true),
-        ("Drop the ghost", "Shift+G", GhostAction::Drop, true),
-    ] {
-        let button = egui::Button::new(text);
-        let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
-        if ui.add_enabled(has_ghost || !needs_one, button).clicked() {
-            actions.push(ghost.into());
-        }
-    }
-}
 
 /// Shows the choice of picture, above the picture beside the camera view.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
@@ -60,16 +48,12 @@ pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
 
 /// Shows, in place of the picture, the reason why there is none.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
-    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match ghost.map(|ghost| ghost.camera.resolve()) {
         None => NO_GHOST.to_owned(),
         Some(Err(error)) => format!("The ghost sees nothing: {error}"),
         Some(Ok(_)) => "There are no two cameras to compare.".to_owned(),
     };
-    ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(16.0)), |ui| {
-        ui.add_space((0.5 * rect.height() - 40.0).max(0.0));
-        ui.vertical_centered(|ui| ui.label(RichText::new(text).size(17.0).strong()));
-    });
+    fault::no_picture(ui, rect, &text);
 }
 
 /// Returns `12,345 of 90,000 pixels see another object`.
@@ -126,11 +110,8 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
         ("Swap", "Swap with the ghost", GhostAction::Swap, true),
         ("Drop", "Drop it", GhostAction::Drop, true),
     ] {
-        let response = ui.add_enabled(has_ghost || !needs_one, egui::Button::new(text));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-        if response.clicked() {
-            actions.push(ghost.into());
-        }
+        let button = egui::Button::new(text);
+        ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost, actions);
     }
 }
 
@@ -153,11 +134,11 @@ impl Line {
         let Line { name, ghost, now, between } = self;
         let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
         let text = RichText::new(*name).strong();
-        let response = ui.label(match vector_color(ui, name) {
+        let text = match vector_color(ui, name) {
             Some(color) => text.color(color),
             None => text,
-        });
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        };
+        ui.label(text).spoken(spoken);
     }
 }
 

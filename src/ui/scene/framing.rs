@@ -9,6 +9,7 @@ use crate::model::overlay_items::Item;
 use crate::model::session::Session;
 use crate::ui::action::Observe;
 use crate::ui::commands_table::shortcut;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::handles::{Stage, grips};
 
@@ -71,8 +72,7 @@ pub(crate) fn hint(
     let Some(place) = place else { return false };
     let button = Button::new(RichText::new(text).size(TEXT));
     let why = "Its handles would lie over each other: they come with a larger picture of it";
-    let response = ui.put(place, button).on_hover_text(why);
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Frame the camera"));
+    let response = ui.put(place, button).on_hover_text(why).named("Frame the camera");
     response.clicked()
 }
 

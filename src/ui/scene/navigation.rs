@@ -65,26 +65,6 @@ struct Steered {
     by_keys: bool,
 }
 
-impl Steered {
-    /// Adds a movement of the same kind, or begins a new one.
-    fn on(
-        before: Option<Steered>,
-        way: Way,
-        by: DVec2,
-        now: &Camera,
-    ) -> (Camera, DVec2, Result<Camera, SteerError>) {
-        let last = before.filter(|last| last.way == way);
-        let (before, total) = last.map_or((*now, by), |last| (last.before, last.total + by));
-        let made = match way {
-            Way::Look => before.looked_round(-total.x, total.y),
-            Way::Orbit => before.orbited(total.x, -total.y),
-            Way::Dolly => before.dollied(total.x),
-            Way::Zoom => zoomed(&before, (-total.x).exp()),
-        };
-        (before, total, made)
-    }
-}
-
 impl Navigation {
     /// Applies the input of mouse and wheel to the camera.
     pub(crate) fn take(&mut self, ctx: &Context, edited: &mut Edited) {
@@ -165,10 +145,8 @@ impl Navigation {
     }
 
     fn roll_wheel(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
-        let now = edited.document.camera;
         let time = ctx.input(|i| i.time);
-        self.steered =
-            self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
+        self.forget(&edited.document.camera, time);
         // Consumed here, so that it does not also end presenter mode.
         let taken =
             |_: &mut Steered| ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape));
@@ -199,15 +177,27 @@ impl Navigation {
             Steer::Zoom(on) => (Way::Zoom, step(on, 0, NEARER)),
             Steer::Dolly(on) => (Way::Dolly, step(on, 0, NEARER)),
         };
-        let now = *camera;
-        self.steered =
-            self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
+        self.forget(camera, time);
         self.go(way, by, camera, time, true);
     }
 
+    /// Forgets the last movement if it is over, or if the camera is another one since.
+    fn forget(&mut self, now: &Camera, time: f64) {
+        self.steered =
+            self.steered.take().filter(|last| last.made == *now && time - last.time < PAUSE);
+    }
+
+    /// Adds to the last movement if it was of the same kind; otherwise begins a new one.
     fn go(&mut self, way: Way, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
         let now = *camera;
-        let (before, total, made) = Steered::on(self.steered.take(), way, by, &now);
+        let last = self.steered.take().filter(|last| last.way == way);
+        let (before, total) = last.map_or((now, by), |last| (last.before, last.total + by));
+        let made = match way {
+            Way::Look => before.looked_round(-total.x, total.y),
+            Way::Orbit => before.orbited(total.x, -total.y),
+            Way::Dolly => before.dollied(total.x),
+            Way::Zoom => zoomed(&before, (-total.x).exp()),
+        };
         self.refused = made.err();
         let made = made.unwrap_or(now);
         *camera = made;

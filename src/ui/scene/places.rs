@@ -1,9 +1,11 @@
-//! Where the views and what stands beside them lie, and the handles between them.
+//! The layout of the views and of what stands beside them, and the handles between them.
 
-use egui::{Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::accesskit::Role;
+use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -53,7 +55,7 @@ pub(crate) struct Divider<'a> {
 }
 
 impl Divider<'_> {
-    /// Nothing but what a workspace has in the views' place.
+    /// The whole for what a workspace has in the views' place.
     pub(crate) fn no_views(&self) -> Areas {
         Areas { world: None, camera: None, beside: None, rest: self.whole }
     }
@@ -127,7 +129,7 @@ impl Divider<'_> {
 }
 
 impl Places {
-    /// Where everything lies in these areas, with a title above each picture.
+    /// Lays out everything in these areas, with a title above each picture.
     pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, presenting: bool) -> Places {
         // What is beside the camera view has its title and legend before an audience, too.
         let strip = if presenting && areas.beside.is_none() { 0.0 } else { STRIP };
@@ -161,48 +163,29 @@ pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     (left, Rect::from_min_max(pos2(x + HANDLE / 2.0, area.top()), area.max))
 }
 
-/// Shows a handle. Returns its movement in this frame.
+/// Shows a handle. Returns its movement in this frame, by drag or arrow keys.
 fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
-    let cursor = if vertical {
-        egui::CursorIcon::ResizeHorizontal
-    } else {
-        egui::CursorIcon::ResizeVertical
+    let (cursor, line) = match vertical {
+        true => (CursorIcon::ResizeHorizontal, vec2(2.0, 36.0)),
+        false => (CursorIcon::ResizeVertical, vec2(36.0, 2.0)),
     };
-    let response =
-        ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
-    ui.ctx().accesskit_node_builder(response.id, |node| {
-        node.set_role(egui::accesskit::Role::Splitter);
-        node.set_label(name);
-    });
+    let response = ui.interact(rect, ui.scope_id().with(name), Sense::drag());
+    let response = response.on_hover_cursor(cursor).with_role(Role::Splitter).named(name);
     let visuals = ui.style().interact(&response);
-    let line = if vertical {
-        Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
-    } else {
-        Rect::from_center_size(rect.center(), vec2(36.0, 2.0))
-    };
+    let line = Rect::from_center_size(rect.center(), line);
     ui.painter().rect_filled(line, 1.0, visuals.fg_stroke.color.gamma_multiply(0.5));
-    response.drag_delta() + pushed(ui, &response, vertical)
-}
-
-/// Returns the movement of a focused handle by the arrow keys.
-fn pushed(ui: &Ui, response: &egui::Response, vertical: bool) -> Vec2 {
     if !response.has_focus() {
-        return Vec2::ZERO;
+        return response.drag_delta();
     }
-    let arrows = egui::EventFilter {
-        horizontal_arrows: vertical,
-        vertical_arrows: !vertical,
-        ..Default::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let response = response.keep_arrows(vertical, !vertical);
     let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
     let along = |back, forth| PUSH * (presses(forth) - presses(back));
-    if vertical {
-        vec2(along(Key::ArrowLeft, Key::ArrowRight), 0.0)
-    } else {
-        vec2(0.0, along(Key::ArrowUp, Key::ArrowDown))
-    }
+    response.drag_delta()
+        + match vertical {
+            true => vec2(along(Key::ArrowLeft, Key::ArrowRight), 0.0),
+            false => vec2(0.0, along(Key::ArrowUp, Key::ArrowDown)),
+        }
 }
 
 /// Returns the rectangle with its corners on physical pixels, so that pictures stay sharp.

@@ -7,14 +7,14 @@ use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest}
 use pinhole_exchange::document::Document;
 
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
-use crate::model::letters::typeset_message;
 use crate::model::number::{grouped, written};
 use crate::model::symbols::words_of_readout;
+use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::vector_color;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{self, formula};
-use crate::view::typesetting::theme::error_color;
 
 /// The number format.
 #[derive(Clone, Copy)]
@@ -55,7 +55,7 @@ const HITS: f32 = 280.0;
 /// Shows the three blocks side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(typeset_message(fault)).strong().color(error_color(ui)));
+        ui.label(fault_text(ui, fault).strong());
     }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
@@ -108,9 +108,7 @@ pub(crate) fn steps(steps: Steps) -> String {
 fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(text).strong());
-        let copy = ui.small_button("Copy");
-        ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label(format!("Copy {text}")));
-        if copy.clicked() {
+        if ui.small_button("Copy").named(format!("Copy {text}")).clicked() {
             ui.ctx().copy_text(lines());
         }
     });
@@ -137,9 +135,7 @@ fn line(ui: &mut Ui, name: &str, value: String) {
     if let Some(words) = words_of_readout(name) {
         label.on_hover_text(words);
     }
-    let response = ui.label(RichText::new(format!("= {value}")));
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
+    ui.label(RichText::new(format!("= {value}"))).spoken(format!("{name} = {value}"));
     ui.end_row();
 }
 
@@ -259,26 +255,22 @@ impl RootLines {
     }
 
     fn show(&self, ui: &mut Ui, first: bool) {
+        let visuals = ui.visuals();
+        let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+        let font = egui::TextStyle::Body.resolve(ui.style());
         let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
         ui.horizontal_wrapped(|ui| {
             ui.label(text(&self.object));
-            let visuals = ui.visuals();
-            let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
-            let size = egui::TextStyle::Body.resolve(ui.style()).size;
-            notation::label(ui, self.verdict, size, color);
+            notation::label(ui, self.verdict, font.size, color);
         });
         ui.horizontal_wrapped(|ui| {
             ui.add_space(12.0);
             for (name, value) in &self.numbers {
                 let mut job = name_of(ui, name, first);
-                let size = egui::TextStyle::Body.resolve(ui.style());
-                let visuals = ui.visuals();
-                let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
-                let format = TextFormat { font_id: size, color, ..TextFormat::default() };
+                let format = TextFormat::simple(font.clone(), color);
                 job.append(&format!(" = {value}"), 0.0, format);
                 let response = ui.add(Label::new(job).extend());
-                let read = format!("{name} = {value}");
-                ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(read));
+                let response = response.spoken(format!("{name} = {value}"));
                 if let Some(words) = words_of_readout(name) {
                     response.on_hover_text(words);
                 }

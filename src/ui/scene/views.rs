@@ -1,9 +1,8 @@
 //! The two views: mouse and keyboard input, and display of the finished pictures.
 
-use egui::{
-    Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
-};
-use pinhole_core::{ImageSize, NO_OBJECT};
+use egui::accesskit::Role;
+use egui::{Color32, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
+use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
@@ -12,9 +11,11 @@ use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
+use crate::ui::scene::handles::sphere_at;
 use crate::ui::scene::places::{Places, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::{label_text, theme};
@@ -34,7 +35,7 @@ pub(crate) const ANSWERS: &str = "Answers";
 /// Name of the ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
-/// How large the two views are, in physical pixels.
+/// The sizes of the two views, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
     ViewSizes {
         world: places.world.map(|rect| physical(ui, rect)),
@@ -52,8 +53,8 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// What mouse and keys did in the views, of which the one beside the camera view is called `beside`.
-/// `shown` is what they were done to: the last frame.
+/// Takes the inputs of mouse and keys in the views, of which the one beside the camera view is called
+/// `beside`. They were done to `shown`, the last frame.
 pub(crate) fn inputs(
     ui: &mut Ui,
     places: &Places,
@@ -105,14 +106,7 @@ fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    let arrows =
-        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
-    ui.ctx().accesskit_node_builder(response.id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label(name);
-    });
-    response
+    response.keep_arrows(true, true).with_role(Role::Image).named(name)
 }
 
 /// Sets the description of a view for screen readers.
@@ -212,13 +206,13 @@ pub(crate) fn hovered(ui: &Ui, places: &Places, shown: &Derived) -> Option<Hover
         presenting && matches!(concept, Concept::Object(index) if *index as usize >= planes_from)
     };
     let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
-        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
-            .or_else(|| {
-                let rect = places.camera?;
-                let size = rect.size() * ui.ctx().pixels_per_point();
-                let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
-                in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
-            })
+        let sphere = |at| sphere_at(shown, at).map(Concept::Object);
+        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), sphere).or_else(|| {
+            let rect = places.camera?;
+            let size = rect.size() * ui.ctx().pixels_per_point();
+            let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
+            in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
+        })
     })??;
     Some(Hovered { concept, by: HoverSource::View })
 }
@@ -235,16 +229,6 @@ fn in_view(
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
     overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
-}
-
-/// Returns the sphere at a position of the world view.
-fn object_seen(shown: &Derived, at: Vec2) -> Option<Concept> {
-    let frame = shown.world_frame.as_ref()?;
-    let image = frame.camera().image();
-    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
-    let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    let object = *frame.object.get(place).filter(|object| inside && **object != NO_OBJECT)?;
-    Some(Concept::Object(object))
 }
 
 /// Returns the object at a position of the camera view.
@@ -275,13 +259,7 @@ pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Documen
 const NARROW: f32 = 310.0;
 
 /// Titles above the views, with a button that gives one all the room.
-pub(crate) fn strips(
-    ui: &mut Ui,
-    places: &Places,
-    settings: &mut Settings,
-    image: ImageSize,
-) -> Changed {
-    let before = *settings;
+pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
             ui.strong(text).on_hover_text(hint);
@@ -312,7 +290,6 @@ pub(crate) fn strips(
                     wheel: field of view; Ctrl and wheel: dolly.";
         strip(rect, text, hint, ViewLayout::Camera);
     }
-    Changed::SESSION.when(*settings != before)
 }
 
 /// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.
@@ -331,7 +308,7 @@ fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
 /// Shows a view's finished picture with its labels.
 pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
     let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
-    let texture = texture.of(ui.ctx(), &shown.image);
+    let texture = texture.upload(ui.ctx(), &shown.image);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter_at(rect).image(texture, rect, whole, tint);
     if !dimmed {

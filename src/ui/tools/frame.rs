@@ -5,6 +5,7 @@ use pinhole_core::{Counts, Steps};
 
 use crate::model::number::grouped;
 use crate::ui::scene::views::{CAMERA, WORLD};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 
 /// Size of the text, in points: for the back row.
@@ -92,8 +93,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived) {
                 for (view, counted) in [(CAMERA, camera), (WORLD, world)] {
                     let text = counted.map_or("-".to_owned(), |(c, s)| say(&c, &s));
                     let spoken = format!("{view}, {name}: {text}");
-                    let label = ui.label(RichText::new(text).strong());
-                    ui.ctx().accesskit_node_builder(label.id, |node| node.set_value(spoken));
+                    let label = ui.label(RichText::new(text).strong()).spoken(spoken);
                     label.on_hover_text(hint);
                 }
                 ui.end_row();

@@ -2,6 +2,7 @@
 //! never stalls. This is where the window meets the clock; derived values stay pure.
 
 use std::sync::{Arc, Weak};
+#[cfg(feature = "report")]
 use std::time::Duration;
 
 use egui::Context;
@@ -14,62 +15,40 @@ use crate::view::derive::Derived;
 
 /// Time without changes before measuring starts, in seconds: during a drag, each frame is another
 /// scene.
+#[cfg(feature = "report")]
 const REST: f64 = 0.5;
 
 /// Time between two reports while measuring, in seconds.
+#[cfg(feature = "report")]
 const BETWEEN: f64 = 0.3;
-
-/// A run that there is none of, in a build without the feature `report`.
-#[cfg(not(feature = "report"))]
-enum Run {}
-
-#[cfg(not(feature = "report"))]
-impl Run {
-    fn of_scene(_: &str, _: &Scene, _: &Camera) -> Result<Run, ()> {
-        Err(())
-    }
-
-    fn step(&mut self) {
-        match *self {}
-    }
-
-    fn is_done(&self) -> bool {
-        match *self {}
-    }
-
-    fn report(&self) -> Report {
-        match *self {}
-    }
-
-    fn total(&self) -> usize {
-        match *self {}
-    }
-
-    fn done(&self) -> usize {
-        match *self {}
-    }
-}
 
 /// The present measurement and the last report.
 #[derive(Default)]
+#[cfg_attr(not(feature = "report"), expect(dead_code, reason = "nothing is measured"))]
 pub(crate) struct Measuring {
     /// The scene is identified by its address, and not held: another owner would make its next
     /// change a copy.
     subject: Option<(Camera, Weak<Scene>)>,
     /// Time when the subject was first seen, in the context's seconds.
     since: f64,
+    #[cfg(feature = "report")]
     run: Option<Run>,
+    /// Progress of the run, 0 to 1; `None` if nothing is left to measure.
+    share: Option<f32>,
     report: Option<Arc<Report>>,
     /// Time when the report was made, in the context's seconds.
-    typeset_message: f64,
+    made_at: f64,
     /// True if the report is about the subject.
     is_current: bool,
-    /// True if nothing is left to measure.
-    is_done: bool,
 }
 
 impl Measuring {
+    /// Does nothing in a build without the feature `report`.
+    #[cfg(not(feature = "report"))]
+    pub(crate) fn step(&mut self, _: &Context, _: &str, _: &Camera, _: &Derived) {}
+
     /// Measures a slice, if something is left to measure, and requests the next frame.
+    #[cfg(feature = "report")]
     pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
         // The report's methods too test every object at every pixel.
         let why_not = (derived.fault, derived.too_many);
@@ -79,9 +58,10 @@ impl Measuring {
         let place = Arc::as_ptr(scene);
         if subject.is_none_or(|(known, of)| known != camera || of.as_ptr() != place) {
             self.subject = Some((*camera, Arc::downgrade(scene)));
-            (self.since, self.run, self.is_done, self.is_current) = (now, None, false, false);
+            self.share = Some(0.0);
+            (self.since, self.run, self.is_current) = (now, None, false);
         }
-        if self.is_done {
+        if self.share.is_none() {
             return;
         }
         let left = REST - (now - self.since);
@@ -95,12 +75,13 @@ impl Measuring {
         }
         let Some(run) = &mut self.run else { return };
         run.step();
-        self.is_done = run.is_done();
-        if self.is_done || now - self.typeset_message >= BETWEEN {
+        let share = run.done() as f32 / run.total().max(1) as f32;
+        self.share = (!run.is_done()).then_some(share);
+        if run.is_done() || now - self.made_at >= BETWEEN {
             self.report = Some(Arc::new(run.report()));
-            (self.typeset_message, self.is_current) = (now, true);
+            (self.made_at, self.is_current) = (now, true);
         }
-        if !self.is_done {
+        if self.share.is_some() {
             ctx.request_repaint();
         }
     }
@@ -117,10 +98,6 @@ impl Measuring {
 
     /// Returns the progress, 0 to 1; `None` if nothing is left to measure.
     pub(crate) fn share(&self) -> Option<f32> {
-        match &self.run {
-            _ if self.is_done => None,
-            Some(run) => Some(run.done() as f32 / run.total().max(1) as f32),
-            None => Some(0.0),
-        }
+        self.share
     }
 }

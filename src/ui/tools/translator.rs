@@ -3,8 +3,8 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Align, Align2, Area, Color32, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea,
-    Stroke, Ui, WidgetText, vec2,
+    Align, Align2, Area, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea, Stroke, Ui,
+    WidgetText, vec2,
 };
 use pinhole_core::Pixel;
 use pinhole_exchange::document::Document;
@@ -15,6 +15,8 @@ use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
+use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
@@ -65,12 +67,9 @@ impl TranslatorPanel {
             {
                 ui.ctx().copy_text(written.joined().text);
             }
-            if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
-                actions.push(ExchangeAction::AskSave.into());
-            }
-            if ui.button("Paste a camera").clicked() {
-                actions.push(ExchangeAction::AskPaste.into());
-            }
+            ui.add_enabled(can, egui::Button::new("Save as a file…"))
+                .asks(ExchangeAction::AskSave, actions);
+            ui.button("Paste a camera").asks(ExchangeAction::AskPaste, actions);
             let few = document.object_count() <= MOST_OBJECTS;
             let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
             let many = "There are too many to show: pinhole export writes them";
@@ -159,17 +158,15 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
             let shown = shortened(sheet, digits);
             let size = code_size(ui, &shown.text);
             let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
-            ui.ctx().accesskit_node_builder(response.id, |node| {
-                node.set_role(egui::accesskit::Role::Code);
-                node.set_label("translation");
-                node.set_value(exact);
-            });
+            let response = response.with_role(egui::accesskit::Role::Code);
+            response.named("translation").spoken(exact);
         });
     }
     let is_marked = written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty());
     if is_marked || translation.rows.iter().any(|row| row.flipped) {
         ui.horizontal_wrapped(|ui| {
-            ui.label(WidgetText::from(marked_word(ui, "underlined")));
+            let format = underlined(ui, FontId::proportional(TEXT));
+            ui.label(LayoutJob::single_section("underlined".to_owned(), format));
             ui.label("the sign is turned against Pinhole's u, v, w");
         });
     }
@@ -187,42 +184,24 @@ fn code_size(ui: &Ui, text: &str) -> f32 {
     (2.0 * fits).floor().clamp(2.0 * SMALL_CODE, 2.0 * CODE) / 2.0
 }
 
-fn code_format(ui: &Ui, is_marked: bool, size: f32) -> TextFormat {
-    let font = FontId::monospace(size);
-    if is_marked {
-        let color = mark_color(ui);
-        return TextFormat {
-            underline: Stroke::new(1.5, color),
-            ..TextFormat::simple(font, color)
-        };
-    }
-    TextFormat::simple(font, ui.visuals().text_color())
-}
-
-/// Returns the colour of a flipped sign, which is also underlined.
-fn mark_color(ui: &Ui) -> Color32 {
-    error_color(ui)
+fn underlined(ui: &Ui, font: FontId) -> TextFormat {
+    let color = error_color(ui);
+    TextFormat { underline: Stroke::new(1.5, color), ..TextFormat::simple(font, color) }
 }
 
 fn marked(ui: &Ui, sheet: &Text, size: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
+    let font = FontId::monospace(size);
+    let plain = TextFormat::simple(font.clone(), ui.visuals().text_color());
     let text = sheet.text.trim_end();
     let mut from = 0;
     for mark in &sheet.flipped {
-        job.append(&text[from..mark.start], 0.0, code_format(ui, false, size));
-        job.append(&text[mark.clone()], 0.0, code_format(ui, true, size));
+        job.append(&text[from..mark.start], 0.0, plain.clone());
+        job.append(&text[mark.clone()], 0.0, underlined(ui, font.clone()));
         from = mark.end;
     }
-    job.append(&text[from..], 0.0, code_format(ui, false, size));
+    job.append(&text[from..], 0.0, plain);
     job
-}
-
-fn marked_word(ui: &Ui, word: &str) -> LayoutJob {
-    let color = mark_color(ui);
-    let font = FontId::proportional(TEXT);
-    let format =
-        TextFormat { underline: Stroke::new(1.5, color), ..TextFormat::simple(font, color) };
-    LayoutJob::single_section(word.to_owned(), format)
 }
 
 /// Shows a table that compares Pinhole with the format, one row per property.
@@ -250,7 +229,7 @@ fn table(ui: &mut Ui, rows: &[Row], label: &str) {
     for row in rows {
         let theirs = RichText::new(&row.theirs);
         let theirs = match (row.flipped, row.differs) {
-            (true, _) => theirs.color(mark_color(ui)).underline(),
+            (true, _) => theirs.color(error_color(ui)).underline(),
             (false, true) => theirs.strong(),
             (false, false) => theirs,
         };

@@ -5,6 +5,7 @@ use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
 use super::number::vector_color;
+use super::spoken::Spoken as _;
 use crate::model::letters;
 use crate::view::typesetting::fonts;
 
@@ -32,9 +33,7 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
         };
         job.append(&run.text, 0.0, format);
     }
-    let response = ui.add(Label::new(job).wrap());
-    let plain = plain(text);
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain));
+    ui.add(Label::new(job).wrap()).spoken(plain(text));
 }
 
 /// Returns the height of one line of such text.

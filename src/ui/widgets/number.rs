@@ -9,6 +9,7 @@ use egui::text_edit::TextEditState;
 use egui::{Color32, Context, DragValue, FontId, Id, Response, RichText, Ui};
 use pinhole_core::{DVec3, shortest};
 
+use super::spoken::Spoken as _;
 use crate::model::expression::evaluate;
 pub(crate) use crate::model::number::significant;
 use crate::view::typesetting::theme::{self, error_color};
@@ -92,7 +93,7 @@ impl<'a> NumberField<'a> {
         if response.clicked() && !typing {
             select_all(ui, &response, &shortest(exact));
         }
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(self.name));
+        let response = response.named(self.name);
         show_fault(ui, id, fault.into_inner(), &response);
         if typing || shown_whole || response.dragged() {
             response

@@ -6,7 +6,6 @@ use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::figures::Subject;
 use crate::model::files::title_of;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::scene::places::{Areas, STRIP, halves};
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
@@ -25,21 +24,17 @@ pub(super) const ACCURACY: Workspace = Workspace {
         show: error_map,
     }),
     rest: |ui, desk| {
-        let before = desk.session.settings.compared;
         let (document, measuring) = (&desk.open.document, &mut desk.tools.measuring);
         measuring.step(ui.ctx(), &title_of(desk.open.origin()), &document.camera, desk.derived);
         accuracy::ui(ui, measuring, desk.derived, document, desk.session);
-        Changed::SESSION.when(desk.session.settings.compared != before)
     },
     figure: Subject::Camera,
     ..Workspace::VIEWS
 };
 
-fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
-    let changed = Changed::in_session(&mut desk.session.settings, |settings| {
-        accuracy::strip(ui, area, settings);
-    });
+    accuracy::strip(ui, area, &mut desk.session.settings);
     if let (Some(shown), Some(compared)) = (&derived.error_map, &derived.compared) {
         desk.picture(ui, rect, shown, derived.fault.is_some());
         views::speak(ui, views::MAP, &accuracy::summary(compared));
@@ -47,5 +42,4 @@ fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> C
     } else if let Some(why) = derived.too_many {
         accuracy::no_map(ui, rect, why);
     }
-    changed
 }

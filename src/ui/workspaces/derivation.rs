@@ -5,7 +5,6 @@ use egui::Ui;
 use super::workspace::{Desk, Workspace};
 use crate::figures::Subject;
 use crate::model::session::{Session, Split};
-use crate::ui::changed::Changed;
 
 pub(super) const DERIVATION: Workspace = Workspace {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
@@ -17,11 +16,9 @@ pub(super) const DERIVATION: Workspace = Workspace {
 
 pub(super) const ALONE: Workspace = Workspace { areas: |divider| divider.no_views(), ..DERIVATION };
 
-fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
-    let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };
+fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let Some(derivation) = &desk.derived.derivation else { return };
     let highlighted = desk.session.highlighted();
     let Session { sections, hovered, .. } = &mut *desk.session;
-    Changed::in_session(sections, |sections| {
-        desk.tools.derivation.ui(ui, derivation, sections, *hovered, highlighted);
-    })
+    desk.tools.derivation.ui(ui, derivation, sections, *hovered, highlighted);
 }

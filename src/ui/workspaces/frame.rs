@@ -2,14 +2,10 @@
 
 use super::workspace::Workspace;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::tools::frame;
 
 pub(super) const FRAME: Workspace = Workspace {
     areas: |divider| divider.both_above(Split::Frame),
-    rest: |ui, desk| {
-        frame::ui(ui, desk.derived);
-        Changed::NOTHING
-    },
+    rest: |ui, desk| frame::ui(ui, desk.derived),
     ..Workspace::VIEWS
 };

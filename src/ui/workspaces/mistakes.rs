@@ -5,7 +5,6 @@ use egui::Ui;
 use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::figures::Subject;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::practice::mistakes;
 use crate::ui::scene::views;
 
@@ -17,22 +16,19 @@ pub(super) const MISTAKES: Workspace = Workspace {
         show: wrong_camera,
     }),
     rest: |ui, desk| {
-        let before = desk.session.mistakes_view;
         mistakes::ui(ui, desk.derived, &desk.open.document, desk.session, desk.style);
-        Changed::SESSION.when(desk.session.mistakes_view != before)
     },
     figure: Subject::Camera,
     ..Workspace::VIEWS
 };
 
-fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let (derived, mistakes_view) = (desk.derived, desk.session.mistakes_view);
     mistakes::strip(ui, area, &mistakes_view);
-    let Some(wrong) = &derived.wrong else { return Changed::NOTHING };
+    let Some(wrong) = &derived.wrong else { return };
     views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &mistakes_view));
     match &derived.wrong_view {
         Some(shown) => desk.picture(ui, rect, shown, derived.fault.is_some()),
         None => mistakes::no_picture(ui, rect, wrong, &mistakes_view),
     }
-    Changed::NOTHING
 }

@@ -1,4 +1,4 @@
-//! What a workspace is: where its parts lie, what it has derived, what it draws.
+//! A workspace as a value: where its parts lie, what it has derived, what it draws.
 
 use egui::{Context, Rect, Ui};
 
@@ -7,7 +7,6 @@ use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
 use crate::model::session::{Session, Split};
 use crate::ui::action::Action;
-use crate::ui::changed::Changed;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::places::{Areas, Divider};
 use crate::ui::scene::readouts::NumberStyle;
@@ -19,15 +18,15 @@ use crate::view::derive::{Derived, Shown, ViewSizes};
 
 /// A layout of the window.
 pub(crate) struct Workspace {
-    /// Whether camera and objects can be edited beside it.
+    /// True if camera and objects can be edited beside it.
     pub(crate) has_panel: bool,
-    /// Where its parts lie.
+    /// Lays out its parts.
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
     /// The picture beside the camera's, if it has one.
     pub(crate) beside: Option<&'static Beside>,
     /// Shows what it has below the views, beside them or in their place.
-    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>) -> Changed,
-    /// What the mouse or the focus is on in that.
+    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
+    /// Returns the concept that the mouse or the focus is on in that.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The figure that it is about.
     pub(crate) figure: Subject,
@@ -35,12 +34,12 @@ pub(crate) struct Workspace {
 
 /// A picture beside the camera's, as large.
 pub(crate) struct Beside {
-    /// Its name, for screen readers.
+    /// The name, for screen readers.
     pub(crate) name: &'static str,
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
     /// Shows it in a place, with its title above the area.
-    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
+    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame),
 }
 
 /// The area of a picture, and where in it the picture is.
@@ -50,7 +49,7 @@ pub(crate) struct Frame {
     pub(crate) rect: Rect,
 }
 
-/// What workspaces keep from one pass to the next.
+/// The state of workspaces from one pass to the next.
 #[derive(Default)]
 pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
@@ -60,14 +59,14 @@ pub(crate) struct Tools {
     pub(crate) beside: ViewTexture,
 }
 
-/// What a workspace shows, and what it may change.
+/// The values that a workspace shows, and those that it may change.
 pub(crate) struct Desk<'a> {
     pub(crate) open: &'a OpenDocument,
     pub(crate) session: &'a mut Session,
     pub(crate) derived: &'a Derived,
     pub(crate) tools: &'a mut Tools,
     pub(crate) style: NumberStyle,
-    /// What is to be done in the next pass.
+    /// Actions for the next pass.
     pub(crate) actions: &'a mut Vec<Action>,
 }
 
@@ -77,7 +76,7 @@ impl Workspace {
         has_panel: true,
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
-        rest: |_, _| Changed::NOTHING,
+        rest: |_, _| {},
         hovered: |_, _, _| None,
         figure: Subject::World,
     };

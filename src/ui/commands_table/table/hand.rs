@@ -2,7 +2,7 @@
 
 use egui::{Key, Modifiers};
 
-use super::{CTRL, CTRL_SHIFT, key, plain, verb};
+use super::{CTRL, CTRL_SHIFT, key, plain};
 use crate::ui::action::{
     FigureAction, LookAction, ObjectAction, Observe, PlayAction, Steer, Switch,
 };
@@ -12,17 +12,17 @@ const ALT: Modifiers = Modifiers::ALT;
 
 /// All of them.
 pub(super) fn hand() -> Vec<UiCommand> {
-    let mut verbs = steering();
-    verbs.extend(observing());
-    verbs.extend(objects());
-    verbs.extend(switches());
-    verbs
+    let mut commands = steering();
+    commands.extend(observing());
+    commands.extend(objects());
+    commands.extend(switches());
+    commands
 }
 
 #[rustfmt::skip]
 fn steering() -> Vec<UiCommand> {
     use When::CameraView;
-    verbs![
+    commands![
         Hand, "Look up", "Turns the camera upwards.",
             [key(CameraView, ALT, Key::ArrowUp)], Steer::Look(0, 1);
         Hand, "Look down", "Turns the camera downwards.",
@@ -53,7 +53,7 @@ fn steering() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn observing() -> Vec<UiCommand> {
     use When::{View, WorldView};
-    verbs![
+    commands![
         Views, "Frame the camera", "Puts the observer where eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Observer upwards", "Takes the observer up round what it looks at.",
@@ -82,7 +82,7 @@ fn observing() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn objects() -> Vec<UiCommand> {
     use When::View;
-    verbs![
+    commands![
         Objects, "Previous object", "Chooses the object before in the list.",
             [plain(View, Key::OpenBracket)], ObjectAction::Next(-1);
         Objects, "Next object", "Chooses the next object of the list.",
@@ -96,25 +96,17 @@ fn objects() -> Vec<UiCommand> {
     ]
 }
 
-/// What stays when something is dragged.
+/// The switches of what stays when something is dragged.
+#[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
-    let of = |switch, name, about| verb(Group::Hand, name, about, LookAction::Toggle(switch));
-    vec![
-        of(
-            Switch::EyeTravels,
-            "Eye travels",
-            "Lets a moved eye take the view along; off, it orbits at.",
-        ),
-        of(
-            Switch::KeepPixelShape,
-            "Keep the pixels’ shape",
-            "Lets width, height and image keep their proportions.",
-        ),
-        of(
-            Switch::KeepPicture,
-            "Keep the picture",
+    commands![
+        Hand, "Eye travels", "Lets a moved eye take the view along; off, it orbits at.",
+            [], LookAction::Toggle(Switch::EyeTravels);
+        Hand, "Keep the pixels’ shape", "Lets width, height and image keep their proportions.",
+            [], LookAction::Toggle(Switch::KeepPixelShape);
+        Hand, "Keep the picture",
             "Scales distance, width and height together, so that the picture stays.",
-        ),
+            [], LookAction::Toggle(Switch::KeepPicture);
     ]
 }
 
@@ -122,7 +114,7 @@ fn switches() -> Vec<UiCommand> {
 #[rustfmt::skip]
 pub(super) fn strip() -> Vec<UiCommand> {
     use When::Untyped;
-    verbs![
+    commands![
         Play, "Faster", "Lets the open animation run faster.",
             [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
         Play, "Slower", "Lets the open animation run slower.",

@@ -1,7 +1,7 @@
 //! The commands themselves.
 
 /// Commands, written as the table that they are.
-macro_rules! verbs {
+macro_rules! commands {
     ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
         vec![$(UiCommand {
             group: Group::$group,
@@ -42,15 +42,15 @@ use crate::view::derivation::Markup;
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]
 pub struct Gesture {
-    /// What it belongs to.
+    /// The heading that it stands under.
     pub group: Group,
-    /// How it is done.
+    /// The way it is done.
     pub how: &'static str,
-    /// What it does.
+    /// The effect.
     pub does: &'static str,
 }
 
-/// What the mouse does.
+/// All gestures.
 pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Views, how: "Drag in the world view", does: "Orbit the observer" },
     Gesture { group: Group::Views, how: "Shift+drag there", does: "Pan the observer" },
@@ -84,24 +84,24 @@ const fn plain(when: When, k: Key) -> Keys {
 
 /// Every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
-    let mut verbs = program();
-    verbs.extend(presenting());
-    verbs.extend(playing());
-    verbs.extend(hand::strip());
-    verbs.extend(pixel_steps());
-    verbs.extend(hand::hand());
-    verbs.extend(layouts());
-    verbs.extend(translations());
-    verbs.extend(switches());
-    verbs.extend(looks());
-    verbs.extend(places());
-    verbs
+    let mut commands = program();
+    commands.extend(presenting());
+    commands.extend(playing());
+    commands.extend(hand::strip());
+    commands.extend(pixel_steps());
+    commands.extend(hand::hand());
+    commands.extend(layouts());
+    commands.extend(translations());
+    commands.extend(switches());
+    commands.extend(looks());
+    commands.extend(places());
+    commands
 }
 
 #[rustfmt::skip]
 fn program() -> Vec<UiCommand> {
     use When::*;
-    verbs![
+    commands![
         File, "Open…", "Asks which scene or lesson to open.",
             [key(Anywhere, CTRL, Key::O)], FileAction::AskOpen;
         File, "Save as…", "Asks which file to save the scene to.",
@@ -152,7 +152,7 @@ fn program() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn presenting() -> Vec<UiCommand> {
     use When::*;
-    verbs![
+    commands![
         Presenting, "Presenter mode",
             "Puts panels away and makes text and lines large; once more gives back the window as it was.",
             [plain(Anywhere, Key::F5)], LookAction::Present;
@@ -172,7 +172,7 @@ fn presenting() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn playing() -> Vec<UiCommand> {
     use When::*;
-    verbs![
+    commands![
         Play, "Swing up", "Turns up round the view: all these cameras look along one line.",
             [], PlayAction::Open(Kind::SwingUp);
         Play, "Orbit", "Takes the camera once round what it looks at.", [], PlayAction::Open(Kind::Orbit);
@@ -199,7 +199,7 @@ fn pixel_steps() -> Vec<UiCommand> {
     use When::View;
     let go = |rows, columns| Action::Select { rows, columns };
     const FAR: Modifiers = Modifiers::SHIFT;
-    verbs![
+    commands![
         Views, "Pixel above", "Selects the pixel above.", [plain(View, Key::ArrowUp)], go(-1, 0);
         Views, "Pixel below", "Selects the pixel below.", [plain(View, Key::ArrowDown)], go(1, 0);
         Views, "Pixel to the left", "Selects the pixel to the left.",
@@ -217,7 +217,8 @@ fn pixel_steps() -> Vec<UiCommand> {
     ]
 }
 
-fn verb(
+/// Returns a command without keys.
+pub(crate) fn command(
     group: Group,
     name: impl Into<Cow<'static, str>>,
     about: impl Into<Cow<'static, str>>,
@@ -230,7 +231,7 @@ fn verb(
 
 fn layouts() -> impl Iterator<Item = UiCommand> {
     ViewLayout::listed().map(|layout| {
-        verb(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
+        command(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
     })
 }
 
@@ -238,57 +239,46 @@ fn translations() -> impl Iterator<Item = UiCommand> {
     Target::all().map(|target| {
         let name = format!("translate into {}", target.label());
         let about = "Shows the camera in these terms.";
-        verb(Group::Layout, name, about, ExchangeAction::TranslateInto(target.name()))
+        command(Group::Layout, name, about, ExchangeAction::TranslateInto(target.name()))
     })
 }
 
+#[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
-    let of = |switch: Switch, group, name: Cow<'static, str>, about: Cow<'static, str>| {
-        verb(group, name, about, LookAction::Toggle(switch))
-    };
-    let mut verbs: Vec<UiCommand> = Item::ALL
-        .into_iter()
-        .map(|item| {
-            let about = format!("Shows or hides {}.", item.label());
-            of(Switch::Item(item), Group::Overlay, item.label().into(), about.into())
-        })
-        .collect();
-    verbs.extend(DerivationSection::ALL.into_iter().map(|section| {
+    let mut commands = Vec::new();
+    for item in Item::ALL {
+        let (name, action) = (item.label(), LookAction::Toggle(Switch::Item(item)));
+        commands.push(command(Group::Overlay, name, format!("Shows or hides {name}."), action));
+    }
+    for section in DerivationSection::ALL {
         let name = format!("derivation’s part “{}”", section.label());
         let about = format!("Shows or hides the {name}.");
-        of(Switch::Section(section), Group::Layout, name.into(), about.into())
-    }));
-    verbs.extend([
-        of(
-            Switch::CountFromOne,
-            Group::Numbers,
-            "Count from 1".into(),
-            "Counts rows and columns from 1, or from 0.".into(),
-        ),
-        of(
-            Switch::ReducedMotion,
-            Group::Colours,
-            "Reduced motion".into(),
-            "Lets nothing move by itself: no transitions.".into(),
-        ),
-        verb(Group::Numbers, "More digits", "Shows one digit more.", LookAction::DigitsBy(1)),
-        verb(Group::Numbers, "Fewer digits", "Shows one digit less.", LookAction::DigitsBy(-1)),
+        let action = LookAction::Toggle(Switch::Section(section));
+        commands.push(command(Group::Layout, name, about, action));
+    }
+    commands.extend(commands![
+        Numbers, "Count from 1", "Counts rows and columns from 1, or from 0.",
+            [], LookAction::Toggle(Switch::CountFromOne);
+        Colours, "Reduced motion", "Lets nothing move by itself: no transitions.",
+            [], LookAction::Toggle(Switch::ReducedMotion);
+        Numbers, "More digits", "Shows one digit more.", [], LookAction::DigitsBy(1);
+        Numbers, "Fewer digits", "Shows one digit less.", [], LookAction::DigitsBy(-1);
     ]);
-    verbs
+    commands
 }
 
 fn looks() -> Vec<UiCommand> {
-    let mut verbs = Vec::new();
+    let mut commands = Vec::new();
     for shade in ShadeName::ALL {
         let name = format!("shade by {}", Shade::from(shade).name());
-        verbs.push(verb(Group::Colours, name, shade.about(), LookAction::Shade(shade)));
+        commands.push(command(Group::Colours, name, shade.about(), LookAction::Shade(shade)));
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";
-        verbs.push(verb(Group::Colours, theme.label(), about, LookAction::Theme(theme)));
+        commands.push(command(Group::Colours, theme.label(), about, LookAction::Theme(theme)));
     }
     for scheme in Scheme::ALL {
-        verbs.push(verb(
+        commands.push(command(
             Group::Colours,
             scheme.label(),
             scheme.about(),
@@ -297,38 +287,38 @@ fn looks() -> Vec<UiCommand> {
     }
     for &method in Method::ALL {
         let action = LookAction::Method(MethodName(method));
-        verbs.push(verb(Group::Method, method.name(), method.about(), action));
+        commands.push(command(Group::Method, method.name(), method.about(), action));
     }
-    verbs
+    commands
 }
 
 fn places() -> Vec<UiCommand> {
-    let mut verbs = Vec::new();
+    let mut commands = Vec::new();
     for scene in builtin::all() {
         let action = Leave::Open(SceneSource::Builtin(scene));
-        verbs.push(verb(Group::Scene, scene.name, scene.summary(), action));
+        commands.push(command(Group::Scene, scene.name, scene.summary(), action));
     }
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
-        verbs.extend(of_lesson(Which::Builtin(index), lesson));
+        commands.extend(of_lesson(Which::Builtin(index), lesson));
     }
     for &exercise in Exercise::ALL {
         let name = title(exercise);
-        verbs.push(verb(Group::Exercise, name, "Asks this.", LookAction::Exercise(exercise)));
+        commands.push(command(Group::Exercise, name, "Asks this.", LookAction::Exercise(exercise)));
     }
     for &mistake in Mistake::GALLERY {
         let action = LookAction::Mistake(mistake);
-        verbs.push(verb(Group::Mistake, mistake.name(), mistake.shows(), action));
+        commands.push(command(Group::Mistake, mistake.name(), mistake.shows(), action));
     }
-    verbs
+    commands
 }
 
 /// A command for each step of a lesson.
-pub fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
+pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let title = title_of(which, lesson);
     let steps = lesson.steps.iter().enumerate().map(|(step, of)| {
         let name = format!("{title}, {}. {}", step + 1, of.title);
         let about = "Shows this step of the lesson.";
-        verb(Group::Step, name, about, Leave::GoTo(Place { lesson: which, step }))
+        command(Group::Step, name, about, Leave::GoTo(Place { lesson: which, step }))
     });
     steps.collect()
 }

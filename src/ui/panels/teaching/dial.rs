@@ -9,6 +9,7 @@ use pinhole_core::{BasisError, Camera, UpAngle};
 use super::reason;
 use crate::model::letters::typeset_message;
 use crate::ui::widgets::number::significant;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Number of decades of the scale, which ends at 10^6.
@@ -46,11 +47,7 @@ fn words(ui: &mut Ui, conditioning: f64) {
     let number = format!("{}° of roll per 1° of up", significant(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
-    let response = response.on_hover_text(hint);
-    ui.ctx().accesskit_node_builder(response.id, |node| {
-        node.set_label("conditioning");
-        node.set_value(number);
-    });
+    response.on_hover_text(hint).named("conditioning").spoken(number);
     let meaning = if conditioning < SENSITIVE {
         "Calm: up is well away from view."
     } else if conditioning < NERVOUS {

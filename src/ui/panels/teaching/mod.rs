@@ -8,6 +8,7 @@ use pinhole_core::{Camera, Orientation};
 
 use crate::model::session::Settings;
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Shows the teaching part, folded unless the settings say otherwise.
@@ -31,7 +32,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
 
 /// Scales the other two extents of the viewport after an edit of one.
 pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
-    let kept = Kept::of(ui, "kept picture", |made| made.viewport == before.viewport, before);
+    let kept = Kept::resume(ui, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
         // An invalid extent is reported below the fields, as without the lock; the next valid one
@@ -60,7 +61,7 @@ struct Kept {
 impl Kept {
     /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
     /// false for the camera that the control made last.
-    fn of(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
+    fn resume(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ui.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
@@ -73,12 +74,13 @@ impl Kept {
 
 /// Turns up about the view direction, in degrees from its position before the control was touched.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "swung camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui, "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
     let hint = "Turns up about the view: the camera rolls, and looks along the same line";
     row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
-        let slider = ui.add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| node.set_label("swing up slider"));
+        let slider = ui
+            .add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false))
+            .named("swing up slider");
         let field = NumberField::new("swing up", &mut degrees).suffix("°").width(FIELD).show(ui);
         if !(slider.changed() || field.changed()) {
             return;
@@ -92,15 +94,16 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
 
 /// Turns up towards the view or away from it, in the plane of both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "tilted camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui, "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint = "The angle between up and view: u, v and w stay, but get nervous near 0° and 180°";
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
         // Logarithmic scale: fine near both ends, where it matters.
         let mut place = (0.5 * degrees.to_radians()).tan().log10();
-        let slider = ui.add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| node.set_label("up from view slider"));
+        let slider = ui
+            .add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false))
+            .named("up from view slider");
         if slider.changed() {
             degrees = (2.0 * 10f64.powf(place).atan()).to_degrees();
         }

@@ -6,6 +6,7 @@ use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 use super::{TEXT, cell};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::sign::sign;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Widths of the verdict and of the formula, in points.
@@ -49,9 +50,8 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     let verdict =
         if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
     sign(ui, here.passes);
-    let response = cell(ui, VERDICT, |ui| ui.label(verdict));
     let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    cell(ui, VERDICT, |ui| ui.label(verdict)).spoken(spoken);
     cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
     let value = RichText::new(text_of(here.value, style)).size(TEXT);
     cell(ui, ui.available_width(), |ui| {

@@ -68,9 +68,9 @@ pub(super) fn verdict(
         let text = if is_right { text } else { text.color(error_color(ui)) };
         ui.add(egui::Label::new(text).wrap());
     });
-    let typeset_message: Vec<&str> = checks::failing(wrong).map(|c| c.check.formula()).collect();
-    if !typeset_message.is_empty() {
-        ui.label(format!("What would have told: {}.", typeset_message.join("; ")));
+    let failing: Vec<&str> = checks::failing(wrong).map(|c| c.check.formula()).collect();
+    if !failing.is_empty() {
+        ui.label(format!("What would have told: {}.", failing.join("; ")));
     }
     ui.add_space(6.0);
 }

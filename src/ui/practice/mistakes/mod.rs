@@ -14,8 +14,10 @@ use crate::model::session::Session;
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::views;
+use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 
@@ -84,16 +86,7 @@ pub(crate) fn no_picture(
     wrong: &ComparedCamera,
     mistakes_view: &MistakesView,
 ) {
-    let fill = ui.visuals().faint_bg_color;
-    ui.painter().rect_filled(rect, 4.0, fill);
-    let inside = rect.shrink(16.0);
-    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
-    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
-        ui.set_clip_rect(rect);
-        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
-        let why = why_not(wrong, mistakes_view).unwrap_or_default();
-        ui.label(RichText::new(why).size(17.0).strong());
-    });
+    fault::no_picture(ui, rect, &why_not(wrong, mistakes_view).unwrap_or_default());
 }
 
 /// Shows the gallery, the explanation, and the checks, side by side.
@@ -208,9 +201,8 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
             cell(ui, LETTER, |_| ());
             sign(ui, false);
             let text = RichText::new(style.vector(wrong)).strong().color(error_color(ui));
-            let response = ui.add(Label::new(text).wrap());
             let spoken = format!("wrong {name} = {}", style.vector(wrong));
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+            ui.add(Label::new(text).wrap()).spoken(spoken);
         });
     }
     let (right, wrong) = (camera.right_camera().viewport().distance, camera.distance());

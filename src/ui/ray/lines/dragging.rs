@@ -1,9 +1,11 @@
 //! Dragging in the drawing of both lines.
 
-use egui::{CursorIcon, EventFilter, Key, Rect, Response, Sense, Ui, Vec2};
+use egui::accesskit::Role;
+use egui::{CursorIcon, Key, Rect, Response, Sense, Ui, Vec2};
 use pinhole_core::DVec2;
 
 use crate::model::lines::{Handle, LinesLab};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::lines::canvas::Sheet;
 use crate::view::lines::drawing::{Ink, paint};
 use crate::view::lines::handles::{GRASP, in_sight};
@@ -15,7 +17,10 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
     let (ink, background, halo) = Ink::of(theme::style(ui));
     let sheet = |lab: &LinesLab| Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
-    let grabbed = inputs(ui, &sheet(lab), lab);
+    let before = sheet(lab);
+    let inputs = Handle::ALL.into_iter();
+    let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
+    let grabbed: Vec<(Handle, Response)> = inputs.collect();
     let sheet = sheet(lab);
     sheet.painter.rect_filled(rect, 0.0, background);
     let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
@@ -30,10 +35,7 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
 /// Pans by dragging beside all handles, and zooms about the pointer by the wheel.
 fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
-    ui.ctx().accesskit_node_builder(response.id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label("Plane with both lines");
-    });
+    let response = response.with_role(Role::Image).named("Plane with both lines");
     let per_point = 2.0 * lab.window.half_extent / f64::from(rect.size().min_elem());
     let delta = response.drag_delta();
     lab.window.center -= per_point * DVec2::new(delta.x.into(), (-delta.y).into());
@@ -51,26 +53,13 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     }
 }
 
-/// A visible handle with the response of its area.
-pub(super) type Grabbed = (Handle, Response);
-
-/// Handles the drags of all handles.
-pub(super) fn inputs(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab) -> Vec<Grabbed> {
-    Handle::ALL
-        .into_iter()
-        .filter_map(|handle| Some((handle, input(ui, sheet, lab, handle)?)))
-        .collect()
-}
-
+/// Handles the drags of a handle. Returns the response of its area, if it is visible.
 fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
     let at = in_sight(sheet, lab, handle)?;
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
     let response = ui.interact(around, id, Sense::click_and_drag());
-    let response = response.on_hover_cursor(CursorIcon::Grab);
-    let arrows =
-        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
+    let response = response.on_hover_cursor(CursorIcon::Grab).keep_arrows(true, true);
     // Round to hundredths, or finer if a pixel is finer.
     let dots = sheet.scale * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());
@@ -95,15 +84,11 @@ fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<R
         }
     }
     let place = lab.place_of(handle)?;
-    ui.ctx().accesskit_node_builder(id, |node| {
-        node.set_role(egui::accesskit::Role::Slider);
-        node.set_label(handle.name());
-        node.set_value(format!("({}, {})", number(place.x, 5), number(place.y, 5)));
-    });
-    Some(response)
+    let value = format!("({}, {})", number(place.x, 5), number(place.y, 5));
+    Some(response.with_role(Role::Slider).named(handle.name()).spoken(value))
 }
 
 /// Returns true if the pointer or the keyboard focus is on a handle.
-pub(super) fn is_held(response: &Response) -> bool {
+fn is_held(response: &Response) -> bool {
     response.hovered() || response.dragged() || response.has_focus()
 }

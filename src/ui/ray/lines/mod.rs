@@ -7,6 +7,7 @@ use egui::{Context, Grid, Id, ScrollArea, Slider, Ui, UiBuilder, Vec2};
 
 use crate::model::lines::{LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 pub(crate) use crate::view::lines::canvas::round_step;
 pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};
@@ -103,8 +104,7 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
         let mut changed = field(ui, "t", &mut t);
         ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(80.0);
         let slider = Slider::new(&mut t, SLIDER).show_value(false).step_by(0.01);
-        let response = ui.add(slider.clamping(egui::SliderClamping::Never));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("slide t along"));
+        let response = ui.add(slider.clamping(egui::SliderClamping::Never)).named("slide t along");
         changed |= response.changed();
         if changed {
             lab.set_t(t);

@@ -2,14 +2,15 @@
 
 use std::ops::RangeInclusive;
 
+use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2,
-    pos2, vec2,
+    Align2, Color32, FontId, Key, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2,
 };
 
 use super::captions::Captions;
 use crate::model::session::Heights;
 use crate::ui::ray::lines::{number, round_step};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::label_layout::{Font, LabelLayout};
 use crate::view::typesetting::notation::formula;
@@ -119,7 +120,7 @@ pub(super) fn ui(
 /// Sets t by a press or a drag in the plot, and moves it by arrow keys.
 fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
     let id = ui.scope_id().with("plot of f");
-    let response = ui.interact(axes.rect, id, Sense::click_and_drag());
+    let response = ui.interact(axes.rect, id, Sense::click_and_drag()).keep_arrows(true, false);
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
@@ -128,8 +129,6 @@ fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
     {
         *ray_point_t = Some(axes.t_at(pointer.x));
     }
-    let arrows = EventFilter { horizontal_arrows: true, ..Default::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
     if response.has_focus()
         && let Some(t) = ray_point_t
     {
@@ -140,11 +139,7 @@ fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
         }
     }
     let text = ray_point_t.map_or("nobody walks".to_owned(), |t| format!("walked to t = {t}"));
-    ui.ctx().accesskit_node_builder(id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label("Plot of f(p + t d)");
-        node.set_value(text);
-    });
+    response.with_role(Role::Image).named("Plot of f(p + t d)").spoken(text);
 }
 
 /// Draws the numbers of t and f, the line f = 0, and the grey area behind the eye.
@@ -203,7 +198,7 @@ fn verticals(painter: &Painter, axes: &Axes, words: &mut LabelLayout, ink: Color
 
 /// A curve on the screen.
 pub(super) struct Strokes {
-    /// Its parts inside the plot.
+    /// The parts inside the plot.
     points: Vec<Vec<Pos2>>,
     /// The points where it leaves the plot, each with true if it leaves upwards.
     leaves: Vec<(Pos2, bool)>,

@@ -8,13 +8,13 @@ use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder
 
 use super::lines::number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::letters::typeset_message;
 use crate::model::session::Session;
+use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::notation;
-use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 15.5;
@@ -26,7 +26,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: 
     let ray_point_t = &mut session.ray_point_t;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(typeset_message(fault)).strong().color(error_color(ui)));
+        ui.label(fault_text(ui, fault).strong());
     }
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
@@ -90,8 +90,7 @@ fn walk(
         NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
         ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
         let slider = Slider::new(t, range).show_value(false);
-        let response = ui.add(slider.clamping(egui::SliderClamping::Never));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("walk to t"));
+        ui.add(slider.clamping(egui::SliderClamping::Never)).named("walk to t");
     });
 }
 

@@ -1,6 +1,6 @@
 //! Movement of the focused handle by keys.
 
-use egui::{Context, EventFilter, Key};
+use egui::{Context, Key};
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use super::{Edited, HandInput, View, axis_held, how, id_of};
@@ -127,9 +127,4 @@ fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
     let right = most(basis.u, up);
     let third = right.cross(up).abs();
     [right, up, third * third.dot(-basis.w).signum()]
-}
-
-/// Returns the filter that keeps the arrow keys with the focused handle.
-pub(super) fn filter() -> EventFilter {
-    EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() }
 }

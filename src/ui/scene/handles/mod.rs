@@ -4,8 +4,8 @@
 mod keys;
 mod tell;
 
-use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
-use pinhole_core::{DVec2, ResolvedCamera};
+use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Vec2};
+use pinhole_core::{DVec2, NO_OBJECT, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
 use crate::model::hand::{Along, Axis, Handle};
@@ -165,7 +165,8 @@ impl HandInput {
         session.hand.together = found.map_or(0, |hit| hit.together);
         let over = over.and_then(Handle::object);
         if over.is_none() {
-            let hovered = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
+            let dots = |at| (at - view.rect.min) * view.scale;
+            let hovered = pointer.and_then(|at| sphere_at(shown, dots(at))).map(|k| k as usize);
             let hovered = hovered.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
             session.hand.objects[1] = hovered;
         } else if over == chosen {
@@ -319,12 +320,11 @@ fn how(ctx: &Context, session: &Session) -> How {
     How { along, snaps: modifiers.command, eye, corner, distance }
 }
 
-/// Returns the index of the sphere that the observer sees at a position.
-fn sphere_at(shown: &Derived, at: DVec2) -> Option<usize> {
-    let frame = shown.world_frame.as_deref()?;
+/// Returns the index of the sphere at a position of the world view, in physical pixels.
+pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
+    let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();
-    let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < f64::from(image.width());
+    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
     let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    let object = *frame.object.get(place).filter(|_| inside)?;
-    (object != pinhole_core::NO_OBJECT).then_some(object as usize)
+    frame.object.get(place).copied().filter(|object| inside && *object != NO_OBJECT)
 }

@@ -9,15 +9,16 @@ use pinhole_core::DVec2;
 use pinhole_core::steering::Keep;
 use pinhole_exchange::document::Document;
 
-use super::{HandInput, View, id_of, keys};
+use super::{HandInput, View, id_of};
 use crate::model::concept::{HoverSource, Hovered};
 use crate::model::hand::{Along, Axis, Handle};
-use crate::model::letters::{bold, typeset_message};
+use crate::model::letters::bold;
 use crate::model::number::written;
 use crate::model::session::Session;
+use crate::ui::widgets::fault::fault_text;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::handles::{Part, grips, label, value};
-use crate::view::typesetting::theme::error_color;
 
 /// Sizes of the text, in points: of the value, and of the rest.
 const VALUE: f32 = 19.0;
@@ -196,8 +197,7 @@ pub(crate) fn say(
             }
         }
         if let Some(reason) = refused {
-            let color = error_color(ui);
-            ui.label(RichText::new(typeset_message(reason)).size(REST).color(color));
+            ui.label(fault_text(ui, reason).size(REST));
         }
     });
 }
@@ -209,14 +209,10 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
         let spot = view.rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / view.scale;
         let rect = Rect::from_center_size(spot, Vec2::splat(2.0 * super::REACH as f32));
         let id = id_of(view.id, grip.handle);
-        ui.interact(rect, id, Sense::focusable_noninteractive());
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(id, keys::filter()));
         let part = Part::of(grip.handle, document, session.selection);
         let value = value(grip.handle, &part, settings.digits, settings.count_from_one);
-        ui.ctx().accesskit_node_builder(id, |node| {
-            node.set_role(Role::Slider);
-            node.set_label(format!("{} handle", label(grip.handle, document)));
-            node.set_value(value);
-        });
+        let response = ui.interact(rect, id, Sense::focusable_noninteractive());
+        let response = response.keep_arrows(true, true).with_role(Role::Slider).spoken(value);
+        response.named(format!("{} handle", label(grip.handle, document)));
     }
 }

@@ -15,6 +15,7 @@ use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts;
 use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
@@ -37,7 +38,7 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
             }
         })
         .response;
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    response.named(name);
 }
 
 /// Shows the title above the map, with the choice of its method.
@@ -161,9 +162,8 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
         ui.label(format!("Nothing is measured: {why}"));
     } else if let Some(share) = measuring.share() {
         ui.label("Measuring: so far");
-        let response = ui.add(ProgressBar::new(share).desired_width(180.0).show_percentage());
-        let spoken = format!("measured {:.0} %", 100.0 * share);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        let bar = ProgressBar::new(share).desired_width(180.0).show_percentage();
+        ui.add(bar).spoken(format!("measured {:.0} %", 100.0 * share));
         if measuring.report().is_some() && !measuring.is_current() {
             ui.weak("until then the last scene's numbers");
         }

@@ -8,8 +8,10 @@ use pinhole_core::methods::Method;
 
 use super::table::color_of;
 use crate::model::number::{grouped, power_of_ten, short};
+use crate::report::columns;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
 
@@ -68,11 +70,8 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
             // The first method is on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
         });
-    let name = "Every method's error against its time";
-    ui.ctx().accesskit_node_builder(shown.response.id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label(name);
-    });
+    let response = shown.response.with_role(egui::accesskit::Role::Image);
+    response.named("Every method's error against its time");
 }
 
 fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
@@ -118,26 +117,11 @@ fn description(row: &MethodRow) -> String {
         format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
     ];
     if let Some(method) = Method::from_name(&row.name) {
-        lines.extend(wrapped(method.about()));
-        lines.extend(wrapped(method.source()));
+        // The plot does not wrap them.
+        lines.extend(columns::lines(method.about(), 60));
+        lines.extend(columns::lines(method.source(), 60));
     }
     lines.join("\n")
-}
-
-/// Splits a text into short lines, because the plot does not wrap them.
-fn wrapped(text: &str) -> Vec<String> {
-    const MOST: usize = 60;
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < MOST => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 fn error_text(exponent: f64) -> String {

@@ -7,6 +7,7 @@ use crate::model::number::short;
 use crate::model::session::MethodName;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::marker::marker_of;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
 
@@ -62,9 +63,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
             Some(method) => {
                 let hint = format!("{}\n{}", method.about(), method.source());
                 let name = ui.selectable_value(&mut compared.0, method, &row.name);
-                let spoken = format!("error map of {}", row.name);
-                ui.ctx().accesskit_node_builder(name.id, |node| node.set_label(spoken));
-                name.on_hover_text(hint);
+                name.named(format!("error map of {}", row.name)).on_hover_text(hint);
             }
             None => {
                 ui.label(&row.name);

@@ -1,0 +1,47 @@
+//! The names and values of widgets, for screen readers and tests, and the arrow keys that a focused
+//! widget keeps.
+
+use egui::accesskit::Role;
+use egui::{EventFilter, Response};
+
+/// What a widget is for those who do not see it.
+pub(crate) trait Spoken: Sized {
+    /// Sets the name.
+    fn named(self, name: impl Into<String>) -> Self;
+
+    /// Sets the value: of a text, what is read in its place.
+    fn spoken(self, value: impl Into<String>) -> Self;
+
+    /// Sets the kind of widget.
+    fn with_role(self, role: Role) -> Self;
+
+    /// Keeps arrow keys from moving the focus away.
+    fn keep_arrows(self, horizontal: bool, vertical: bool) -> Self;
+}
+
+impl Spoken for Response {
+    fn named(self, name: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_label(name.into()));
+        self
+    }
+
+    fn spoken(self, value: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_value(value.into()));
+        self
+    }
+
+    fn with_role(self, role: Role) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_role(role));
+        self
+    }
+
+    fn keep_arrows(self, horizontal: bool, vertical: bool) -> Self {
+        let arrows = EventFilter {
+            horizontal_arrows: horizontal,
+            vertical_arrows: vertical,
+            ..EventFilter::default()
+        };
+        self.ctx.memory_mut(|memory| memory.set_focus_lock_filter(self.id, arrows));
+        self
+    }
+}
