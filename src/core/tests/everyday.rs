@@ -130,9 +130,9 @@ impl Case {
             Asked::Ray(origin, direction) => {
                 pinhole_reference::first_hit(&self.objects, origin, direction)
             }
-            Asked::Uv(camera, u, v) => camera.first_hit_of_uv(&self.objects, u, v),
+            Asked::Uv(camera, u, v) => camera.prepare(&self.objects).ok()?.first_hit_of_uv(u, v),
             Asked::Pixel(camera, row, column) => {
-                camera.first_hit_of_pixel(&self.objects, row, column)
+                camera.prepare(&self.objects).ok()?.first_hit_of_pixel(row, column)
             }
         }
     }

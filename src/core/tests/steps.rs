@@ -64,7 +64,7 @@ impl Case {
                 pinhole_reference::first_hit(&self.objects, origin.to_array(), direction.to_array())
             }
             Asked::MiddlePixel { view } => {
-                middle_camera(view).first_hit_of_pixel(&self.objects, 1, 1)
+                middle_camera(view).prepare(&self.objects).ok()?.first_hit_of_pixel(1, 1)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Inputs that must be refused at the door, with what is wrong about each.
 
 use crate::camera::{Camera, Orientation};
-use crate::family::{BasisCase, RayCase};
+use crate::families::family::{BasisCase, RayCase};
 use crate::object::Object;
 
 /// Numbers that are not finite.
