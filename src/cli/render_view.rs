@@ -1,6 +1,6 @@
 //! The picture of either view, for `pinhole render`.
 
-use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
+use pinhole_core::{Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level};
 use pinhole_exchange::document::Document;
 
 use super::error::CommandError;
@@ -58,7 +58,7 @@ pub fn render_view(
     if options.view == View::Camera && !options.overlay {
         let outputs = Outputs { normal: options.normals, ..Outputs::default() };
         let raster = Raster::full(camera.image());
-        let frame = trace_reporting(&scene, &camera, &raster, outputs, done);
+        let frame = trace_at_level(Level::new(), &scene, &camera, &raster, outputs, done);
         let color_of = |object| document.color_of(object);
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
         return Ok(Rendering { pixels, frame: Some(frame) });
@@ -70,7 +70,7 @@ pub fn render_view(
     }
     let (raster, outputs) =
         (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
-    let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
+    let frame = Some(trace_at_level(Level::new(), &scene, &camera, &raster, outputs, done));
     Ok(Rendering { pixels, frame })
 }
 

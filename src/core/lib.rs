@@ -204,7 +204,7 @@
 //!   [`Outputs`] by their fields.
 //! - [`Shade`], [`Orientation`], [`Roots`], [`Object`] and [`methods::Formula`] are complete: whoever
 //!   shows them all wants to be told of a new one by the compiler.
-//! - [`Depth`], [`methods::FrameKernel`] and [`methods::RayKernel`] can be used, not implemented.
+//! - [`Depth`] can be used, not implemented.
 //! - The bits of every result are part of the interface: the same input gives the same picture, on
 //!   any processor and any number of threads.
 //! - Two other crates are in the signatures: glam, of which `DVec2` and `DVec3` are used, and
@@ -224,7 +224,7 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// Types that may grow cannot be built or matched as if it were complete, or implemented elsewhere.
+/// Types that may grow cannot be built or matched as if it were complete.
 ///
 /// ```compile_fail,E0639
 /// let _ = pinhole_core::ImageError { field: "width", value: 0 };
@@ -236,14 +236,6 @@ struct Readme;
 /// fn kind(step: pinhole_core::Step) -> u8 {
 ///     use pinhole_core::Step::*;
 ///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
-/// }
-/// ```
-/// ```compile_fail,E0277
-/// struct Rays;
-/// impl pinhole_core::methods::RayKernel for Rays {
-///     fn intersect(&mut self) {}
-///     fn hit(&self, _: usize) -> Option<pinhole_core::methods::MethodHit> { None }
-///     fn steps(&self) -> Option<pinhole_core::Steps> { None }
 /// }
 /// ```
 #[cfg(doctest)]
@@ -281,19 +273,14 @@ pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use exact::decimal::shortest;
 pub use exact::double_double::DoubleDouble;
-#[doc(hidden)]
-pub use exact::error_free::Lane;
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
 pub use render::frame::counts::Counts;
 pub use render::frame::depth::Depth;
 pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, Stage};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
-pub use render::shade::{HitShader, lambert, shade, shade_at_level, shade_pixel};
-pub use render::{
-    retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
-    trace_reporting,
-};
+pub use render::shade::{HitShader, lambert, shade, shade_at_level};
+pub use render::{retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level};
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::error::{ObjectError, SceneError};

@@ -193,12 +193,6 @@ impl Basis {
     }
 }
 
-impl UpAngle {
-    /// A basis given by hand has v for its up: a right angle, conditioning 1.
-    pub const OF_BASIS_BY_HAND: UpAngle =
-        UpAngle { angle: std::f64::consts::FRAC_PI_2, conditioning: 1.0 };
-}
-
 pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }

@@ -8,7 +8,7 @@ use glam::DVec3;
 ///
 /// The same operations give the same bits whatever the width, because none of them fuses a product
 /// with a sum but where the result is exact.
-pub trait Lane:
+pub(crate) trait Lane:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>

@@ -73,10 +73,3 @@ impl AddAssign for Steps {
 pub(crate) fn sign_of(x: f64) -> Ordering {
     (x + 0.0).total_cmp(&0.0)
 }
-
-/// The sign of a number as it stands, by the last step that may decide.
-#[cold]
-pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
-    steps.count(last);
-    sign_of(x)
-}

@@ -141,34 +141,16 @@ impl<M: Intersect> FrameBy<M> {
     }
 }
 
-/// The first hit of any ray, each object rounded and prepared for it on the way.
-pub(crate) fn first_hit<M: Intersect>(
-    scene: &Scene,
-    ray: &RoundedRay<M::Real>,
-) -> Option<(u32, M::Real)> {
-    let spheres = scene.spheres().iter().map(RoundedSphere::new);
-    let planes = scene.planes().iter().map(RoundedPlane::new);
-    nearest::<M>(spheres, planes, ray)
-}
-
 /// The first hit of a rounded ray among rounded objects.
 #[inline(always)]
-pub(crate) fn first_hit_rounded<M: Intersect>(
+pub(crate) fn first_hit<M: Intersect>(
     scene: &RoundedScene<M::Real>,
     ray: &RoundedRay<M::Real>,
 ) -> Option<(u32, M::Real)> {
-    nearest::<M>(scene.spheres.iter().copied(), scene.planes.iter().copied(), ray)
-}
-
-#[inline(always)]
-fn nearest<M: Intersect>(
-    spheres: impl Iterator<Item = RoundedSphere<M::Real>>,
-    planes: impl Iterator<Item = RoundedPlane<M::Real>>,
-    ray: &RoundedRay<M::Real>,
-) -> Option<(u32, M::Real)> {
     let RoundedRay { origin, direction } = *ray;
-    let of_spheres = spheres.map(|sphere| M::new(&sphere, origin).first_hit(direction));
-    let of_planes = planes.map(|plane| PlaneByTextbook::new(&plane, origin).first_hit(direction));
+    let of_spheres = scene.spheres.iter().map(|sphere| M::new(sphere, origin).first_hit(direction));
+    let plane = |plane| PlaneByTextbook::new(plane, origin).first_hit(direction);
+    let of_planes = scene.planes.iter().map(plane);
     let mut first = None;
     let mut nearest = M::Real::INFINITY;
     for (object, t) in (0..).zip(of_spheres.chain(of_planes)) {

@@ -1,7 +1,6 @@
 //! The methods by name: what each formula is, where it comes from, and where it fails.
 
 use std::fmt;
-use std::str::FromStr;
 
 /// A formula for a ray and a sphere.
 ///
@@ -101,23 +100,6 @@ pub enum Method {
     Known(Formula, Precision),
 }
 
-/// A name that no method has.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct UnknownMethod {
-    /// The name.
-    pub name: String,
-}
-
-impl fmt::Display for UnknownMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names: Vec<_> = Method::ALL.iter().map(|method| method.name()).collect();
-        write!(f, "no method is called {:?}: there are {}", self.name, names.join(", "))
-    }
-}
-
-impl std::error::Error for UnknownMethod {}
-
 impl Method {
     /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32`
     /// first.
@@ -146,26 +128,7 @@ impl Method {
 
     /// The name in commands, files and tables.
     pub fn name(self) -> &'static str {
-        use Formula::*;
-        use Precision::*;
-        match self {
-            Method::Ladder => "ladder",
-            Method::DoubleDouble => "double-double",
-            Method::Known(Textbook, F32) => "textbook-f32",
-            Method::Known(Textbook, F64) => "textbook-f64",
-            Method::Known(HalfB, F32) => "half-b-f32",
-            Method::Known(HalfB, F64) => "half-b-f64",
-            Method::Known(Kahan, F32) => "kahan-f32",
-            Method::Known(Kahan, F64) => "kahan-f64",
-            Method::Known(Perpendicular, F32) => "perpendicular-f32",
-            Method::Known(Perpendicular, F64) => "perpendicular-f64",
-            Method::Known(ClosestPoint, F32) => "closest-point-f32",
-            Method::Known(ClosestPoint, F64) => "closest-point-f64",
-            Method::Known(Recentred, F32) => "recentred-f32",
-            Method::Known(Recentred, F64) => "recentred-f64",
-            Method::Known(Lagrange, F32) => "lagrange-f32",
-            Method::Known(Lagrange, F64) => "lagrange-f64",
-        }
+        self.facts()[0]
     }
 
     /// The method of this name.
@@ -183,91 +146,86 @@ impl Method {
 
     /// Book or paper, in one line.
     pub fn source(self) -> &'static str {
-        match self {
-            Method::Ladder => {
-                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps"
-            }
-            Method::DoubleDouble => {
-                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
-                 Mathematical Software 44 (2017)"
-            }
-            Method::Known(formula, _) => formula.source(),
-        }
+        self.facts()[1]
     }
 
     /// Returns what it does and where it fails, in one sentence.
     pub fn about(self) -> &'static str {
+        self.facts()[2]
+    }
+
+    /// Name, source, and what it does and where it fails.
+    fn facts(self) -> [&'static str; 3] {
         match self {
-            Method::Ladder => {
+            Method::Ladder => [
+                "ladder",
+                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
                 "Each decision in f64 with an error bound, where that leaves doubt in double-double, \
-                 and where that does too, exactly."
-            }
-            Method::DoubleDouble => {
+                 and where that does too, exactly.",
+            ],
+            Method::DoubleDouble => [
+                "double-double",
+                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
+                 Mathematical Software 44 (2017)",
                 "The half-b formula with about 106 digits, rounded at the end: fails where squares \
-                 leave the range of f64, and on exact ties and tangents of rounded rays."
+                 leave the range of f64, and on exact ties and tangents of rounded rays.",
+            ],
+            Method::Known(formula, precision) => {
+                let ([single, double], source, about) = formula.facts();
+                [if precision == Precision::F32 { single } else { double }, source, about]
             }
-            Method::Known(formula, _) => formula.about(),
         }
     }
 }
 
 impl Formula {
-    fn source(self) -> &'static str {
+    /// Names in `f32` and in `f64`, source, and what it does and where it fails.
+    fn facts(self) -> ([&'static str; 2], &'static str, &'static str) {
         match self {
-            Formula::Textbook => {
-                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1"
-            }
-            Formula::HalfB => "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
-            Formula::Kahan => {
-                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264"
-            }
-            Formula::Perpendicular => {
-                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
-                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3"
-            }
-            Formula::ClosestPoint => {
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h"
-            }
-            Formula::Recentred => {
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
-                 curve_intersector_sweep.h"
-            }
-            Formula::Lagrange => {
-                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3"
-            }
-        }
-    }
-
-    fn about(self) -> &'static str {
-        match self {
-            Formula::Textbook => {
+            Formula::Textbook => (
+                ["textbook-f32", "textbook-f64"],
+                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1",
                 "(-b -+ sqrt(b^2 - 4ac)) / 2a as it stands: loses the outline of distant spheres, and \
-                 the near root of a large sphere close to the eye."
-            }
-            Formula::HalfB => {
+                 the near root of a large sphere close to the eye.",
+            ),
+            Formula::HalfB => (
+                ["half-b-f32", "half-b-f64"],
+                "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
                 "Half of b, and q = -(b + sign(b) sqrt D) for both roots: keeps the near root of a \
-                 large sphere, still loses the outline of distant ones in b^2 - ac."
-            }
-            Formula::Kahan => {
+                 large sphere, still loses the outline of distant ones in b^2 - ac.",
+            ),
+            Formula::Kahan => (
+                ["kahan-f32", "kahan-f64"],
+                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264",
                 "b^2 - ac with fused multiply-adds, almost exact: but a, b and c are rounded before, \
-                 which costs the outline as much as the plain difference does."
-            }
-            Formula::Perpendicular => {
+                 which costs the outline as much as the plain difference does.",
+            ),
+            Formula::Perpendicular => (
+                ["perpendicular-f32", "perpendicular-f64"],
+                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
+                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3",
                 "D from the vector from the centre at right angles to the ray: fails for tiny far \
-                 spheres, whose perpendicular vector has few digits."
-            }
-            Formula::ClosestPoint => {
+                 spheres, whose perpendicular vector has few digits.",
+            ),
+            Formula::ClosestPoint => (
+                ["closest-point-f32", "closest-point-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h",
                 "From the ray's point closest to the centre half a chord back and forth: fails for \
-                 tiny far spheres, and at the near root of a large sphere close to the eye."
-            }
-            Formula::Recentred => {
+                 tiny far spheres, and at the near root of a large sphere close to the eye.",
+            ),
+            Formula::Recentred => (
+                ["recentred-f32", "recentred-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
+                 curve_intersector_sweep.h",
                 "Moves the origin to the ray's point closest to the centre and solves from there: \
-                 fails where the closest-point formula does."
-            }
-            Formula::Lagrange => {
+                 fails where the closest-point formula does.",
+            ),
+            Formula::Lagrange => (
+                ["lagrange-f32", "lagrange-f64"],
+                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3",
                 "D as r^2 a - |oc x d|^2, in which little cancels far away: fails on near tangents, \
-                 and inside a sphere near its surface."
-            }
+                 and inside a sphere near its surface.",
+            ),
         }
     }
 }
@@ -275,13 +233,5 @@ impl Formula {
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = UnknownMethod;
-
-    fn from_str(name: &str) -> Result<Method, UnknownMethod> {
-        Method::from_name(name).ok_or_else(|| UnknownMethod { name: name.to_owned() })
     }
 }

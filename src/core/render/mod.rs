@@ -64,7 +64,7 @@ use crate::scene::Scene;
 /// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
 /// without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
-    trace_reporting(scene, camera, raster, outputs, |_| ())
+    trace_as(scene, camera, raster, outputs)
 }
 
 /// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
@@ -74,22 +74,12 @@ pub fn trace_as<T: Depth>(
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
-    trace_reporting(scene, camera, raster, outputs, |_| ())
+    trace_at_level(Level::new(), scene, camera, raster, outputs, |_| ())
 }
 
-/// [`trace_as`] for those who want to tell how far it is: `done` is called, from any thread, with
-/// the number of rows that were just finished.
-pub fn trace_reporting<T: Depth>(
-    scene: &Scene,
-    camera: &ResolvedCamera,
-    raster: &Raster,
-    outputs: Outputs,
-    done: impl Fn(usize) + Sync,
-) -> Frame<T> {
-    trace_at_level(Level::new(), scene, camera, raster, outputs, done)
-}
-
-/// [`trace_reporting`] with the instructions of a given SIMD level, all of which give the same bits.
+/// [`trace_as`] with the instructions of a given SIMD level, all of which give the same bits, for those
+/// who want to tell how far it is: `done` is called, from any thread, with the number of rows that were
+/// just finished.
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,

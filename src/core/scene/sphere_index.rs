@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::scene::boxes::{BOX_LANES, Bound, Boxes};
+use crate::scene::boxes::Bound;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 
@@ -26,10 +26,6 @@ pub(crate) struct SphereSlots<'a> {
 /// Spheres of one block, and of one group, have radii of the same power of 4 and lie together, until
 /// [one is replaced](SphereIndex::replace). Slots of a block that no sphere is left for repeat the
 /// block's first one; their id is [`NO_SPHERE`], and block and group do not count them.
-///
-/// A group's first block, and how many it has, are multiples of [`BOX_LANES`]: blocks that only fill
-/// up have count 0, and their slots are zeros without a sphere. So are there as many groups as a
-/// multiple of [`BOX_LANES`]; those that only fill up have count 0 and no blocks.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SphereIndex {
     /// The centres, slot by slot.
@@ -42,8 +38,8 @@ pub(crate) struct SphereIndex {
     pub(crate) ids: Vec<u32>,
     /// The slot of each sphere of the scene.
     slot_of: Vec<u32>,
-    pub(crate) blocks: Boxes,
-    pub(crate) groups: Boxes,
+    pub(crate) blocks: Vec<Bound>,
+    pub(crate) groups: Vec<Bound>,
     /// The first block of each group; at the end, the number of blocks.
     first_block: Vec<u32>,
 }
@@ -53,12 +49,11 @@ impl SphereIndex {
     /// the spheres at a time. The same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
-        let blocks_in = |count: usize| count.div_ceil(BLOCK).next_multiple_of(BOX_LANES);
-        let blocks: usize = classes.iter().map(|class| blocks_in(class.len())).sum();
+        let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
         let [x, y, z, radius] = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
         let ids = Vec::with_capacity(blocks * BLOCK);
         let (slot_of, first_block) = (vec![0; spheres.len()], Vec::new());
-        let (groups, none) = (Boxes::default(), Boxes::default());
+        let (groups, none) = (Vec::new(), Vec::new());
         let mut index =
             SphereIndex { x, y, z, radius, ids, slot_of, blocks: none, groups, first_block };
         for class in classes {
@@ -68,16 +63,14 @@ impl SphereIndex {
                 index.push(key.center, spheres[key.id as usize].radius, key.id);
             }
             index.fill_up();
-            let end = first + blocks_in(class.len());
+            let end = index.ids.len() / BLOCK;
             index.first_block.extend((first..end).step_by(GROUP).map(|block| block as u32));
-            index.resize(end * BLOCK);
         }
         let groups = index.first_block.len();
-        index.first_block.resize(groups.next_multiple_of(BOX_LANES) + 1, blocks as u32);
-        let bounds = (0..blocks).into_par_iter().map(|block| index.bound_of_block(block));
-        index.blocks = Boxes::new(&bounds.collect::<Vec<Bound>>());
-        let bounds = (0..groups).map(|group| index.bound_of_group(group));
-        index.groups = Boxes::new(&bounds.collect::<Vec<Bound>>());
+        index.first_block.push(blocks as u32);
+        index.blocks =
+            (0..blocks).into_par_iter().map(|block| index.bound_of_block(block)).collect();
+        index.groups = (0..groups).map(|group| index.bound_of_group(group)).collect();
         index
     }
 
@@ -92,12 +85,12 @@ impl SphereIndex {
                 self.put(padded, sphere.center.to_array(), sphere.radius);
             }
         }
-        self.blocks.set(block, self.bound_of_block(block));
+        self.blocks[block] = self.bound_of_block(block);
         let group = self.first_block.partition_point(|first| *first as usize <= block) - 1;
-        self.groups.set(group, self.bound_of_group(group));
+        self.groups[group] = self.bound_of_group(group);
     }
 
-    /// The blocks of a group, with those that only fill it up.
+    /// The blocks of a group.
     pub(crate) fn blocks_of(&self, group: usize) -> Range<usize> {
         self.first_block[group] as usize..self.first_block[group + 1] as usize
     }
@@ -125,14 +118,11 @@ impl SphereIndex {
     /// The spheres of which `may` says so of group, block and themselves, each given by the middle and
     /// the half extents of its box; ascending.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
-        let may_be_in = |boxes: &Boxes, place: usize| {
-            let Bound { middle, half, count, .. } = boxes.get(place);
-            count > 0 && may(middle, half)
-        };
-        let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups, *group));
+        let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
+        let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
         let blocks = groups.flat_map(|group| self.blocks_of(group));
         let slots = blocks
-            .filter(|block| may_be_in(&self.blocks, *block))
+            .filter(|block| may_be_in(&self.blocks[*block]))
             .flat_map(SphereIndex::slots_of)
             .filter(|slot| self.ids[*slot] != NO_SPHERE)
             .filter(|slot| may(self.center(*slot), [self.radius[*slot]; 3]));
@@ -166,20 +156,12 @@ impl SphereIndex {
         }
     }
 
-    /// Adds slots that only fill up.
-    fn resize(&mut self, slots: usize) {
-        for values in [&mut self.x, &mut self.y, &mut self.z, &mut self.radius] {
-            values.resize(slots, 0.0);
-        }
-        self.ids.resize(slots, NO_SPHERE);
-    }
-
     fn bound_of_block(&self, block: usize) -> Bound {
         let own = SphereIndex::slots_of(block).filter(|slot| self.ids[*slot] != NO_SPHERE);
         Bound::around(own.map(|slot| Bound::of_sphere(self.center(slot), self.radius[slot])))
     }
 
     fn bound_of_group(&self, group: usize) -> Bound {
-        Bound::around(self.blocks_of(group).map(|block| self.blocks.get(block)))
+        Bound::around(self.blocks_of(group).map(|block| self.blocks[block]))
     }
 }

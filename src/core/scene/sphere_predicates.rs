@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::exact_ray::ExactRay;
-use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::{Number, PLAIN, UNIT, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
@@ -13,7 +12,7 @@ use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
 use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
 use crate::exact::scale::ldexp;
-use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::exact::steps::{Step, Steps};
 use crate::scene::point_power::PointPower;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 
@@ -73,11 +72,6 @@ pub(crate) struct SphereFromOrigin {
 
 impl SphereFromOrigin {
     pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereFromOrigin {
-        SphereFromOrigin::up_to(sphere, origin, Step::Exact)
-    }
-
-    /// Computes it with the ladder cut off after a step.
-    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereFromOrigin {
         let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
         let parts: [DoubleDouble; 3] =
             std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
@@ -86,10 +80,7 @@ impl SphereFromOrigin {
         let rounded = near(q);
         let distance = length(rounded);
         let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
-        let c = match last {
-            Step::F64 => PointPower::rounded(rounded, radius),
-            _ => PointPower::new(sphere, origin, q, radius, (scale + quartered, last)),
-        };
+        let c = PointPower::new(sphere, origin, q, radius, scale + quartered);
         let fine = SphereParts {
             q,
             radius: DoubleDouble::from(radius),
@@ -162,16 +153,10 @@ impl SphereFromOrigin {
             steps.count(Step::F64);
             return meets;
         }
-        if ray.last == Step::F64 {
-            return rounded_sign(rough.discriminant, ray.last, steps).into();
-        }
         let fine = Quadratic::new(&self.fine, &ray.fine);
         if let Some(meets) = of_sign(sure_sign(&fine)) {
             steps.count(Step::DoubleDouble);
             return meets;
-        }
-        if ray.last == Step::DoubleDouble {
-            return rounded_sign(fine.discriminant.hi, ray.last, steps).into();
         }
         steps.count(Step::Exact);
         let big = ray.big();
@@ -185,16 +170,10 @@ impl SphereFromOrigin {
         if let Some(sign) = sure(rough.b, rough.b_doubt) {
             return sign;
         }
-        if ray.last == Step::F64 {
-            return rounded_sign(rough.b, ray.last, steps);
-        }
         let fine = Quadratic::new(&self.fine, &ray.fine);
         if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
             steps.count(Step::DoubleDouble);
             return sign;
-        }
-        if ray.last == Step::DoubleDouble {
-            return rounded_sign(fine.b.hi, ray.last, steps);
         }
         steps.count(Step::Exact);
         let big = ray.big();
@@ -225,32 +204,10 @@ impl SphereFromOrigin {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {
             return Precise::ZERO;
         }
-        let fine = if ray.last == Step::Exact {
-            self.fine_t(ray, root, doubt)
-        } else {
-            Some(self.rounded_t(ray, root))
-        };
-        fine.map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale)).unwrap_or_else(
-            || {
-                let big = ray.big();
-                let (t, k) = big.t(&self.big_root(ray, root));
-                Precise::new(t, k)
-            },
-        )
-    }
-
-    /// `t` by the step after which the ray's ladder is cut off, in the units of
-    /// [`SphereFromOrigin::fine_t`].
-    #[cold]
-    fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> DoubleDouble {
-        let far = root == RootSide::Far;
-        match ray.last {
-            Step::F64 => {
-                let quadratic = Quadratic::new(&self.rough, &ray.rough);
-                DoubleDouble::from(quadratic.rounded_root(&self.rough, far))
-            }
-            _ => Quadratic::new(&self.fine, &ray.fine).rounded_root(&self.fine, far),
+        if let Some(t) = self.fine_t(ray, root, doubt) {
+            return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
         }
+        ray.big().t(&self.big_root(ray, root))
     }
 
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
@@ -286,9 +243,6 @@ impl SphereFromOrigin {
 
     /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
     pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        if ray.last != Step::Exact {
-            return self.rounded_normal(ray, root);
-        }
         // t d is off by this share of its length, about |q|; a radius small against that needs more.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
@@ -307,17 +261,6 @@ impl SphereFromOrigin {
             let is_noise = is_noise(normal[i] * self.fine.radius.hi, self.fine.q[i].hi);
             if is_noise { 0.0 } else { normal[i] }
         }))
-    }
-
-    /// The normal by the step after which the ray's ladder is cut off.
-    #[cold]
-    fn rounded_normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, root);
-        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, root) };
-        DVec3::from_array(match ray.last {
-            Step::F64 => sphere_normal(self.rough.q, &ray.rough, t.hi),
-            _ => sphere_normal(self.fine.q, &ray.fine, t),
-        })
     }
 
     /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
@@ -370,20 +313,12 @@ impl Sphere {
     }
 
     /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
-    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
-    pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
-        match ExactRay::from_ray(ray) {
-            Ok(ray) => self.quadratic_of(&ray),
-            Err(_) => SphereQuadratic::NONE,
-        }
-    }
-
-    /// [`Sphere::quadratic`] of a ray with all its digits.
+    /// or underflow where the roots do not; of a sphere that is none, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
             return SphereQuadratic::NONE;
         }
-        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::new(self, ray.origin());
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
@@ -401,7 +336,7 @@ impl Sphere {
     /// negative, and of a sphere that is none. Infinite where it overflows.
     pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
         self.check().ok()?;
-        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::new(self, ray.origin());
         let (.., discriminant) = seen.quadratic(ray);
         (discriminant >= 0.0)
             .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))

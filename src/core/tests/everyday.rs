@@ -7,11 +7,11 @@
 use std::fmt::Write;
 
 use expect_test::expect_file;
-use pinhole_core::methods::{Method, Precision, first_hit_by};
+use pinhole_core::methods::{Method, Precision};
 use pinhole_core::*;
 use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given};
 
-use crate::common::given;
+use crate::common::{first_hit_by, given};
 
 /// A ray: as given, or through a place of a camera's viewport.
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use pinhole_core::*;
 
 use crate::common::levels::levels;
-use crate::common::{Numbers, camera, plane, sphere, vec3};
+use crate::common::{Numbers, camera, plane, shade_pixel, sphere, vec3};
 
 /// Scenes whose pictures take every way that shading has: spheres from near, from far, from inside
 /// and from so far that they take the exact way, planes, runs of one pixel, background.

@@ -104,6 +104,7 @@ pub(crate) struct Outline {
     pub(crate) last_row: f64,
     pub(crate) nearest: f64,
     pub(crate) thin: f64,
+    /// True if the error of the root needs correction too.
     pub(crate) is_wide: bool,
 }
 
