@@ -1,7 +1,7 @@
 //! The steps of the ladder, and how many decisions each of them made.
 
 use std::cmp::Ordering;
-use std::ops::{Add, AddAssign};
+use std::ops::Add;
 
 /// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly.
 ///
@@ -60,12 +60,6 @@ impl Add for Steps {
             double_double: self.double_double + other.double_double,
             exact: self.exact + other.exact,
         }
-    }
-}
-
-impl AddAssign for Steps {
-    fn add_assign(&mut self, other: Steps) {
-        *self = *self + other;
     }
 }
 

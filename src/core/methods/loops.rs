@@ -56,10 +56,6 @@ impl<R: Real> ViewRays<R> {
         let part = Vector { x: x[column], y: y[column], z: z[column] };
         RoundedRay { origin: self.origin, direction: part + self.row_parts[row] }
     }
-
-    fn columns(&self) -> usize {
-        self.column_parts[0].len()
-    }
 }
 
 /// The parts that all rows of a frame share.
@@ -77,15 +73,6 @@ pub(crate) struct Row<R> {
 }
 
 impl<R: Real> Row<R> {
-    pub(crate) fn new(columns: usize) -> Self {
-        let zeros = || vec![R::ZERO; columns];
-        Row {
-            directions: [zeros(), zeros(), zeros()],
-            t: vec![R::INFINITY; columns],
-            object: vec![NO_OBJECT; columns],
-        }
-    }
-
     /// Asks one object for every pixel. Objects come in ascending order, so "nearer than what is
     /// there" keeps the first of equals; NaN is not nearer than anything.
     #[inline(always)]
@@ -137,7 +124,10 @@ impl<M: Intersect> FrameBy<M> {
     }
 
     pub(crate) fn row(&self) -> Row<M::Real> {
-        Row::new(self.rays.columns())
+        let directions = self.rays.column_parts.clone();
+        let columns = directions[0].len();
+        let (t, object) = (vec![M::Real::INFINITY; columns], vec![NO_OBJECT; columns]);
+        Row { directions, t, object }
     }
 }
 

@@ -10,35 +10,27 @@ use std::fmt;
 /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 /// ```
 ///
-/// They agree in real arithmetic. They differ in what rounding leaves of D. A plane is met by the
-/// textbook's `t = n.(q - p) / n.d` in all of them (Glassner, section 2.2).
+/// They agree in real arithmetic. They differ in what rounding leaves of D; where each fails,
+/// [`Method::about`] says. A plane is met by the textbook's `t = n.(q - p) / n.d` in all of them
+/// (Glassner, section 2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// The textbook's `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, both roots.
     ///
     /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
     /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
-    ///
-    /// Fails where b^2 and 4 a c are much larger than their difference: distant or grazed spheres, and
-    /// where b and the root nearly cancel: the near root of a large sphere close to the eye.
     Textbook,
     /// Half the linear coefficient, and the roots `q / a` and `c / q` with
     /// `q = -(b + sign(b) sqrt D)`, in which nothing cancels but what is in `D = b^2 - a c`.
     ///
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
-    ///
-    /// Fails like the textbook's where b^2 and a c nearly cancel; the near root of a large sphere is
-    /// good as long as c is.
     HalfB,
     /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
     /// within 1.5 ulp of the exact value for the a, b, c at hand.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
     /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
-    ///
-    /// Fails like half-b: a, b and c are rounded before, and that error is as large as the one that
-    /// is avoided.
     Kahan,
     /// Half-b with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
     /// centre at right angles to the ray.
@@ -46,9 +38,6 @@ pub enum Formula {
     /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
     /// intersection*, Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in
     /// Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
-    ///
-    /// Fails where that vector loses its digits, because `oc` is much longer than it: tiny far
-    /// spheres.
     Perpendicular,
     /// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
     /// with l the distance of that point from the centre.
@@ -56,26 +45,17 @@ pub enum Formula {
     /// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient
     /// CPU ray tracing*, ACM Transactions on Graphics 33(4), 2014),
     /// `kernels/geometry/sphere_intersector.h`.
-    ///
-    /// Fails like the perpendicular's, and where the two terms nearly cancel: the near root of a large
-    /// sphere close to the eye.
     ClosestPoint,
     /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
     /// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
     ///
     /// Source: Embree, which does so for curves ("move ray closer to make intersection stable",
     /// `kernels/geometry/curve_intersector_sweep.h`).
-    ///
-    /// Fails where the moved origin loses its digits (tiny far spheres) and where t0 and the rest
-    /// nearly cancel (a large sphere close to the eye).
     Recentred,
     /// Half-b with `D = r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
     ///
     /// Source: Lagrange's identity, *Solutions analytiques de quelques problemes sur les pyramides
     /// triangulaires*, 1773 (Steele, *The Cauchy-Schwarz Master Class*, 2004, chapter 3).
-    ///
-    /// Fails where `oc x d` loses its digits, which is late, and near the surface of a large sphere,
-    /// where D is small against both terms.
     Lagrange,
 }
 

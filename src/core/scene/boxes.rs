@@ -1,5 +1,7 @@
 //! Axis-aligned boxes around spheres.
 
+use crate::scene::sphere::Sphere;
+
 /// One box with what is known of the spheres inside.
 ///
 /// On each axis the box is `middle - half ..= middle + half`, in real numbers and rounded alike: what
@@ -23,8 +25,10 @@ impl Bound {
         Bound { middle: [0.0; 3], half: [0.0; 3], area: 0.0, radius: 0.0, count: 0 };
 
     /// The box of a sphere, not rounded outward: for [`Bound::around`].
-    pub(crate) fn of_sphere(middle: [f64; 3], radius: f64) -> Bound {
-        Bound { middle, half: [radius; 3], area: radius * radius, radius, count: 1 }
+    pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
+        let Sphere { center, radius } = *sphere;
+        let (middle, half) = (center.to_array(), [radius; 3]);
+        Bound { middle, half, area: radius * radius, radius, count: 1 }
     }
 
     /// The box around all of these.

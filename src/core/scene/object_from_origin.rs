@@ -18,7 +18,7 @@ use crate::scene::plane::Plane;
 use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::{LineHit, RootSide, SphereFromOrigin};
+use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 
 /// An object as the rays of one origin see it.
 #[derive(Clone, Debug)]
@@ -65,9 +65,9 @@ impl ObjectFromOrigin {
     pub(crate) fn root_sides(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [RootSide] {
         match self {
             ObjectFromOrigin::Sphere(seen) => match seen.meets(ray, steps) {
-                LineHit::Misses => &[],
-                LineHit::Touches => &[RootSide::Near],
-                LineHit::Crosses => &[RootSide::Near, RootSide::Far],
+                Ordering::Less => &[],
+                Ordering::Equal => &[RootSide::Near],
+                Ordering::Greater => &[RootSide::Near, RootSide::Far],
             },
             ObjectFromOrigin::Plane(seen) => {
                 if seen.meets(ray, steps) {

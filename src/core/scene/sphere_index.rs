@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::scene::boxes::Bound;
@@ -12,12 +13,11 @@ use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 /// The id of a slot that holds no sphere of its own.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
-/// Spheres side by side: as many as a vector has lanes.
-pub(crate) struct SphereSlots<'a> {
-    pub(crate) x: &'a [f64],
-    pub(crate) y: &'a [f64],
-    pub(crate) z: &'a [f64],
-    pub(crate) radius: &'a [f64],
+/// Spheres side by side, as many as a vector has lanes: x, y and z of the centres, and the radii.
+pub(crate) type SphereSlots<'a> = [&'a [f64]; 4];
+
+fn columns_of(sphere: &Sphere) -> [f64; 4] {
+    [sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius]
 }
 
 /// Spheres in slots, slots in blocks of [`BLOCK`], blocks in groups of up to [`GROUP`], each with a
@@ -28,12 +28,8 @@ pub(crate) struct SphereSlots<'a> {
 /// block's first one; their id is [`NO_SPHERE`], and block and group do not count them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SphereIndex {
-    /// The centres, slot by slot.
-    pub(crate) x: Vec<f64>,
-    pub(crate) y: Vec<f64>,
-    pub(crate) z: Vec<f64>,
-    /// The radii, slot by slot.
-    pub(crate) radius: Vec<f64>,
+    /// x, y and z of the centres and the radii, slot by slot.
+    pub(crate) columns: [Vec<f64>; 4],
     /// The sphere of the scene in the slot; [`NO_SPHERE`] where the slot only fills up.
     pub(crate) ids: Vec<u32>,
     /// The slot of each sphere of the scene.
@@ -50,17 +46,22 @@ impl SphereIndex {
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
         let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
-        let [x, y, z, radius] = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
+        let columns = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
         let ids = Vec::with_capacity(blocks * BLOCK);
         let (slot_of, first_block) = (vec![0; spheres.len()], Vec::new());
-        let (groups, none) = (Vec::new(), Vec::new());
-        let mut index =
-            SphereIndex { x, y, z, radius, ids, slot_of, blocks: none, groups, first_block };
+        let mut index = SphereIndex {
+            columns,
+            ids,
+            slot_of,
+            blocks: Vec::new(),
+            groups: Vec::new(),
+            first_block,
+        };
         for class in classes {
             let first = index.ids.len() / BLOCK;
             for key in &keys[class.clone()] {
                 index.slot_of[key.id as usize] = index.ids.len() as u32;
-                index.push(key.center, spheres[key.id as usize].radius, key.id);
+                index.push(&spheres[key.id as usize], key.id);
             }
             index.fill_up();
             let end = index.ids.len() / BLOCK;
@@ -77,12 +78,12 @@ impl SphereIndex {
     /// Puts another sphere in the place of one, wherever it lies: O([`BLOCK`] + [`GROUP`]).
     pub(crate) fn replace(&mut self, index: u32, sphere: &Sphere) {
         let slot = self.slot_of[index as usize] as usize;
-        self.put(slot, sphere.center.to_array(), sphere.radius);
+        self.put(slot, sphere);
         let block = slot / BLOCK;
         let slots = SphereIndex::slots_of(block);
         if slot == slots.start {
             for padded in slots.filter(|slot| self.ids[*slot] == NO_SPHERE).collect::<Vec<_>>() {
-                self.put(padded, sphere.center.to_array(), sphere.radius);
+                self.put(padded, sphere);
             }
         }
         self.blocks[block] = self.bound_of_block(block);
@@ -97,17 +98,13 @@ impl SphereIndex {
 
     /// Some slots' spheres.
     pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
-        SphereSlots {
-            x: &self.x[slots.clone()],
-            y: &self.y[slots.clone()],
-            z: &self.z[slots.clone()],
-            radius: &self.radius[slots],
-        }
+        self.columns.each_ref().map(|column| &column[slots.clone()])
     }
 
     /// One slot's sphere.
     pub(crate) fn sphere(&self, slot: usize) -> Sphere {
-        Sphere { center: self.center(slot).into(), radius: self.radius[slot] }
+        let [x, y, z, radius] = self.columns.each_ref().map(|column| column[slot]);
+        Sphere { center: DVec3::new(x, y, z), radius }
     }
 
     /// The slots of a block.
@@ -125,40 +122,39 @@ impl SphereIndex {
             .filter(|block| may_be_in(&self.blocks[*block]))
             .flat_map(SphereIndex::slots_of)
             .filter(|slot| self.ids[*slot] != NO_SPHERE)
-            .filter(|slot| may(self.center(*slot), [self.radius[*slot]; 3]));
+            .filter(|slot| {
+                let Sphere { center, radius } = self.sphere(*slot);
+                may(center.to_array(), [radius; 3])
+            });
         let mut found: Vec<u32> = slots.map(|slot| self.ids[slot]).collect();
         found.sort_unstable();
         found
     }
 
-    fn center(&self, slot: usize) -> [f64; 3] {
-        [self.x[slot], self.y[slot], self.z[slot]]
-    }
-
-    fn push(&mut self, [x, y, z]: [f64; 3], radius: f64, id: u32) {
-        self.x.push(x);
-        self.y.push(y);
-        self.z.push(z);
-        self.radius.push(radius);
+    fn push(&mut self, sphere: &Sphere, id: u32) {
+        for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
+            column.push(value);
+        }
         self.ids.push(id);
     }
 
-    fn put(&mut self, slot: usize, center: [f64; 3], radius: f64) {
-        [self.x[slot], self.y[slot], self.z[slot]] = center;
-        self.radius[slot] = radius;
+    fn put(&mut self, slot: usize, sphere: &Sphere) {
+        for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
+            column[slot] = value;
+        }
     }
 
     /// Fills the last block up with its first sphere.
     fn fill_up(&mut self) {
         let first = (self.ids.len() - 1) / BLOCK * BLOCK;
         while !self.ids.len().is_multiple_of(BLOCK) {
-            self.push(self.center(first), self.radius[first], NO_SPHERE);
+            self.push(&self.sphere(first), NO_SPHERE);
         }
     }
 
     fn bound_of_block(&self, block: usize) -> Bound {
         let own = SphereIndex::slots_of(block).filter(|slot| self.ids[*slot] != NO_SPHERE);
-        Bound::around(own.map(|slot| Bound::of_sphere(self.center(slot), self.radius[slot])))
+        Bound::around(own.map(|slot| Bound::of_sphere(&self.sphere(slot))))
     }
 
     fn bound_of_group(&self, group: usize) -> Bound {

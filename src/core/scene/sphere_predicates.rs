@@ -16,28 +16,6 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::point_power::PointPower;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 
-/// The way a ray's line meets a sphere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LineHit {
-    /// Not at all.
-    Misses,
-    /// It meets it in one point.
-    Touches,
-    /// It meets it in two.
-    Crosses,
-}
-
-impl From<Ordering> for LineHit {
-    /// Converts the sign of D.
-    fn from(sign: Ordering) -> LineHit {
-        match sign {
-            Ordering::Less => LineHit::Misses,
-            Ordering::Equal => LineHit::Touches,
-            Ordering::Greater => LineHit::Crosses,
-        }
-    }
-}
-
 /// One of the two roots of a line and a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RootSide {
@@ -140,27 +118,24 @@ impl SphereFromOrigin {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Finds whether the ray's line meets the sphere.
-    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> LineHit {
+    /// The sign of D: `Less` where the ray's line misses the sphere, `Equal` where it touches it,
+    /// `Greater` where it crosses it.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
-            return LineHit::Crosses;
+            return Ordering::Greater;
         }
-        let of_sign =
-            |sure: Option<bool>| sure.map(|is| if is { LineHit::Crosses } else { LineHit::Misses });
-        let rough = Quadratic::new(&self.rough, &ray.rough);
-        if let Some(meets) = of_sign(sure_sign(&rough)) {
+        if let Some(sign) = sure_sign(&Quadratic::new(&self.rough, &ray.rough)) {
             steps.count(Step::F64);
-            return meets;
+            return sign;
         }
-        let fine = Quadratic::new(&self.fine, &ray.fine);
-        if let Some(meets) = of_sign(sure_sign(&fine)) {
+        if let Some(sign) = sure_sign(&Quadratic::new(&self.fine, &ray.fine)) {
             steps.count(Step::DoubleDouble);
-            return meets;
+            return sign;
         }
         steps.count(Step::Exact);
         let big = ray.big();
-        big.meets(&big.quadratic(&self.sphere)).into()
+        big.meets(&big.quadratic(&self.sphere))
     }
 
     /// Finds whether the centre lies ahead: the sign of b, of a line that meets the sphere.
@@ -186,11 +161,9 @@ impl SphereFromOrigin {
             steps.count(Step::F64);
             return Some(RootSide::Far);
         }
-        if self.meets(ray, steps) == LineHit::Misses || self.ahead(ray, steps) != Ordering::Greater
-        {
-            return None;
-        }
-        Some(self.root_of_hit())
+        let is_hit =
+            self.meets(ray, steps) != Ordering::Less && self.ahead(ray, steps) == Ordering::Greater;
+        is_hit.then(|| self.root_of_hit())
     }
 
     /// Returns the root at which every ray that hits the sphere hits it first: the far one from inside
@@ -268,9 +241,9 @@ impl SphereFromOrigin {
     pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
         let fine = Quadratic::new(&self.fine, &ray.fine);
         let discriminant = match self.meets(ray, &mut Steps::default()) {
-            LineHit::Touches => 0.0,
-            LineHit::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
-            LineHit::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
+            Ordering::Equal => 0.0,
+            Ordering::Greater => fine.discriminant.hi.max(f64::MIN_POSITIVE),
+            Ordering::Less => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
         };
         (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
     }
@@ -282,9 +255,9 @@ impl SphereFromOrigin {
 }
 
 /// The sign of D where it is beyond doubt.
-fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<bool> {
+fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     let discriminant = quadratic.discriminant.near();
-    (discriminant.abs() > quadratic.discriminant_doubt).then_some(discriminant > 0.0)
+    (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
 }
 
 /// q and r in units of a common `2^k`, which is 1 but for extreme lengths.

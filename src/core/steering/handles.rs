@@ -42,8 +42,6 @@ pub enum CornerKeeps {
     Nothing,
     /// The ratio of width to height, and so the shape of a pixel.
     Ratio,
-    /// Pixels are square: the ratio is that of the image.
-    SquarePixels,
 }
 
 /// The thing that stays when the viewport's distance changes.
@@ -162,7 +160,6 @@ impl Camera {
                 self.viewport.check()?;
                 Some(width / height)
             }
-            CornerKeeps::SquarePixels => Some(self.image.aspect()),
         };
         let size = match ratio {
             None => 2.0 * half,

@@ -65,7 +65,7 @@ fn any_rays() {
         for knob in family.knobs() {
             for single in [false, true] {
                 for case in family.rays(*knob, seed, 100, single) {
-                    steps += check_ray(&case);
+                    steps = steps + check_ray(&case);
                     cases += 1;
                 }
             }
@@ -170,7 +170,7 @@ fn whole_frames() {
         let mut steps = Steps::default();
         for knob in family.knobs() {
             for case in family.frames(*knob, seed, 2, false) {
-                steps += check_frame(&case);
+                steps = steps + check_frame(&case);
                 pixels += case.camera.columns * case.camera.rows;
             }
         }

@@ -331,7 +331,7 @@ fn frames_reach_every_step() {
                 let camera = given::camera(&case.camera).resolve().unwrap();
                 let raster = Raster::full(camera.image());
                 let scene = given::scene(&case.objects);
-                steps += trace(&scene, &camera, &raster, Outputs::default()).steps;
+                steps = steps + trace(&scene, &camera, &raster, Outputs::default()).steps;
             }
         }
     }

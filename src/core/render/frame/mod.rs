@@ -69,16 +69,6 @@ pub struct Frame<T = f64> {
     pub counts: Counts,
 }
 
-/// A stage of a frame that was just done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Stage {
-    /// The plan: what the rows can see, and what their pixels share.
-    Planned,
-    /// Some rows, so many: traced, and coloured where the shading allows.
-    Rows(usize),
-}
-
 /// One traced pixel of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -109,11 +99,6 @@ impl Raster {
     /// The pixels of these rows and columns, which the image has.
     pub fn part(rows: std::ops::Range<u32>, columns: std::ops::Range<u32>) -> Raster {
         Raster { rows: rows.collect(), columns: columns.collect() }
-    }
-
-    /// One pixel alone.
-    pub fn of_pixel(pixel: Pixel) -> Raster {
-        Raster { rows: vec![pixel.row], columns: vec![pixel.column] }
     }
 
     /// These rows and columns, ascending.

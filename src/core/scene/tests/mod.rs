@@ -64,11 +64,7 @@ fn axes(bound: &Bound) -> [[f64; 2]; 3] {
 /// The spheres in these slots, as `(slot, sphere)`.
 fn held(index: &SphereIndex, slots: std::ops::Range<usize>) -> Vec<(usize, Sphere)> {
     let own = slots.filter(|slot| index.ids[*slot] != NO_SPHERE);
-    own.map(|slot| {
-        let center = DVec3::new(index.x[slot], index.y[slot], index.z[slot]);
-        (slot, Sphere { center, radius: index.radius[slot] })
-    })
-    .collect()
+    own.map(|slot| (slot, index.sphere(slot))).collect()
 }
 
 /// Everything that holds of an index of these spheres, whether new or updated.
@@ -119,9 +115,7 @@ fn assert_filled_up(index: &SphereIndex, block: usize) {
     let slots = SphereIndex::slots_of(block);
     let first = slots.start;
     for slot in slots.filter(|slot| index.ids[*slot] == NO_SPHERE) {
-        let slot_values =
-            |slot: usize| [index.x[slot], index.y[slot], index.z[slot], index.radius[slot]];
-        assert_eq!(slot_values(slot), slot_values(first));
+        assert_eq!(index.sphere(slot), index.sphere(first));
     }
 }
 

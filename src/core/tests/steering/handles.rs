@@ -25,13 +25,12 @@ fn a_corner_makes_width_and_height() {
         camera().with_viewport_corner(corner, point, keeps).map(|camera| camera.viewport)
     };
     let sized = |width, height| Ok(Viewport { width, height, distance: 1.0 });
-    use CornerKeeps::{Nothing, Ratio, SquarePixels};
+    use CornerKeeps::{Nothing, Ratio};
     assert_eq!(corner(Nothing, ViewportCorner::TopRight, 1.0, 3.0), sized(2.0, 6.0));
     assert_eq!(corner(Nothing, ViewportCorner::BottomLeft, -1.5, -0.5), sized(3.0, 1.0));
     assert_eq!(corner(Ratio, ViewportCorner::TopLeft, -4.0, 2.0), sized(8.0, 4.0));
     // Across the diagonal: nothing changes.
     assert_eq!(corner(Ratio, ViewportCorner::BottomRight, 1.5, -2.0), sized(4.0, 2.0));
-    assert_eq!(corner(SquarePixels, ViewportCorner::TopRight, 3.0, 1.0), sized(6.0, 2.0));
     let past = corner(Nothing, ViewportCorner::TopRight, -0.5, 1.0).unwrap_err();
     let expected = "viewport width is -1: it must be finite and greater than 0";
     assert_eq!(past.to_string(), expected);
@@ -87,17 +86,12 @@ proptest! {
         let found = corner.uv(&after.viewport);
         prop_assert!(found.distance(uv) <= 1e-12 * (uv.length() + camera.eye.length()));
         // With a ratio to keep, the hand is straight across the diagonal from the corner.
-        for keeps in [CornerKeeps::Ratio, CornerKeeps::SquarePixels] {
-            let after = camera.with_viewport_corner(corner, point, keeps).unwrap();
-            let found = corner.uv(&after.viewport);
-            let off = (uv - found).dot(found) / found.length();
-            prop_assert!(off.abs() <= 1e-12 * (uv.length() + camera.eye.length()));
-            let ratio = after.viewport.width / after.viewport.height;
-            let kept = match keeps {
-                CornerKeeps::Ratio => camera.viewport.width / camera.viewport.height,
-                _ => camera.image.aspect(),
-            };
-            prop_assert!((ratio / kept - 1.0).abs() < 1e-14);
-        }
+        let after = camera.with_viewport_corner(corner, point, CornerKeeps::Ratio).unwrap();
+        let found = corner.uv(&after.viewport);
+        let off = (uv - found).dot(found) / found.length();
+        prop_assert!(off.abs() <= 1e-12 * (uv.length() + camera.eye.length()));
+        let ratio = after.viewport.width / after.viewport.height;
+        let kept = camera.viewport.width / camera.viewport.height;
+        prop_assert!((ratio / kept - 1.0).abs() < 1e-14);
     }
 }
