@@ -34,7 +34,7 @@ pub enum Orientation {
         /// Keeps the camera level.
         up: [f64; 3],
     },
-    /// Along a vector of any length.
+    /// Looks along a vector of any length.
     View {
         /// The vector.
         view: [f64; 3],

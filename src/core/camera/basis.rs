@@ -197,7 +197,7 @@ pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), Basi
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 
-/// Far more than rounding makes of a length or a dot product of vectors of about length 1.
+/// Allowance for rounding, far more than it makes of a length or a dot product of vectors of about length 1.
 const ROUNDING: f64 = 1e-15;
 
 /// Returns whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as

@@ -10,7 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{ExtractToken, Level, Simd};
 
-use crate::exact::error_free::{Lane, SPLITTER, Split, dekker_product};
+use crate::exact::error_free::{Lane, SPLITTER, dekker_product};
 
 /// A vector of `f64` of the processor's own width.
 #[derive(Clone, Copy)]
@@ -90,9 +90,12 @@ macro_rules! lanes {
             fn half(self) -> Self {
                 $lanes(self.0 * 0.5)
             }
-        }
 
-        impl<S: Simd> Split for $lanes<S> {
+            #[inline(always)]
+            fn not_negative(self) -> Self {
+                $lanes(self.0.max(S::$vector::splat(self.0.token(), 0.0)))
+            }
+
             #[inline(always)]
             fn shifted(self) -> Self {
                 $lanes(self.0 * $splitter)

@@ -48,7 +48,7 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// Less, greater, or `None` where the two are closer than their errors.
+    /// Compares the two; `None` where they are closer than their errors.
     pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
         let sign = |x: f64| x.total_cmp(&0.0);

@@ -63,7 +63,7 @@ impl Add for Steps {
     }
 }
 
-/// Less, equal or greater than 0; -0 is 0.
+/// The sign of a number; -0 is 0.
 pub(crate) fn sign_of(x: f64) -> Ordering {
     (x + 0.0).total_cmp(&0.0)
 }

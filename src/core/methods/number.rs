@@ -25,7 +25,7 @@ pub(crate) trait Real:
     + 'static
 {
     const ZERO: Self;
-    /// Beyond every number: "no hit yet".
+    /// The `t` of no hit yet, beyond every number.
     const INFINITY: Self;
 
     /// The nearest number of this precision.
@@ -145,7 +145,7 @@ impl<R: Real> Vector<R> {
         Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
     }
 
-    /// Each coordinate as the nearest `f64`.
+    /// The nearest vector of `f64`.
     pub(crate) fn to_f64(self) -> DVec3 {
         DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }

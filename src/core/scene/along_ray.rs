@@ -153,7 +153,7 @@ impl<'a> AlongRay<'a> {
         is_plain.then(|| mantissa.scaled(own + k))
     }
 
-    /// With e = p + t d - center: `|e|^2 - r^2`, if double-double is sure of it.
+    /// `|e|^2 - r^2` with e = p + t d - center, if double-double is sure of it.
     fn sphere_value(&self, seen: &SphereFromOrigin, t: f64) -> Option<Precise> {
         type T = DoubleDouble;
         let (offset, off) = self.offset_from_center(seen, t)?;

@@ -273,7 +273,7 @@ impl Object {
         Some(seen.root(index, ray, root))
     }
 
-    /// How the ray's line meets the object, which is given `index` in the roots; decided exactly.
+    /// The roots of the ray's line with the object, which is given `index` in them; decided exactly.
     ///
     /// # Errors
     /// Where the object is none, see [`Object::check`].

@@ -85,7 +85,7 @@ impl PlaneFromOrigin {
         if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
             seen.side_step = Step::DoubleDouble;
         }
-        /// Beyond this share, t would lose digits for the offset's sake.
+        /// The share of error beyond which t would lose digits for the offset's sake.
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
         if !is_sure {

@@ -30,7 +30,7 @@ impl PointPower {
         radius: f64,
         scale: i32,
     ) -> PointPower {
-        /// Beyond this share, t would lose digits for c's sake.
+        /// The share of error beyond which t would lose digits for c's sake.
         const PLENTY: f64 = 256.0 * U2;
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);

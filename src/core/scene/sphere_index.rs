@@ -96,7 +96,7 @@ impl SphereIndex {
         self.first_block[group] as usize..self.first_block[group + 1] as usize
     }
 
-    /// Some slots' spheres.
+    /// The spheres of some slots.
     pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
         self.columns.each_ref().map(|column| &column[slots.clone()])
     }

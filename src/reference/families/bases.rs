@@ -39,7 +39,7 @@ pub(crate) static FAMILIES: [Family; 7] = [
     bases("camera-offset", "log10 of the offset", &OFFSETS, camera_offset),
 ];
 
-/// Along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
+/// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
 /// whole numbers.
 pub(crate) fn aimed(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
     if draw.once_in(3) {
@@ -72,7 +72,7 @@ fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
-/// Up and view nearly parallel: their cross product nearly cancels.
+/// An up nearly parallel to the view: their cross product nearly cancels.
 fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = draw.in_box(10.0);
     let eye = draw.given3(eye);
@@ -95,7 +95,7 @@ fn whole_eye_and_view(draw: &mut Draw) -> ([f64; 3], [f64; 3]) {
     (draw.whole_vector(1000), draw.whole_vector(1000))
 }
 
-/// Up exactly along or against the view, where there is no basis, and one ulp beside.
+/// An up exactly along or against the view, where there is no basis, and one ulp beside.
 fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let factor = draw.sign() * draw.whole(1, 1000) * draw.power_of_two(-20, 20);

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 
 use crate::exact::lanes::lanes_of;
 use crate::render::bvh::occlusion::Occlusion;
-use crate::render::bvh::visible::{BoxSeen, VisibleSpheres};
+use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
@@ -86,7 +86,7 @@ struct Drawing<'a> {
 /// Returns whether this band counts a block's spheres, which are counted once: by the first band
 /// that the block reaches.
 #[inline(always)]
-fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
+fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
     block.extent.rows().start >= target.rows.start
 }
 
@@ -100,13 +100,13 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 impl Drawing<'_> {
     /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
-    fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
+    fn is_hidden(&mut self, target: &SpanTarget, bounds: &VisibleBox) -> bool {
         let rows = own_rows(target, &bounds.extent.rows());
         self.occlusion.hides(target.t, &rows, &bounds.extent.columns(), bounds.nearest)
     }
 
     /// Counts the spheres of a block that is passed over.
-    fn count_hidden(&mut self, target: &SpanTarget, block: &BoxSeen) {
+    fn count_hidden(&mut self, target: &SpanTarget, block: &VisibleBox) {
         if own_rows(target, &block.extent.rows()).is_empty() {
             return;
         }
@@ -123,7 +123,7 @@ impl Drawing<'_> {
         &mut self,
         simd: S,
         target: &mut SpanTarget,
-        (block, has_others): (&BoxSeen, bool),
+        (block, has_others): (&VisibleBox, bool),
         kept: Option<&[Outlines]>,
     ) {
         let index = self.visible.index;

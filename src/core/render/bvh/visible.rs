@@ -15,7 +15,7 @@ use crate::scene::sphere_order::BLOCK;
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct BoxSeen {
+pub(crate) struct VisibleBox {
     /// Number among its kind.
     pub(crate) place: u32,
     /// Lower bound of the t of all their hits.
@@ -24,9 +24,9 @@ pub(crate) struct BoxSeen {
 }
 
 /// A group that can be seen, with those of its blocks that can.
-pub(crate) struct GroupSeen {
-    pub(crate) bounds: BoxSeen,
-    pub(crate) blocks: Vec<BoxSeen>,
+pub(crate) struct VisibleGroup {
+    pub(crate) bounds: VisibleBox,
+    pub(crate) blocks: Vec<VisibleBox>,
     /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
     /// finds them anew otherwise.
     pub(crate) outlines: Vec<Outlines>,
@@ -38,7 +38,7 @@ pub(crate) struct GroupSeen {
 pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
-    pub(crate) groups: Vec<GroupSeen>,
+    pub(crate) groups: Vec<VisibleGroup>,
     /// True if spheres cover one another so much that each is worth a look whether it is hidden.
     pub(crate) is_crowded: bool,
     /// Spheres that are not drawn by rows, of groups in which there can be such.
@@ -84,7 +84,7 @@ impl<'a> VisibleSpheres<'a> {
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
         let in_groups: u32 = groups.iter().map(|of| index.groups[of.place as usize].count).sum();
         let keeps_outlines = in_groups <= KEPT;
-        let found: Vec<(GroupSeen, Counts)> = groups
+        let found: Vec<(VisibleGroup, Counts)> = groups
             .into_par_iter()
             // A group's outlines are worth a thread's while, its blocks' bounds alone are not.
             .with_min_len(if keeps_outlines { 1 } else { 16 })
@@ -106,7 +106,7 @@ impl<'a> VisibleSpheres<'a> {
                     Vec::new()
                 };
                 let has_others = may_have_others(&index.groups, &bounds, &space);
-                (GroupSeen { bounds, blocks, outlines, has_others }, dropped)
+                (VisibleGroup { bounds, blocks, outlines, has_others }, dropped)
             })
             .collect();
         let mut groups = Vec::with_capacity(found.len());
@@ -150,7 +150,7 @@ impl<'a> VisibleSpheres<'a> {
 }
 
 /// Returns whether a sphere of a group may be so near or so large that it is not drawn by rows.
-fn may_have_others(groups: &[Bound], bounds: &BoxSeen, space: &CameraSpace) -> bool {
+fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -> bool {
     /// Share of the eye's distance.
     const NEAR: f64 = 0.1;
     /// Radius in columns or rows.
@@ -167,7 +167,7 @@ fn outlines_of<S: Simd>(
     simd: S,
     index: &SphereIndex,
     space: &CameraSpace,
-    blocks: &[BoxSeen],
+    blocks: &[VisibleBox],
 ) -> Vec<Outlines> {
     let vectors = BLOCK / S::f64s::LEN;
     let mut all = vec![Outlines::default(); blocks.len() * vectors];
@@ -199,7 +199,7 @@ fn seen(
     place: usize,
     space: &CameraSpace,
     axes: &RasterAxes,
-) -> Result<(BoxSeen, f64), Unseen> {
+) -> Result<(VisibleBox, f64), Unseen> {
     const SHARE: f64 = 1e-9;
     let Bound { middle, half, area, radius, .. } = boxes[place];
     let q: [f64; 3] = std::array::from_fn(|i| middle[i] - space.eye[i]);
@@ -242,5 +242,5 @@ fn seen(
     let area = std::f64::consts::PI * area / (depth * depth * space.row_slope * space.column_slope);
     let nearest = (near / space.distance).max(0.0) as f32 * (1.0 - 1e-6);
     let extent = Extent::new(rows, columns);
-    Ok((BoxSeen { place: place as u32, nearest, extent }, area))
+    Ok((VisibleBox { place: place as u32, nearest, extent }, area))
 }

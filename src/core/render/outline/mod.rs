@@ -282,7 +282,7 @@ impl<S: Simd> Centers<S> {
             & r.simd_gt(z * splat(1e-9))
     }
 
-    /// Behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
+    /// Lanes that are behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
     #[inline(always)]
     fn unseen(self, simd: S, space: &CameraSpace, safe: S::f64s) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);

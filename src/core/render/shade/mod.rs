@@ -81,7 +81,7 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
 pub struct HitShader<'a>(Toner<'a>);
 
 impl<'a> HitShader<'a> {
-    /// Of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
+    /// The shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
     pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
         HitShader(Toner::new(scene, shade, nearest))
     }
