@@ -1,6 +1,6 @@
 //! The picture of either view, for `pinhole render`.
 
-use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
+use pinhole_core::{Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level};
 use pinhole_exchange::document::Document;
 
 use super::error::CommandError;
@@ -57,7 +57,8 @@ pub fn render_view(
     let scene = document.scene().map_err(|error| input(&error))?;
     let trace = || {
         let outputs = Outputs { normal: options.normals, ..Outputs::default() };
-        trace_reporting(&scene, &camera, &Raster::full(camera.image()), outputs, &done)
+        let raster = Raster::full(camera.image());
+        trace_at_level(Level::new(), &scene, &camera, &raster, outputs, &done)
     };
     if options.view == View::Camera && !options.overlay {
         let frame = trace();

@@ -33,8 +33,8 @@
 //! | interaction | [`steering`]: a camera taken in the hand |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
-//! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), rays to
-//! CSV (`rays_to_csv`), and what a frame costs (`timing`).
+//! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), and rays
+//! to CSV (`rays_to_csv`).
 //!
 //! # Conventions
 //!
@@ -104,18 +104,6 @@
 //! Whoever has numbers and a question calls one function. Vectors are anything that makes a
 //! [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; of `f32`, `f64::from` of each number or glam's
 //! `as_dvec3`, which lose nothing.
-//!
-//! | question | call |
-//! | --- | --- |
-//! | any ray and one object: every t | [`Sphere::roots`], [`Plane::roots`] |
-//! | any ray: what does it hit first | [`Scene::first_hit`] |
-//! | the same, and by which step of the ladder | [`Scene::first_hit_counting`] |
-//! | a camera's basis | [`Basis::from_eye_at_up`], [`Basis::from_view_up`] |
-//! | a pixel's ray, rounded | [`ResolvedCamera::ray_of_pixel`] |
-//! | what a pixel's ray hits first, nothing rounded | [`ResolvedCamera::exact_ray`], [`Scene::first_hit_of`] |
-//! | what the ray through (u, v) hits first | [`ResolvedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
-//! | a whole frame, t in `f64` or `f32` | [`trace`], [`trace_as`] |
-//! | a whole picture in colour | [`trace_painted`] |
 //!
 //! ```
 //! use pinhole_core::*;
@@ -193,24 +181,6 @@
 //!    `Quadratic::new` in `f64`, in double-double, and by `BigRay`, which is exact, and `Hit::compare`
 //!    which of two objects is first;
 //! 5. `Painter::rows`: runs of pixels of one object to colours.
-//!
-//! # What stays
-//!
-//! Until 1.0, a minor version may change names. Within one:
-//!
-//! - What may grow is `#[non_exhaustive]`: errors; what a frame tells ([`Frame`], [`Counts`],
-//!   [`Steps`], [`Step`], [`Stage`]); [`LineRoots`].
-//! - What is built from numbers stays so: [`Camera`], [`Viewport`], [`Sphere`], [`Plane`], [`Ray`],
-//!   [`Outputs`] by their fields.
-//! - [`Shade`], [`Orientation`], [`Roots`], [`Object`] and [`methods::Formula`] are complete: whoever
-//!   shows them all wants to be told of a new one by the compiler.
-//! - [`Depth`], [`methods::FrameKernel`] and [`methods::RayKernel`] can be used, not implemented.
-//! - The bits of every result are part of the interface: the same input gives the same picture, on
-//!   any processor and any number of threads.
-//! - Two other crates are in the signatures: glam, of which `DVec2` and `DVec3` are used, and
-//!   `fearless_simd` by its [`Level`]. Both are re-exported; take them from here, and they fit. A new
-//!   major version of either is one of this crate.
-//! - What the documentation does not show is nobody's to use.
 
 mod camera;
 mod exact;
@@ -223,31 +193,6 @@ pub mod steering;
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;
-
-/// Types that may grow cannot be built or matched as if it were complete, or implemented elsewhere.
-///
-/// ```compile_fail,E0639
-/// let _ = pinhole_core::ImageError { field: "width", value: 0 };
-/// ```
-/// ```compile_fail,E0639
-/// let _ = pinhole_core::ViewportError { field: "width", value: 0.0 };
-/// ```
-/// ```compile_fail,E0004
-/// fn kind(step: pinhole_core::Step) -> u8 {
-///     use pinhole_core::Step::*;
-///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
-/// }
-/// ```
-/// ```compile_fail,E0277
-/// struct Rays;
-/// impl pinhole_core::methods::RayKernel for Rays {
-///     fn intersect(&mut self) {}
-///     fn hit(&self, _: usize) -> Option<pinhole_core::methods::MethodHit> { None }
-///     fn steps(&self) -> Option<pinhole_core::Steps> { None }
-/// }
-/// ```
-#[cfg(doctest)]
-struct Stays;
 
 #[cfg(test)]
 #[path = "tests/common/levels.rs"]
@@ -281,19 +226,14 @@ pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use exact::decimal::shortest;
 pub use exact::double_double::DoubleDouble;
-#[doc(hidden)]
-pub use exact::error_free::Lane;
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
 pub use render::frame::counts::Counts;
 pub use render::frame::depth::Depth;
-pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, Stage};
+pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
-pub use render::shade::{HitShader, lambert, shade, shade_at_level, shade_pixel};
-pub use render::{
-    retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
-    trace_reporting,
-};
+pub use render::shade::{HitShader, lambert, shade, shade_at_level};
+pub use render::{retrace, trace, trace_as, trace_at_level, trace_painted};
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::error::{ObjectError, SceneError};

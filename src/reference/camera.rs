@@ -22,7 +22,7 @@ use crate::dyadic::{Dyadic, Vector, cross, dot, is_zero, minus, vector};
 use crate::object::Object;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
-use crate::trace::{Direction, Hit, Roots, SceneSeen};
+use crate::trace::{Direction, Hit, SceneFromEye};
 
 /// The way a camera looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub enum Orientation {
         /// Keeps the camera level.
         up: [f64; 3],
     },
-    /// Along a vector of any length.
+    /// Looks along a vector of any length.
     View {
         /// The vector.
         view: [f64; 3],
@@ -87,14 +87,14 @@ pub struct Camera {
 /// A camera's view of some objects, prepared for many rays. It can be shared between threads.
 #[derive(Debug)]
 pub struct View {
-    resolved: Posed,
+    basis: ScaledBasis,
     camera: Camera,
-    scene: SceneSeen,
+    scene: SceneFromEye,
 }
 
 /// A basis, each vector a multiple of the true one, and all of them the same multiple, `multiple`.
 #[derive(Debug)]
-struct Posed {
+struct ScaledBasis {
     field: Field,
     u: [Surd; 3],
     v: [Surd; 3],
@@ -107,8 +107,8 @@ const ROOT_A: usize = 1;
 const ROOT_B: usize = 2;
 const ROOT_AB: usize = 3;
 
-impl Posed {
-    fn new(eye: [f64; 3], orientation: &Orientation) -> Result<Posed, Status> {
+impl ScaledBasis {
+    fn new(eye: [f64; 3], orientation: &Orientation) -> Result<ScaledBasis, Status> {
         let one = Dyadic::power_of_two(0);
         let (view, up, without_view) = match orientation {
             Orientation::At { at, up } => {
@@ -117,13 +117,8 @@ impl Posed {
             Orientation::View { view, up } => (vector(*view), vector(*up), Status::ViewIsZero),
             Orientation::Basis { u, v, w } => {
                 let [u, v, w] = [u, v, w].map(|x| vector(*x).map(Surd::rational));
-                return Ok(Posed {
-                    field: Field::rational(),
-                    u,
-                    v,
-                    w,
-                    multiple: Surd::rational(one),
-                });
+                let (field, multiple) = (Field::rational(), Surd::rational(one));
+                return Ok(ScaledBasis { field, u, v, w, multiple });
             }
         };
         let right = cross(&view, &up);
@@ -136,19 +131,12 @@ impl Posed {
         }
         let above = cross(&right, &view);
         let times_root = |x: &Vector, place| x.clone().map(|x| Surd::with_root(x, place));
-        Ok(Posed {
+        Ok(ScaledBasis {
             field: Field::new(dot(&right, &right), dot(&view, &view)),
             u: times_root(&right, ROOT_B),
             v: above.map(Surd::rational),
             w: times_root(&view.map(|x| -&x), ROOT_A),
             multiple: Surd::with_root(one, ROOT_AB),
-        })
-    }
-
-    fn basis(&self) -> [[Real; 3]; 3] {
-        [&self.u, &self.v, &self.w].map(|vector| {
-            let (multiple, per_multiple) = (vector.clone(), self.multiple.clone());
-            Direction { field: &self.field, multiple, per_multiple }.values()
         })
     }
 
@@ -170,21 +158,14 @@ impl Posed {
 /// # Panics
 /// Where a number is NaN or infinite.
 pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3], Status> {
-    Ok(Posed::new(eye, orientation)?.basis())
+    let ScaledBasis { field, u, v, w, multiple } = ScaledBasis::new(eye, orientation)?;
+    Ok([u, v, w].map(|vector| {
+        let per_multiple = multiple.clone();
+        Direction { field: &field, multiple: vector, per_multiple }.values()
+    }))
 }
 
 impl Camera {
-    /// Its basis u, v, w; see [`basis`].
-    ///
-    /// # Errors
-    /// Where there is none.
-    ///
-    /// # Panics
-    /// Where a number is NaN or infinite.
-    pub fn basis(&self) -> Result<[[Real; 3]; 3], Status> {
-        basis(self.eye, &self.orientation)
-    }
-
     /// Prepares for many rays what they share.
     ///
     /// # Errors
@@ -193,24 +174,8 @@ impl Camera {
     /// # Panics
     /// Where a number is NaN or infinite.
     pub fn prepare(&self, objects: &[Object]) -> Result<View, Status> {
-        let resolved = Posed::new(self.eye, &self.orientation)?;
-        Ok(View { resolved, camera: *self, scene: SceneSeen::new(objects, vector(self.eye)) })
-    }
-
-    /// [`View::first_hit_of_pixel`] of one pixel; none for a camera without a basis.
-    ///
-    /// # Panics
-    /// Where a number is NaN or infinite.
-    pub fn first_hit_of_pixel(&self, objects: &[Object], row: u32, column: u32) -> Option<Hit> {
-        self.prepare(objects).ok()?.first_hit_of_pixel(row, column)
-    }
-
-    /// [`View::first_hit_of_uv`] of one ray; none for a camera without a basis.
-    ///
-    /// # Panics
-    /// Where a number is NaN or infinite.
-    pub fn first_hit_of_uv(&self, objects: &[Object], u: f64, v: f64) -> Option<Hit> {
-        self.prepare(objects).ok()?.first_hit_of_uv(u, v)
+        let basis = ScaledBasis::new(self.eye, &self.orientation)?;
+        Ok(View { basis, camera: *self, scene: SceneFromEye::new(objects, vector(self.eye)) })
     }
 
     /// The position of the pixel's centre in the viewport and the distance, all times
@@ -231,18 +196,9 @@ impl Camera {
 }
 
 impl View {
-    /// The basis u, v, w.
-    pub fn basis(&self) -> [[Real; 3]; 3] {
-        self.resolved.basis()
-    }
-
     fn of_pixel(&self, row: u32, column: u32) -> Direction<'_> {
         let (position, share) = self.camera.pixel(row, column);
-        self.resolved.direction(&position, &share)
-    }
-
-    fn of_uv(&self, u: f64, v: f64) -> Direction<'_> {
-        self.resolved.direction(&vector([u, v, self.camera.distance]), &Dyadic::power_of_two(0))
+        self.basis.direction(&position, &share)
     }
 
     /// Finds what the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and
@@ -252,22 +208,18 @@ impl View {
         self.scene.first_hit(&self.of_pixel(row, column))
     }
 
-    /// The object of [`View::first_hit_of_pixel`] alone, at a fraction of its cost.
-    pub fn first_object_of_pixel(&self, row: u32, column: u32) -> Option<usize> {
-        self.scene.first_object(&self.of_pixel(row, column))
-    }
-
     /// Finds the first hit as [`View::first_hit_of_pixel`] does, through any point of the viewport,
     /// in world units from its centre.
     ///
     /// # Panics
     /// Where a number is NaN or infinite.
     pub fn first_hit_of_uv(&self, u: f64, v: f64) -> Option<Hit> {
-        self.scene.first_hit(&self.of_uv(u, v))
+        let position = vector([u, v, self.camera.distance]);
+        self.scene.first_hit(&self.basis.direction(&position, &Dyadic::power_of_two(0)))
     }
 
-    /// All `t` at which the line of the pixel's ray meets one of the objects.
-    pub fn roots_of_pixel(&self, object: usize, row: u32, column: u32) -> Roots {
+    /// All `t` at which the line of the pixel's ray meets one of the objects, as [`crate::roots`].
+    pub fn roots_of_pixel(&self, object: usize, row: u32, column: u32) -> Vec<Real> {
         self.scene.roots(object, &self.of_pixel(row, column))
     }
 

@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use crate::camera::{Camera, Orientation};
-use crate::draw::Draw;
 use crate::dyadic::{Dyadic, Toward, Vector, cross, dot, minus, vector};
-use crate::family::{Family, FrameCase};
+use crate::families::Draw;
+use crate::families::{Family, FrameCase};
 use crate::object::Object;
 use crate::quotient::Quotient;
 use crate::real::Real;
@@ -51,7 +51,6 @@ fn arithmetic_rounds_as_the_processor_does() {
         same(&exact(a) - &exact(b), a - b);
         same(&exact(a) * &exact(b), a * b);
         assert_eq!(exact(a).cmp(&exact(b)), a.partial_cmp(&b).unwrap_or(Ordering::Equal));
-        assert_eq!(Real::from(a).to_f32(), a as f32);
         for toward in [Toward::Below, Toward::Above] {
             same(exact(a.abs()).sqrt(200, toward), a.abs().sqrt());
             if b != 0.0 {
@@ -103,9 +102,6 @@ fn floats_at_the_ends_of_the_range() {
     assert_eq!(to_f64(&beyond), f64::INFINITY);
     assert_eq!(to_f64(&(&beyond - &a_little)), f64::MAX);
     assert_eq!(to_f64(&Dyadic::power_of_two(5000)), f64::INFINITY);
-    let half_single = Dyadic::power_of_two(-150);
-    assert_eq!(Real::new(half_single.clone()).to_f32(), 0.0);
-    assert_eq!(Real::new(&half_single + &a_little).to_f32(), f32::from_bits(1));
     assert!(!Real::new(half).is_representable() && !Real::new(beyond).is_representable());
     assert!(Real::from(f64::MIN_POSITIVE).is_representable());
     assert!(!Real::from(1e-40).is_representable_f32() && Real::from(-1e38).is_representable_f32());
@@ -283,7 +279,6 @@ fn agrees_with_the_textbook(name: &str, case: &FrameCase) {
             let textbook = by_the_textbook(case, row, column);
             let object = hit.as_ref().map(|hit| hit.object);
             assert_eq!(object, textbook.as_ref().map(|x| x.0), "{name} {row} {column}: {case:?}");
-            assert_eq!(object, view.first_object_of_pixel(row, column));
             if let (Some(hit), Some((_, t))) = (hit, textbook) {
                 let off = Real::new((hit.t.dyadic() - &t).divided(&t, 64, Toward::Above));
                 let limit = Real::new(Dyadic::power_of_two(-430));

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::ops::{Abs, BitTest, SquareRootRem};
-use dashu_int::{IBig, Sign, UBig, Word};
+use dashu_int::{IBig, Sign, UBig};
 
 /// `mantissa * 2^exponent`, exactly. The mantissa is odd, or the number is 0 with exponent 0, so that
 /// equal numbers are equal in their parts.
@@ -85,7 +85,7 @@ impl Dyadic {
         if self.is_zero() {
             return None;
         }
-        Some(self.exponent + bit_length(&self.mantissa) - 1)
+        Some(self.exponent + self.length() as i64 - 1)
     }
 
     /// `floor(|self| / 2^unit)`, and how what is left compares with half of `2^unit`; `None` where
@@ -109,7 +109,7 @@ impl Dyadic {
 
     /// The number of significant bits.
     pub(crate) fn length(&self) -> usize {
-        bit_length(&self.mantissa) as usize
+        self.mantissa.bit_len()
     }
 
     fn magnitude(&self) -> UBig {
@@ -118,8 +118,7 @@ impl Dyadic {
 
     /// Rounded to at most `bits` significant bits.
     pub(crate) fn rounded(&self, bits: usize, toward: Toward) -> Dyadic {
-        let length = bit_length(&self.mantissa);
-        let drop = length - bits as i64;
+        let drop = self.length() as i64 - bits as i64;
         if drop <= 0 {
             return self.clone();
         }
@@ -170,13 +169,6 @@ fn with_rest(magnitude: UBig, is_exact: bool, is_negative: bool, exponent: i64) 
 
 fn signed(magnitude: UBig, is_negative: bool) -> IBig {
     IBig::from_parts(if is_negative { Sign::Negative } else { Sign::Positive }, magnitude)
-}
-
-/// The number of bits of `|m|`.
-fn bit_length(m: &IBig) -> i64 {
-    let (_, words) = m.as_sign_words();
-    let Some(top) = words.last() else { return 0 };
-    words.len() as i64 * i64::from(Word::BITS) - i64::from(top.leading_zeros())
 }
 
 impl Add for &Dyadic {

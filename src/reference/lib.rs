@@ -14,29 +14,22 @@
 //! assert_eq!(hit.t.ulps_from(4.0_f64.next_up()), 1.0);
 //! ```
 
-mod bases;
 mod camera;
 #[cfg(test)]
 mod checks;
-mod draw;
 mod dyadic;
-mod family;
-mod frames;
+mod families;
 mod interval;
-mod invalid;
 mod object;
-mod planes;
 mod quotient;
 mod real;
-mod spheres;
 mod surd;
-mod ties;
-mod touching_frames;
 mod trace;
 
 pub use camera::{Camera, Orientation, Status, View, basis};
-pub use family::{BasisCase, Case, Family, FrameCase, Kind, RayCase};
-pub use invalid::{invalid_bases, invalid_cameras, invalid_rays};
+pub use families::{
+    BasisCase, Family, FrameCase, Kind, RayCase, invalid_bases, invalid_cameras, invalid_rays,
+};
 pub use object::Object;
 pub use real::{Real, angle_between, distance_between};
-pub use trace::{Hit, Roots, first_hit, first_object, roots};
+pub use trace::{Hit, first_hit, roots};

@@ -28,19 +28,6 @@ pub enum Object {
 }
 
 impl Object {
-    /// Returns whether all its numbers are finite, and its radius is positive or its normal is not 0.
-    pub fn is_valid(&self) -> bool {
-        let are_finite = |v: &[f64; 3]| v.iter().all(|x| x.is_finite());
-        match self {
-            Object::Sphere { center, radius } => {
-                are_finite(center) && radius.is_finite() && *radius > 0.0
-            }
-            Object::Plane { point, normal } => {
-                are_finite(point) && are_finite(normal) && *normal != [0.0; 3]
-            }
-        }
-    }
-
     /// The sign of its implicit function at `q`, exactly: `|q - center|^2 - radius^2` is negative
     /// inside a sphere; `normal . (q - point)` is positive on the side that the normal points to. 0 is
     /// on the object.
@@ -48,16 +35,16 @@ impl Object {
     /// # Panics
     /// Where a number is NaN or infinite.
     pub fn side_of(&self, q: [f64; 3]) -> Ordering {
-        match Seen::from(self, &vector(q)) {
-            Seen::Sphere { c, .. } => c.sign(),
-            Seen::Plane { offset, .. } => offset.sign().reverse(),
+        match ObjectFromEye::new(self, &vector(q)) {
+            ObjectFromEye::Sphere { c, .. } => c.sign(),
+            ObjectFromEye::Plane { offset, .. } => offset.sign().reverse(),
         }
     }
 }
 
 /// An object and what all rays of one origin share of it, exactly.
 #[derive(Clone, Debug)]
-pub(crate) enum Seen {
+pub(crate) enum ObjectFromEye {
     Sphere {
         radius: Dyadic,
         /// `origin - center`
@@ -72,32 +59,32 @@ pub(crate) enum Seen {
     },
 }
 
-impl Seen {
-    pub(crate) fn from(object: &Object, origin: &Vector) -> Seen {
+impl ObjectFromEye {
+    pub(crate) fn new(object: &Object, origin: &Vector) -> ObjectFromEye {
         match object {
             Object::Sphere { center, radius } => {
                 let (center, radius) = (vector(*center), Dyadic::from_f64(*radius));
                 let from_center = minus(origin, &center);
                 let c = &dot(&from_center, &from_center) - &radius.square();
-                Seen::Sphere { radius, from_center, c }
+                ObjectFromEye::Sphere { radius, from_center, c }
             }
             Object::Plane { point, normal } => {
                 let normal = vector(*normal);
                 let offset = dot(&normal, &minus(&vector(*point), origin));
-                Seen::Plane { normal, offset }
+                ObjectFromEye::Plane { normal, offset }
             }
         }
     }
 
-    /// Finds where the line from the origin along `direction` meets the object, the smaller root first.
-    /// `a = |direction|^2`.
+    /// Finds where the line from the origin along `direction` meets the object, the smaller root
+    /// first; nowhere where the direction is 0. `a = |direction|^2`.
     pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
         match self {
-            Seen::Sphere { from_center, c, .. } => {
+            ObjectFromEye::Sphere { from_center, c, .. } => {
                 let b = Surd::dot(direction, from_center);
-                sphere_roots(field, a, &b, c)
+                if a.is_zero() { Vec::new() } else { sphere_roots(field, a, &b, c) }
             }
-            Seen::Plane { normal, offset } => {
+            ObjectFromEye::Plane { normal, offset } => {
                 let rate = Surd::dot(direction, normal);
                 let (p, d) = match field.sign(&rate) {
                     Ordering::Equal => return Vec::new(),
@@ -112,11 +99,11 @@ impl Seen {
     /// The unit normal at a root, outward on a sphere, in a plane's own sense.
     pub(crate) fn normal(&self, root: &AtRoot) -> [Real; 3] {
         match self {
-            Seen::Sphere { from_center, radius, .. } => {
+            ObjectFromEye::Sphere { from_center, radius, .. } => {
                 std::array::from_fn(|i| root.coordinate(&from_center[i], i, radius))
             }
             // n / |n| = n |n| / |n|^2
-            Seen::Plane { normal, .. } => {
+            ObjectFromEye::Plane { normal, .. } => {
                 let square = Surd::rational(dot(normal, normal));
                 std::array::from_fn(|i| {
                     let q = Surd::rational(normal[i].clone());

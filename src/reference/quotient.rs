@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::dyadic::Dyadic;
 use crate::interval::Interval;
 use crate::real::Real;
-use crate::surd::{Field, Surd, bits_of_level, product};
+use crate::surd::{Field, Surd, bits_of_level, product, sign_of_sum};
 
 /// `(p + q sqrt(e)) / d` with `e >= 0` and `d > 0`.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,16 +95,9 @@ fn root_term(field: &Field, factor: &Surd, radicand: &Surd, level: usize) -> Int
 
 /// The sign of `p + q sqrt(e)`, by squaring: see [`crate::surd`].
 fn sign_with_root(field: &Field, p: &Surd, q: &Surd, e: &Surd) -> Ordering {
-    let without = field.sign(p);
-    let with = product(field.sign(q), field.sign(e));
-    if without == with || with == Ordering::Equal {
-        without
-    } else if without == Ordering::Equal {
-        with
-    } else {
-        let square = field.square(p).minus(&field.times(&field.square(q), e));
-        product(without, field.sign(&square))
-    }
+    sign_of_sum(field.sign(p), product(field.sign(q), field.sign(e)), || {
+        field.sign(&field.square(p).minus(&field.times(&field.square(q), e)))
+    })
 }
 
 /// The sign of `p + q sqrt(e) + r sqrt(f)`. Where `x = p + q sqrt(e)` and `y = r sqrt(f)` have
@@ -123,16 +116,10 @@ fn sign_with_roots(
             return sign;
         }
     }
-    let x = sign_with_root(field, p, q, e);
-    let y = product(field.sign(r), field.sign(f));
-    if x == y || y == Ordering::Equal {
-        x
-    } else if x == Ordering::Equal {
-        y
-    } else {
+    sign_of_sum(sign_with_root(field, p, q, e), product(field.sign(r), field.sign(f)), || {
         let squares = field.square(p).plus(&field.times(&field.square(q), e));
         let without = squares.minus(&field.times(&field.square(r), f));
         let with = field.times(p, q).scaled(&Dyadic::power_of_two(1));
-        product(x, sign_with_root(field, &without, &with, e))
-    }
+        sign_with_root(field, &without, &with, e)
+    })
 }

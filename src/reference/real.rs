@@ -89,12 +89,6 @@ impl Real {
         if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
     }
 
-    /// The nearest `f32`, ties to even, subnormals included; infinite beyond the largest.
-    pub fn to_f32(&self) -> f32 {
-        let magnitude = f32::from_bits(SINGLE.nearest(&self.0) as u32);
-        if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
-    }
-
     /// Returns whether it is 0, or of a size that `f64` has at full precision: from
     /// [`f64::MIN_POSITIVE`] to [`f64::MAX`].
     pub fn is_representable(&self) -> bool {

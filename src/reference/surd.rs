@@ -161,31 +161,33 @@ impl Field {
     pub(crate) fn sign_by_algebra(&self, x: &Surd) -> Ordering {
         let [p, q, r, s] = &x.0;
         let (a, b) = (&self.a, &self.b);
-        let without = sign_with_root(p, q, a);
-        let with = sign_with_root(r, s, a);
-        if without == with || with == Ordering::Equal {
-            return without;
-        }
-        if without == Ordering::Equal {
-            return with;
-        }
-        let square =
-            &(&p.square() + &(a * &q.square())) - &(b * &(&r.square() + &(a * &s.square())));
-        let root = (&(p * q) - &(b * &(r * s))).shifted(1);
-        product(without, sign_with_root(&square, &root, a))
+        sign_of_sum(sign_with_root(p, q, a), sign_with_root(r, s, a), || {
+            let square =
+                &(&p.square() + &(a * &q.square())) - &(b * &(&r.square() + &(a * &s.square())));
+            let root = (&(p * q) - &(b * &(r * s))).shifted(1);
+            sign_with_root(&square, &root, a)
+        })
+    }
+}
+
+/// The sign of `x + y` by those of x and y, and where these are opposite, by that of `x^2 - y^2`.
+pub(crate) fn sign_of_sum(
+    x: Ordering,
+    y: Ordering,
+    squares: impl FnOnce() -> Ordering,
+) -> Ordering {
+    if x == y || y == Ordering::Equal {
+        x
+    } else if x == Ordering::Equal {
+        y
+    } else {
+        product(x, squares())
     }
 }
 
 /// The sign of `p + q sqrt(a)` for a positive `a`.
 fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
-    let (without, with) = (p.sign(), q.sign());
-    if without == with || with == Ordering::Equal {
-        without
-    } else if without == Ordering::Equal {
-        with
-    } else {
-        product(without, (&p.square() - &(a * &q.square())).sign())
-    }
+    sign_of_sum(p.sign(), q.sign(), || (&p.square() - &(a * &q.square())).sign())
 }
 
 /// The sign of a product, by the signs of its factors.

@@ -3,21 +3,10 @@
 use std::cmp::Ordering;
 
 use crate::dyadic::{Dyadic, Vector, vector};
-use crate::object::{AtRoot, Object, Seen};
+use crate::object::{AtRoot, Object, ObjectFromEye};
 use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
-
-/// The roots of the line `origin + t * direction` and an object.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Roots {
-    /// It does not, or it runs parallel to the plane, be it inside it.
-    None,
-    /// Once: it touches the sphere, or crosses the plane.
-    One(Real),
-    /// Twice, the smaller `t` first.
-    Two(Real, Real),
-}
 
 /// The first thing that a ray meets.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,11 +21,11 @@ pub struct Hit {
     pub point: [Real; 3],
 }
 
-/// Objects seen from one point.
+/// Objects, and what all rays from one point share of them.
 #[derive(Debug)]
-pub(crate) struct SceneSeen {
+pub(crate) struct SceneFromEye {
     origin: Vector,
-    objects: Vec<Seen>,
+    objects: Vec<ObjectFromEye>,
 }
 
 /// A direction that may have roots in it. What is computed with is a positive multiple of the true
@@ -63,53 +52,35 @@ impl Direction<'_> {
             Quotient::without_root(p, square.clone()).value(self.field)
         })
     }
-
-    fn square(&self) -> Surd {
-        self.field.dot(&self.multiple, &self.multiple)
-    }
 }
 
-impl SceneSeen {
-    pub(crate) fn new(objects: &[Object], origin: Vector) -> SceneSeen {
-        let objects = objects.iter().map(|object| Seen::from(object, &origin)).collect();
-        SceneSeen { origin, objects }
+impl SceneFromEye {
+    pub(crate) fn new(objects: &[Object], origin: Vector) -> SceneFromEye {
+        let objects = objects.iter().map(|object| ObjectFromEye::new(object, &origin)).collect();
+        SceneFromEye { origin, objects }
     }
 
-    pub(crate) fn roots(&self, object: usize, direction: &Direction) -> Roots {
-        let a = direction.square();
-        if a.is_zero() {
-            return Roots::None;
-        }
-        let roots = self.objects[object].roots(direction.field, &direction.multiple, &a);
-        match roots.as_slice() {
-            [] => Roots::None,
-            [t] => Roots::One(direction.true_t(t)),
-            [near, far, ..] => Roots::Two(direction.true_t(near), direction.true_t(far)),
-        }
+    pub(crate) fn roots(&self, object: usize, direction: &Direction) -> Vec<Real> {
+        let Direction { field, multiple, .. } = direction;
+        let roots = self.objects[object].roots(field, multiple, &field.dot(multiple, multiple));
+        roots.iter().map(|t| direction.true_t(t)).collect()
     }
 
     /// The object with the smallest `t > 0`, the one listed first among those that share it, and
     /// that `t` for the direction's multiple.
     fn first(&self, direction: &Direction) -> Option<(usize, Quotient)> {
-        let field = direction.field;
-        let a = direction.square();
-        if a.is_zero() {
-            return None;
-        }
+        let Direction { field, multiple, .. } = direction;
+        let a = field.dot(multiple, multiple);
         let is_ahead = |t: &Quotient| t.sign(field) == Ordering::Greater;
         let mut first: Option<(usize, Quotient)> = None;
         for (index, object) in self.objects.iter().enumerate() {
-            let roots = object.roots(field, &direction.multiple, &a);
+            let roots = object.roots(field, multiple, &a);
             let Some(t) = roots.into_iter().find(is_ahead) else { continue };
             if first.as_ref().is_none_or(|(_, best)| t.cmp(best, field) == Ordering::Less) {
                 first = Some((index, t));
             }
         }
         first
-    }
-
-    pub(crate) fn first_object(&self, direction: &Direction) -> Option<usize> {
-        self.first(direction).map(|(object, _)| object)
     }
 
     pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
@@ -125,7 +96,7 @@ impl SceneSeen {
     }
 }
 
-fn given(field: &Field, direction: [f64; 3]) -> Direction<'_> {
+fn exact(field: &Field, direction: [f64; 3]) -> Direction<'_> {
     Direction {
         field,
         multiple: vector(direction).map(Surd::rational),
@@ -133,13 +104,15 @@ fn given(field: &Field, direction: [f64; 3]) -> Direction<'_> {
     }
 }
 
-/// All `t`, negative ones and 0 too, at which the line `origin + t * direction` meets the object.
-/// None for a direction of 0.
+/// All `t`, the smaller first, negative ones and 0 too, at which the line `origin + t * direction`
+/// meets the object: one where it touches a sphere, none where it runs parallel to a plane, be it
+/// inside it, and none for a direction of 0.
 ///
 /// # Panics
 /// Where a number is NaN or infinite.
-pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Roots {
-    SceneSeen::new(&[*object], vector(origin)).roots(0, &given(&Field::rational(), direction))
+pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Vec<Real> {
+    let field = Field::rational();
+    SceneFromEye::new(&[*object], vector(origin)).roots(0, &exact(&field, direction))
 }
 
 /// Finds what the ray `origin + t * direction` meets at the smallest `t > 0`; of objects that share it,
@@ -149,13 +122,5 @@ pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Roots {
 /// # Panics
 /// Where a number is NaN or infinite.
 pub fn first_hit(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
-    SceneSeen::new(objects, vector(origin)).first_hit(&given(&Field::rational(), direction))
-}
-
-/// The object of [`first_hit`] alone, at a fraction of its cost.
-///
-/// # Panics
-/// Where a number is NaN or infinite.
-pub fn first_object(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<usize> {
-    SceneSeen::new(objects, vector(origin)).first_object(&given(&Field::rational(), direction))
+    SceneFromEye::new(objects, vector(origin)).first_hit(&exact(&Field::rational(), direction))
 }

@@ -4,13 +4,11 @@ use glam::DVec3;
 use pinhole_core::{Camera, Pixel, Sphere};
 
 use crate::random::Random;
-use crate::scenes::{
-    COVERAGE, Group, Listed, Setting, camera, centers_ahead, scale_for, scene, spheres_at,
-};
+use crate::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for, spheres_at};
 
 /// All of them, and two other sizes of image.
 pub fn all() -> Vec<Listed> {
-    let hard = |name: &str, make: fn() -> Setting| Listed::new(name, Group::Adversarial, make);
+    let hard = |name, make: fn() -> Setting| Listed::new(name, "adversarial", make);
     vec![
         hard("overdraw-1e5", || spheres_at(100_000, COVERAGE, 10.0)),
         hard("overdraw-1e6", || spheres_at(1_000_000, COVERAGE, 10.0)),
@@ -24,15 +22,15 @@ pub fn all() -> Vec<Listed> {
         hard("eye-plane", eye_plane),
         hard("one-column", || spheres_at(10_000, COVERAGE, 1.0).with_image(1, 16_384)),
         hard("one-row", || spheres_at(10_000, COVERAGE, 1.0).with_image(16_384, 1)),
-        Listed::new("square-400", Group::Sizes, square),
-        Listed::new("4k-N=1000", Group::Sizes, || {
+        Listed::new("square-400", "sizes", square),
+        Listed::new("4k-N=1000", "sizes", || {
             spheres_at(1000, COVERAGE, 1.0).with_image(3840, 2160)
         }),
     ]
 }
 
 fn setting(spheres: Vec<Sphere>) -> Setting {
-    Setting::built_in("adversarial", scene("adversarial", spheres), camera())
+    Setting::new(spheres, camera())
 }
 
 /// 10^5 spheres, all hidden by one that fills the view.
@@ -85,8 +83,7 @@ fn in_sphere() -> Setting {
 
 /// 10^5 spheres of about a pixel's size, which all cover the centre of the same one.
 fn one_pixel() -> Setting {
-    let camera = camera();
-    let resolved = Setting::built_in("one-pixel", Default::default(), camera).camera(0);
+    let resolved = setting(Vec::new()).camera(0);
     let direction = resolved.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
     let mut random = Random::new(5);
     let sphere = |_| {
@@ -129,5 +126,5 @@ fn eye_plane() -> Setting {
 /// One sphere in the lecture's 400 x 400 pixels.
 fn square() -> Setting {
     let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
-    Setting::built_in("square", scene("square", vec![ball]), Camera::CANONICAL)
+    Setting::new(vec![ball], Camera::CANONICAL)
 }

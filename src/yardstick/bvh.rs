@@ -6,7 +6,7 @@ use glam::Vec3;
 use pinhole_core::{ResolvedCamera, Scene};
 
 use crate::frames::{Buffers, Rays};
-use crate::textbook::{Ball, Nearest, TextbookScene, each_pixel, nearest_flat};
+use crate::textbook::{self, Ball, Nearest, each_pixel};
 
 /// A scene with its tree.
 #[derive(Clone, Debug)]
@@ -15,7 +15,6 @@ pub struct Bvh {
     /// The spheres in the order of the leaves, and which objects they are.
     balls: Vec<Ball>,
     objects: Vec<u32>,
-    scene: TextbookScene,
 }
 
 /// A box, and either two children side by side or some spheres.
@@ -74,38 +73,34 @@ impl Bounds {
 impl Bvh {
     /// Builds the tree of a scene.
     pub fn new(scene: &Scene) -> Bvh {
-        let scene = TextbookScene::new(scene);
-        let mut objects: Vec<u32> = (0..scene.balls.len() as u32).collect();
+        let all = textbook::balls(scene);
+        let mut objects: Vec<u32> = (0..all.len() as u32).collect();
         let mut nodes = vec![Node { bounds: Bounds::NONE, first: 0, count: 0 }];
         let mut open = vec![(0, 0..objects.len(), 0)];
         while let Some((place, range, depth)) = open.pop() {
             let own = &mut objects[range.clone()];
-            let boxes = own.iter().map(|object| Bounds::around(&scene.balls[*object as usize]));
+            let boxes = own.iter().map(|object| Bounds::around(&all[*object as usize]));
             let bounds = boxes.fold(Bounds::NONE, Bounds::with);
             if own.len() <= LEAF {
                 let (first, count) = (range.start as u32, own.len() as u32);
                 nodes[place] = Node { bounds, first, count };
                 continue;
             }
-            let middle = range.start + split(own, &scene.balls, depth);
+            let middle = range.start + split(own, &all, depth);
             let left = nodes.len();
             nodes[place] = Node { bounds, first: left as u32, count: 0 };
             nodes.extend([Node { bounds: Bounds::NONE, first: 0, count: 0 }; 2]);
             open.push((left, range.start..middle, depth + 1));
             open.push((left + 1, middle..range.end, depth + 1));
         }
-        let balls = objects.iter().map(|object| scene.balls[*object as usize]).collect();
-        Bvh { nodes, balls, objects, scene }
+        let balls = objects.iter().map(|object| all[*object as usize]).collect();
+        Bvh { nodes, balls, objects }
     }
 
     /// Traces a frame.
     pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
         let rays = Rays::new(camera);
-        each_pixel(buffers, |row, column| {
-            let direction = rays.direction(row, column);
-            let nearest = self.nearest_ball(rays.eye, direction);
-            nearest_flat(&self.scene.flats, self.balls.len(), rays.eye, direction, nearest)
-        });
+        each_pixel(buffers, |row, column| self.nearest_ball(rays.eye, rays.direction(row, column)));
     }
 
     fn nearest_ball(&self, origin: Vec3, direction: Vec3) -> Nearest {

@@ -1,6 +1,6 @@
 //! Buffers that every contestant but the ladder writes, and a frame's rays as the textbook has them.
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
 
 /// t and object of every pixel, row by row from the top.
@@ -44,7 +44,7 @@ impl Rays {
             eye: camera.eye().as_vec3(),
             u: basis.u.as_vec3(),
             v: basis.v.as_vec3(),
-            ahead: single(-viewport.distance * basis.w),
+            ahead: (-viewport.distance * basis.w).as_vec3(),
             width: viewport.width as f32,
             height: viewport.height as f32,
             columns: image.width() as f32,
@@ -59,8 +59,4 @@ impl Rays {
         let v = self.height * (0.5 - (row as f32 + 0.5) / self.rows);
         u * self.u + v * self.v + self.ahead
     }
-}
-
-pub(crate) fn single(v: DVec3) -> Vec3 {
-    v.as_vec3()
 }

@@ -13,14 +13,14 @@
 //!
 //! ```
 //! use std::time::Duration;
-//! use pinhole_yardstick::contest::{self, Limits, Method};
+//! use pinhole_yardstick::contest::{self, Limits};
 //! use pinhole_yardstick::scenes;
 //!
 //! let setting = scenes::spheres_at(10, 0.6, 1.0).with_image(96, 54);
 //! let limits = Limits { share: Duration::from_millis(1), ..Limits::default() };
-//! let outcome = contest::run(&setting, &[Method::Ladder, Method::Textbook], &limits);
-//! assert_eq!(outcome.rows.len(), 2);
-//! assert!(outcome.rows[0].times.min <= outcome.rows[0].times.median);
+//! let outcome = contest::run(&setting, &limits);
+//! let (name, times) = outcome.rows[0];
+//! assert!(name == contest::LADDER && times.min <= times.median);
 //! ```
 
 pub mod adversarial;
@@ -28,7 +28,6 @@ pub mod bvh;
 pub mod check;
 pub mod contest;
 mod frames;
-mod ladder;
 mod random;
 pub mod rounds;
 pub mod scenes;
@@ -36,5 +35,4 @@ pub mod stores;
 pub mod textbook;
 
 pub use frames::Buffers;
-pub use random::Random;
 pub use scenes::Setting;

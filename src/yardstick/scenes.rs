@@ -1,21 +1,16 @@
 //! Scenes to be fast in, each with a camera that moves a little every frame. The same every time.
 
-use std::fmt;
-
 use glam::DVec3;
 use pinhole_core::{
-    Camera, CameraError, ImageSize, NO_OBJECT, Orientation, Raster, ResolvedCamera, Scene, Sphere,
-    Viewport, trace_as,
+    Camera, ImageSize, Orientation, Raster, ResolvedCamera, Scene, Sphere, Viewport, trace_as,
 };
 
-use crate::adversarial;
 use crate::random::Random;
+use crate::{adversarial, check};
 
 /// A scene and who looks at it.
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// Its name.
-    pub name: String,
     /// The objects.
     pub scene: Scene,
     camera: Camera,
@@ -26,12 +21,13 @@ pub struct Setting {
 const STRIDE: f64 = 1e-3;
 
 impl Setting {
-    /// A scene seen by a camera.
+    /// Spheres seen by a camera.
     ///
-    /// # Errors
-    /// Where the camera sees nothing.
-    pub fn new(name: &str, scene: Scene, camera: Camera) -> Result<Setting, CameraError> {
-        Ok(Setting { name: name.to_owned(), scene, camera, resolved: camera.resolve()? })
+    /// # Panics
+    /// Where one of them is invalid, or the camera sees nothing.
+    pub fn new(spheres: Vec<Sphere>, camera: Camera) -> Setting {
+        let scene = Scene::new(spheres, Vec::new()).expect("valid spheres");
+        Setting { scene, camera, resolved: camera.resolve().expect("a camera that sees") }
     }
 
     /// The image's size.
@@ -59,53 +55,25 @@ impl Setting {
     /// Where that is no [`ImageSize`].
     #[must_use]
     pub fn with_image(self, width: u32, height: u32) -> Setting {
-        Setting::built_in(
-            &self.name,
-            self.scene,
-            Camera { image: image(width, height), ..self.camera },
-        )
-    }
-
-    /// Returns the setting under another name.
-    #[must_use]
-    pub fn named(self, name: &str) -> Setting {
-        Setting { name: name.to_owned(), ..self }
-    }
-
-    /// One of our own, whose camera is sure to see.
-    pub(crate) fn built_in(name: &str, scene: Scene, camera: Camera) -> Setting {
-        match Setting::new(name, scene, camera) {
-            Ok(setting) => setting,
-            Err(error) => unreachable!("{name}: {error}"),
-        }
+        let camera = Camera { image: image(width, height), ..self.camera };
+        let resolved = camera.resolve().expect("a camera that sees");
+        Setting { camera, resolved, ..self }
     }
 }
 
-/// The image of all scenes that do not say otherwise.
-pub const IMAGE: [u32; 2] = [1920, 1080];
-
-/// The camera at the origin, along -z, 53 degrees from bottom to top.
+/// The camera of all scenes that do not say otherwise: at the origin, along -z, 53 degrees from bottom
+/// to top.
 pub(crate) fn camera() -> Camera {
     Camera {
         eye: DVec3::ZERO,
         orientation: Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y },
         viewport: Viewport { width: 16.0 / 9.0, height: 1.0, distance: 1.0 },
-        image: image(IMAGE[0], IMAGE[1]),
+        image: image(1920, 1080),
     }
 }
 
 fn image(width: u32, height: u32) -> ImageSize {
-    match ImageSize::new(width, height) {
-        Ok(image) => image,
-        Err(error) => panic!("{error}"),
-    }
-}
-
-pub(crate) fn scene(name: &str, spheres: Vec<Sphere>) -> Scene {
-    match Scene::new(spheres, Vec::new()) {
-        Ok(scene) => scene,
-        Err(error) => unreachable!("{name}: {error}"),
-    }
+    ImageSize::new(width, height).expect("a size of an image")
 }
 
 /// Distances of the nearest and the farthest centres.
@@ -132,11 +100,10 @@ pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
 ///
 /// The radius is searched for, by tracing one pixel of 64.
 pub fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
-    let name = format!("N={}", Count(count));
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
     let spheres = centers.into_iter().map(|center| Sphere { center, radius }).collect();
-    Setting::built_in(&name, scene(&name, spheres), camera())
+    Setting::new(spheres, camera())
 }
 
 /// More spheres than this are not asked how much they cover: that depends on their number and radius
@@ -146,13 +113,13 @@ const MOST_ASKED: usize = 100_000;
 /// Returns the factor of radii with which [`camera`] sees this share of its pixels covered.
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
-    let camera = Setting::built_in("asked", Scene::default(), camera()).resolved;
+    let camera = camera();
     let covered = |scale: f64| {
         let sphere = |(index, center): (usize, &DVec3)| Sphere {
             center: *center,
             radius: scale * radius_of(index),
         };
-        covered(&scene("asked", asked.iter().enumerate().map(sphere).collect()), &camera)
+        covered(&Setting::new(asked.iter().enumerate().map(sphere).collect(), camera))
     };
     // Where spheres overlap at random, a share exp(-area) stays free, and area grows with scale^2.
     let (mut low, mut high) = (0.0, f64::INFINITY);
@@ -177,85 +144,45 @@ pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usi
     scale * (asked.len() as f64 / centers.len().max(1) as f64).sqrt()
 }
 
-/// The share of a camera's pixels that hit something, from every eighth row and column.
-pub fn covered(scene: &Scene, camera: &ResolvedCamera) -> f64 {
-    let image = camera.image();
+/// The share of the pixels that hit something, from every eighth row and column.
+pub fn covered(setting: &Setting) -> f64 {
+    let image = setting.image();
     let raster = Raster::shown_on(image, image.width().div_ceil(8), image.height().div_ceil(8));
-    let frame = trace_as::<f32>(scene, camera, &raster, Default::default());
-    let hits = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
-    hits as f64 / frame.object.len() as f64
-}
-
-/// A number of spheres, short: `10`, `1000`, `1e4`.
-#[derive(Clone, Copy, Debug)]
-pub struct Count(pub usize);
-
-impl fmt::Display for Count {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let exponent = self.0.max(1).ilog10();
-        let text = match self.0 {
-            count if count >= 10_000 && count.is_multiple_of(10usize.pow(exponent)) => {
-                format!("{}e{exponent}", count / 10usize.pow(exponent))
-            }
-            count => count.to_string(),
-        };
-        f.pad(&text)
-    }
-}
-
-/// The reason why a scene is in the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// Time against the number of spheres.
-    Growth,
-    /// Hard to be fast in.
-    Adversarial,
-    /// Other images.
-    Sizes,
+    let frame = trace_as::<f32>(&setting.scene, &setting.resolved, &raster, Default::default());
+    check::coverage(&frame.object)
 }
 
 /// A scene of the list, before it is made.
 pub struct Listed {
     /// Its name.
-    pub name: String,
-    /// The reason why it is in the list.
-    pub group: Group,
-    make: Box<dyn Fn() -> Setting + Send + Sync>,
+    pub name: &'static str,
+    /// The reason why it is in the list: `growth` of time with the number of spheres, `adversarial`,
+    /// or other `sizes` of image.
+    pub group: &'static str,
+    /// Makes it.
+    pub make: Box<dyn Fn() -> Setting + Send + Sync>,
 }
 
 impl Listed {
     pub(crate) fn new(
-        name: &str,
-        group: Group,
+        name: &'static str,
+        group: &'static str,
         make: impl Fn() -> Setting + Send + Sync + 'static,
     ) -> Listed {
-        Listed { name: name.to_owned(), group, make: Box::new(make) }
-    }
-
-    /// Makes it.
-    pub fn make(&self) -> Setting {
-        (self.make)().named(&self.name)
+        Listed { name, group, make: Box::new(make) }
     }
 }
 
-/// The share of pixels that is covered in the scenes of [`Group::Growth`].
+/// The share of pixels that is covered in the scenes of the group `growth`.
 pub const COVERAGE: f64 = 0.6;
-
-/// 1, 3, 10, 100, ..., up to `most` spheres that cover 60 % of 1920 x 1080 pixels.
-pub fn growth(most: usize) -> Vec<Listed> {
-    let decades = std::iter::successors(Some(10), |count: &usize| count.checked_mul(10));
-    let counts = [1, 3].into_iter().chain(decades).take_while(|count| *count <= most);
-    counts
-        .map(|count| {
-            let name = format!("N={}", Count(count));
-            Listed::new(&name, Group::Growth, move || spheres_at(count, COVERAGE, 1.0))
-        })
-        .collect()
-}
 
 /// All scenes: growth up to 10^7, the adversarial ones, other images.
 pub fn all() -> Vec<Listed> {
-    let mut all = growth(10_000_000);
-    all.extend(adversarial::all());
-    all
+    let names = ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6", "N=1e7"];
+    let counts = [1, 3, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000];
+    let growth = names
+        .into_iter()
+        .zip(counts)
+        .map(|(name, count)| Listed::new(name, "growth", move || spheres_at(count, COVERAGE, 1.0)));
+    growth.chain(adversarial::all()).collect()
 }

@@ -31,13 +31,8 @@ impl Stores {
         Stores { sets: vec![Buffers::new(image); count], level, frame: 0 }
     }
 
-    /// The buffers stored to last.
-    pub fn last(&self) -> &Buffers {
-        &self.sets[self.frame % self.sets.len()]
-    }
-
-    /// Stores a frame: each thread a part of it, in vectors of the level.
-    pub fn run(&mut self) {
+    /// Stores a frame: each thread a part of it, in vectors of the level. Returns its buffers.
+    pub fn run(&mut self) -> &Buffers {
         self.frame += 1;
         let (t, object) = (self.frame as f32, self.frame as u32);
         let count = self.sets.len();
@@ -47,6 +42,7 @@ impl Stores {
         let parts = buffers.t.par_chunks_mut(part).zip(buffers.object.par_chunks_mut(part));
         parts
             .for_each(|(ts, objects)| dispatch!(level, simd => fill(simd, ts, t, objects, object)));
+        buffers
     }
 }
 

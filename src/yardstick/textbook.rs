@@ -1,31 +1,17 @@
-//! The rival that every course writes first: for each pixel a ray, for each ray all objects, for each
-//! sphere the quadratic and its two roots; in `f32`, rows in parallel.
+//! The rival that every course writes first: for each pixel a ray, for each ray all spheres, for each
+//! of them the quadratic and its two roots; in `f32`, rows in parallel.
 
 use glam::Vec3;
-use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene};
+use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene, Sphere};
 use rayon::prelude::*;
 
-use crate::frames::{Buffers, Rays, single};
-
-/// A scene as the textbook keeps it.
-#[derive(Clone, Debug)]
-pub struct TextbookScene {
-    pub(crate) balls: Vec<Ball>,
-    pub(crate) flats: Vec<Flat>,
-}
+use crate::frames::{Buffers, Rays};
 
 /// A sphere in `f32`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ball {
+pub struct Ball {
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
-}
-
-/// A plane in `f32`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Flat {
-    point: Vec3,
-    normal: Vec3,
 }
 
 /// The nearest hit so far.
@@ -39,39 +25,28 @@ impl Nearest {
     pub(crate) const NONE: Nearest = Nearest { t: f32::INFINITY, object: NO_OBJECT };
 }
 
-impl TextbookScene {
-    /// Rounds a scene.
-    pub fn new(scene: &Scene) -> TextbookScene {
-        let ball = |sphere: &pinhole_core::Sphere| Ball {
-            center: single(sphere.center),
-            radius: sphere.radius as f32,
-        };
-        let flat = |plane: &pinhole_core::Plane| Flat {
-            point: single(plane.point),
-            normal: single(plane.normal),
-        };
-        TextbookScene {
-            balls: scene.spheres().iter().map(ball).collect(),
-            flats: scene.planes().iter().map(flat).collect(),
-        }
-    }
+/// Rounds the spheres of a scene.
+pub fn balls(scene: &Scene) -> Vec<Ball> {
+    let ball =
+        |sphere: &Sphere| Ball { center: sphere.center.as_vec3(), radius: sphere.radius as f32 };
+    scene.spheres().iter().map(ball).collect()
+}
 
-    /// Traces a frame.
-    pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
-        let rays = Rays::new(camera);
-        each_pixel(buffers, |row, column| {
-            let direction = rays.direction(row, column);
-            let mut nearest = Nearest::NONE;
-            for (object, ball) in (0..).zip(&self.balls) {
-                if let Some(t) = ball.first_root(rays.eye, direction)
-                    && t < nearest.t
-                {
-                    nearest = Nearest { t, object };
-                }
+/// Traces a frame.
+pub fn trace(balls: &[Ball], camera: &ResolvedCamera, buffers: &mut Buffers) {
+    let rays = Rays::new(camera);
+    each_pixel(buffers, |row, column| {
+        let direction = rays.direction(row, column);
+        let mut nearest = Nearest::NONE;
+        for (object, ball) in (0..).zip(balls) {
+            if let Some(t) = ball.first_root(rays.eye, direction)
+                && t < nearest.t
+            {
+                nearest = Nearest { t, object };
             }
-            nearest_flat(&self.flats, self.balls.len(), rays.eye, direction, nearest)
-        });
-    }
+        }
+        nearest
+    });
 }
 
 /// Fills the buffers, rows in parallel.
@@ -84,25 +59,6 @@ pub(crate) fn each_pixel(buffers: &mut Buffers, hit: impl Fn(usize, usize) -> Ne
             (*t, *object) = (nearest.t, nearest.object);
         }
     });
-}
-
-/// The nearest of what is known and the planes, whose first is object `first`.
-#[inline]
-pub(crate) fn nearest_flat(
-    flats: &[Flat],
-    first: usize,
-    origin: Vec3,
-    direction: Vec3,
-    mut nearest: Nearest,
-) -> Nearest {
-    for (object, flat) in (first as u32..).zip(flats) {
-        let t = flat.normal.dot(flat.point - origin) / flat.normal.dot(direction);
-        // A ray along the plane gives an infinite t or none, and neither is nearer.
-        if t > 0.0 && t < nearest.t {
-            nearest = Nearest { t, object };
-        }
-    }
-    nearest
 }
 
 impl Ball {

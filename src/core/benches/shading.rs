@@ -1,7 +1,6 @@
 //! Bench of colours: milliseconds a frame of 1920 x 1080 pixels, one thread, medians.
 //!
-//! `cargo bench -p pinhole-core --bench shading`; the level of instructions is the processor's best,
-//! or AVX2 with `-- avx2`.
+//! `cargo bench -p pinhole-core --bench shading`
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::hint::black_box;
@@ -61,17 +60,8 @@ fn ms(mut work: impl FnMut()) -> f64 {
     median((0..ROUNDS).map(time).collect())
 }
 
-fn level() -> Level {
-    let best = Level::new();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    if std::env::args().any(|argument| argument == "avx2") {
-        return best.as_avx2().map_or(best, Level::Avx2);
-    }
-    best
-}
-
 fn main() {
-    let level = level();
+    let level = Level::new();
     println!("1920 x 1080, one thread, {ROUNDS} rounds, {level:?}; ms a frame\n");
     rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| {
         for (name, scene) in scenes() {
@@ -105,8 +95,7 @@ fn of_scene(level: Level, name: &str, scene: &Scene) {
         let mut pixels = vec![[0; 4]; raster.len()];
         let to_pixels = ms(|| {
             let (none, to) = (Outputs::NONE, &mut pixels[..]);
-            let _: Frame<f32> =
-                trace_painted_at_level(level, scene, &camera, &raster, none, &paint, to, |_| ());
+            let _: Frame<f32> = trace_painted(scene, &camera, &raster, none, &paint, to);
         });
         println!("  {:8} {alone:6.2}, traced and painted {to_pixels:6.2}", how.name());
     }

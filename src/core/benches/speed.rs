@@ -12,8 +12,8 @@
 use std::time::Duration;
 
 use pinhole_core::Level;
-use pinhole_yardstick::contest::{self, Limits, Method, Outcome};
-use pinhole_yardstick::scenes::{self, Group, Listed};
+use pinhole_yardstick::contest::{self, Limits, Outcome};
+use pinhole_yardstick::scenes::{self, Listed};
 use pinhole_yardstick::{Setting, check};
 
 /// Scenes of at least so many spheres have fewer pixels checked, as each ray is asked of all.
@@ -47,14 +47,9 @@ fn avx2() -> Level {
 }
 
 fn is_wanted(listed: &Listed, wanted: &[&str]) -> bool {
-    let group = match listed.group {
-        Group::Growth => "growth",
-        Group::Adversarial => "adversarial",
-        Group::Sizes => "sizes",
-    };
     let is_huge = listed.name == "N=1e7";
-    wanted.iter().any(|word| *word == listed.name)
-        || (!is_huge && (wanted.is_empty() || wanted.contains(&group)))
+    wanted.contains(&listed.name)
+        || (!is_huge && (wanted.is_empty() || wanted.contains(&listed.group)))
         || wanted.iter().any(|word| !word.starts_with("N=") && listed.name.contains(word))
 }
 
@@ -67,37 +62,35 @@ fn run(chosen: &[Listed], limits: &Limits) {
     println!("ratio: a method's median time over the ladder's\n");
     let mut growth = Vec::new();
     for listed in chosen {
-        let setting = listed.make();
-        let outcome = contest::run(&setting, &Method::ALL, limits);
-        show(&setting, &outcome);
-        let time = outcome.times(Method::Ladder).unwrap().median;
-        if listed.group == Group::Growth {
+        let setting = (listed.make)();
+        let outcome = contest::run(&setting, limits);
+        show(listed.name, &setting, &outcome);
+        let time = outcome.rows[0].1.median;
+        if listed.group == "growth" {
             growth.push((setting.scene.len(), time));
         }
     }
     show_growth(&growth);
 }
 
-fn show(setting: &Setting, outcome: &Outcome) {
+fn show(name: &str, setting: &Setting, outcome: &Outcome) {
     let (image, objects) = (setting.image(), setting.scene.len());
     let sample = if objects >= MANY { 100 } else { 500 };
     if let Err(fault) = check::sample(&setting.scene, &outcome.frame, sample, 1) {
-        panic!("{} is wrong: {fault}", setting.name);
+        panic!("{name} is wrong: {fault}");
     }
     println!(
-        "{}: {objects} spheres, {} x {}, {:.1} % covered, {sample} pixels checked",
-        setting.name,
+        "{name}: {objects} spheres, {} x {}, {:.1} % covered, {sample} pixels checked",
         image.width(),
         image.height(),
         100.0 * check::coverage(&outcome.frame.object),
     );
-    let ladder = outcome.times(Method::Ladder).unwrap().median;
+    let ladder = outcome.rows[0].1.median;
     println!("  {:16} {:>10} {:>10} {:>10} {:>9}", "", "median ms", "min ms", "Mrays/s", "ratio");
-    for row in &outcome.rows {
-        let times = row.times;
+    for (name, times) in &outcome.rows {
         println!(
             "  {:16} {:10.4} {:10.4} {:10.1} {:9.3}  {} frames",
-            row.method.name(),
+            name,
             1e3 * times.median,
             1e3 * times.min,
             1e-6 * setting.pixels() as f64 / times.median,

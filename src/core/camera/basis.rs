@@ -193,17 +193,11 @@ impl Basis {
     }
 }
 
-impl UpAngle {
-    /// A basis given by hand has v for its up: a right angle, conditioning 1.
-    pub const OF_BASIS_BY_HAND: UpAngle =
-        UpAngle { angle: std::f64::consts::FRAC_PI_2, conditioning: 1.0 };
-}
-
 pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 
-/// Far more than rounding makes of a length or a dot product of vectors of about length 1.
+/// Allowance for rounding, far more than it makes of a length or a dot product of vectors of about length 1.
 const ROUNDING: f64 = 1e-15;
 
 /// Returns whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as

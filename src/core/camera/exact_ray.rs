@@ -11,7 +11,6 @@ use crate::exact::bounded::{Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionParts;
 use crate::exact::scale::ldexp;
-use crate::exact::steps::Step;
 
 /// A ray on which every decision is what exact real arithmetic gives.
 ///
@@ -34,8 +33,6 @@ pub struct ExactRay<'a> {
     pub(crate) scale: i32,
     /// A whole number: a pixel's (u, v) times it has no denominator.
     pub(crate) stretch: f64,
-    /// The last step that decisions on this ray may take.
-    pub(crate) last: Step,
 }
 
 /// The inputs that the exact numbers are made of.
@@ -98,28 +95,7 @@ impl<'a> ExactRay<'a> {
         // Of a given ray no digit is lost.
         let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
         let rough = DirectionParts { d: rounded, length, doubt: doubt + rounding };
-        ExactRay { origin, source, fine, rough, scale, stretch, last: Step::Exact }
-    }
-
-    /// Returns the ray with the ladder cut off after a step, to show what the later steps are for: in
-    /// teaching, and in tests.
-    ///
-    /// What lies within that step's doubt is decided by its rounded sign, a rounded 0 counting as 0;
-    /// `t` and normal are that step's own. Later steps are not run. This goes for all that is asked
-    /// of this ray: whether it meets an object, where its origin is, and which hit comes first.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// // By the triple 375040001^2 + 200010000^2 = 425040001^2 the ray touches the sphere.
-    /// let ball = Sphere::new([37303990100.0, 20376040001.0, 0.0], 425040001.0)?;
-    /// let scene = Scene::new(vec![ball], vec![])?;
-    /// let ray = ExactRay::from_ray(&Ray::new([0.0; 3], [375040001.0, 200010000.0, 0.0])?)?;
-    /// assert_eq!(scene.first_hit_of(&ray).map(|hit| hit.t), Some(100.0));
-    /// assert!(scene.first_hit_of(&ray.cut_off_after(Step::F64)).is_none());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn cut_off_after(self, step: Step) -> Self {
-        ExactRay { last: step, ..self }
+        ExactRay { origin, source, fine, rough, scale, stretch }
     }
 
     /// The point at `t = 0`.

@@ -2,14 +2,13 @@
 
 use glam::DVec3;
 
-use crate::camera::basis::{Basis, BasisError, UpAngle, check_finite};
+use crate::camera::basis::{Basis, BasisError, check_finite};
 use crate::exact::bounded;
 use crate::exact::bounded::{Number, Vector, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
 use crate::exact::error_free::difference_with_rest;
-use crate::exact::scale::{ldexp, unit};
-use crate::exact::steps::Step;
+use crate::exact::scale::ldexp;
 use crate::exact::surd::Radicands;
 
 /// u, v, w in double-double.
@@ -87,29 +86,14 @@ impl FineBasis {
     ///
     /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is much shorter than
     /// `|f| |up|` the exact numbers take over, so that no angle costs accuracy.
-    ///
-    /// With the ladder cut off after `last`, that step's rounded numbers must do. Told along with the
-    /// basis is the step that it took.
-    pub(crate) fn from_view_up(
-        view: &ViewGiven,
-        up: DVec3,
-        last: Step,
-    ) -> (Option<FineBasis>, Step) {
-        if last == Step::F64 {
-            return (FineBasis::by_textbook(view, up), last);
-        }
-        let may_be_exact = last == Step::Exact;
-        let exactly = || (FineBasis::from_exact(view, up), Step::Exact);
+    pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
         let right = bounded::cross(f, up_scaled);
         let length = |v: Vector<DoubleDouble>| bounded::length(bounded::near(v));
         let sine = length(right) / (length(f) * length(up_scaled));
-        if may_be_exact && (sine.is_nan() || sine < LEAST_SINE) {
-            return exactly();
-        }
-        if length(right) == 0.0 {
-            return (None, last);
+        if sine.is_nan() || sine < LEAST_SINE {
+            return FineBasis::from_exact(view, up);
         }
         let fine_unit = |v: Vector<DoubleDouble>| {
             let length = bounded::dot(v, v).square_root();
@@ -125,18 +109,7 @@ impl FineBasis {
         // A coordinate that may be 0 is 0 on the screen, if it is.
         let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
         let in_doubt = [u, basis.v, w].iter().flatten().any(may_be_zero);
-        if may_be_exact && in_doubt { exactly() } else { (Some(basis), Step::DoubleDouble) }
-    }
-
-    /// The textbook's formula in `f64`; `None` where its cross product is rounded to 0.
-    fn by_textbook(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
-        let (view, up) = (unit(view.rounded()), unit(up));
-        let right = up.cross(-view);
-        if right == DVec3::ZERO {
-            return None;
-        }
-        let (u, w) = (unit(right), -view);
-        Some(FineBasis::given(&Basis { u, v: w.cross(u), w }))
+        if in_doubt { FineBasis::from_exact(view, up) } else { Some(basis) }
     }
 
     /// Computes the basis from exact numbers: each coordinate is off by `3 u^2` at most.
@@ -223,20 +196,6 @@ pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
     DVec3::from_array(over_root(v, square).map(|x| x.hi + 0.0))
 }
 
-/// The basis of a view direction and up, both finite and not zero.
-///
-/// # Errors
-/// Where they are exactly parallel.
-pub(crate) fn basis_of(
-    view: &ViewGiven,
-    up: DVec3,
-    last: Step,
-) -> Result<(FineBasis, Step), BasisError> {
-    let (basis, step) = FineBasis::from_view_up(view, up, last);
-    let parallel = || BasisError::UpParallelToView { up, view: view.rounded() };
-    Ok((basis.ok_or_else(parallel)?, step))
-}
-
 /// A checked view direction and up, neither of them zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Aim {
@@ -269,19 +228,9 @@ impl Aim {
     }
 
     pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
-        Ok(self.fine_basis_up_to(Step::Exact)?.0)
-    }
-
-    /// Computes the basis with the ladder cut off after a step, and tells the step that it took.
-    pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
-        basis_of(&self.view, self.up, last)
-    }
-
-    fn up_angle(&self) -> Result<UpAngle, BasisError> {
-        self.fine_basis()?;
-        let (right, along, lengths) = angle_parts(&self.view, self.up);
-        let conditioning = (lengths / right).min(f64::MAX);
-        Ok(UpAngle { angle: right.atan2(along), conditioning })
+        let Aim { view, up } = *self;
+        let parallel = || BasisError::UpParallelToView { up, view: view.rounded() };
+        FineBasis::from_view_up(&view, up).ok_or_else(parallel)
     }
 }
 
@@ -310,24 +259,5 @@ impl Basis {
     /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
     pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
         Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
-    }
-}
-
-impl UpAngle {
-    /// The angle between `up` and `view`, by `atan2(|up x view|, up . view)` (accurate at both
-    /// ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`.
-    ///
-    /// # Errors
-    /// As [`Basis::from_view_up`].
-    pub fn between(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
-        Aim::along(view, up)?.up_angle()
-    }
-
-    /// [`UpAngle::between`] of `up` and `at - eye`.
-    ///
-    /// # Errors
-    /// As [`Basis::from_eye_at_up`].
-    pub fn of_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
-        Aim::from_to(eye, at, up)?.up_angle()
     }
 }

@@ -46,13 +46,7 @@ impl ImageSize {
     /// # Errors
     /// Where one of them is 0 or above [`ImageSize::MAX`].
     pub const fn new(width: u32, height: u32) -> Result<ImageSize, ImageError> {
-        if width == 0 || width > ImageSize::MAX {
-            return Err(ImageError { field: "width", value: width });
-        }
-        if height == 0 || height > ImageSize::MAX {
-            return Err(ImageError { field: "height", value: height });
-        }
-        Ok(ImageSize { width, height })
+        ImageSize::within(ImageSize::MAX, width, height)
     }
 
     /// An image of which only some rows and columns are ever traced, [`ImageSize::MAX`] of each at
@@ -60,10 +54,14 @@ impl ImageSize {
     /// allow for that.
     #[doc(hidden)]
     pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
-        if width == 0 || width > 4 * ImageSize::MAX {
+        ImageSize::within(4 * ImageSize::MAX, width, height)
+    }
+
+    const fn within(most: u32, width: u32, height: u32) -> Result<ImageSize, ImageError> {
+        if width == 0 || width > most {
             return Err(ImageError { field: "width", value: width });
         }
-        if height == 0 || height > 4 * ImageSize::MAX {
+        if height == 0 || height > most {
             return Err(ImageError { field: "height", value: height });
         }
         Ok(ImageSize { width, height })

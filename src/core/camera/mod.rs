@@ -11,18 +11,18 @@ pub(crate) mod resolved;
 pub(crate) mod rotation;
 pub(crate) mod viewport;
 
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
 use glam::DVec3;
 
 use crate::camera::basis::{Basis, BasisError, UpAngle};
-use crate::camera::fine_basis::{Aim, FineBasis};
+use crate::camera::fine_basis::{Aim, FineBasis, angle_parts};
 use crate::camera::image::{ImageError, ImageSize};
 use crate::camera::resolved::{AimGiven, ResolvedCamera};
 use crate::camera::viewport::{Viewport, ViewportError};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::unit;
-use crate::exact::steps::Step;
 
 /// The way the camera looks and which way is up: one of the three ways to say so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,32 +132,11 @@ impl Camera {
     /// # Errors
     /// Where there is none, see [`BasisError`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
-        Ok(self.basis_cut_off_after(Step::Exact)?.0)
+        Ok(self.aim()?.1.rounded())
     }
 
-    /// The basis with the ladder cut off after a step, to show what the later steps are for, and the
-    /// step that it took. [`Step::Exact`] cuts off nothing; after [`Step::F64`] it is the textbook's
-    /// formula in `f64`, which the ladder itself never uses.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// let eye = DVec3::new(0.1, 0.2, 0.3);
-    /// let orientation = Orientation::At { at: 3.0 * eye, up: DVec3::new(1.0, 2.0, 3.0) };
-    /// let (_, step) = Camera { eye, orientation, ..Camera::CANONICAL }
-    ///     .basis_cut_off_after(Step::Exact)?;
-    /// assert_eq!(step, Step::Exact);
-    /// # Ok::<(), BasisError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Where there is none, in what that step knows.
-    pub fn basis_cut_off_after(&self, step: Step) -> Result<(Basis, Step), BasisError> {
-        let (_, basis, step) = self.aim(step)?;
-        Ok((basis.rounded(), step))
-    }
-
-    /// Returns what the basis is made of, the basis with all its digits, and the step that it took.
-    fn aim(&self, last: Step) -> Result<(AimGiven, FineBasis, Step), BasisError> {
+    /// Returns what the basis is made of, and the basis with all its digits.
+    fn aim(&self) -> Result<(AimGiven, FineBasis), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
         }
@@ -165,25 +144,25 @@ impl Camera {
             Orientation::At { at, up } => Aim::from_to(self.eye, at, up)?,
             Orientation::View { view, up } => Aim::along(view, up)?,
             Orientation::Basis(Basis { u, v, w }) => {
-                let basis = FineBasis::given(&Basis::by_hand(u, v, w)?);
-                return Ok((AimGiven::Basis, basis, Step::F64));
+                return Ok((AimGiven::Basis, FineBasis::given(&Basis::by_hand(u, v, w)?)));
             }
         };
-        let (basis, step) = aim.fine_basis_up_to(last)?;
-        Ok((AimGiven::ViewUp(aim.view, aim.up), basis, step))
+        Ok((AimGiven::ViewUp(aim.view, aim.up), aim.fine_basis()?))
     }
 
-    /// The angle between up and the view direction. A basis given by hand has v for its up.
+    /// The angle between up and the view direction, by `atan2(|up x view|, up . view)` (accurate at
+    /// both ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`. A
+    /// basis given by hand has v for its up: a right angle, conditioning 1.
     ///
     /// # Errors
     /// Where there is no basis.
     pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
-        self.basis()?;
-        match self.orientation {
-            Orientation::At { at, up } => UpAngle::of_eye_at_up(self.eye, at, up),
-            Orientation::View { view, up } => UpAngle::between(view, up),
-            Orientation::Basis(_) => Ok(UpAngle::OF_BASIS_BY_HAND),
-        }
+        let (AimGiven::ViewUp(view, up), _) = self.aim()? else {
+            return Ok(UpAngle { angle: FRAC_PI_2, conditioning: 1.0 });
+        };
+        let (right, along, lengths) = angle_parts(&view, up);
+        let conditioning = (lengths / right).min(f64::MAX);
+        Ok(UpAngle { angle: right.atan2(along), conditioning })
     }
 
     /// The direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where it
@@ -209,7 +188,7 @@ impl Camera {
     /// # Errors
     /// Where it has no basis or its viewport is not a rectangle in front of the eye.
     pub fn resolve(&self) -> Result<ResolvedCamera, CameraError> {
-        let (aim, basis, _) = self.aim(Step::Exact)?;
+        let (aim, basis) = self.aim()?;
         self.viewport.check()?;
         Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }

@@ -101,7 +101,7 @@ impl PixelOfUv {
 }
 
 impl ResolvedCamera {
-    /// Only [`Camera::resolve`](crate::Camera::resolve) calls this, after its checks.
+    /// The camera of parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
     pub(crate) fn new(
         eye: DVec3,
         aim: AimGiven,

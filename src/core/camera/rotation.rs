@@ -1,9 +1,9 @@
-//! A basis as a rotation: its unit quaternion, and the basis nearest to three vectors that are
-//! almost one.
+//! A basis as a rotation: its unit quaternion, and what is wrong with three vectors that are almost
+//! one.
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::camera::basis::{Basis, BasisError};
+use crate::camera::basis::Basis;
 use crate::exact::scale::unit;
 
 impl Basis {
@@ -27,15 +27,6 @@ impl Basis {
         }
         let turn = DMat3::from_quat(DQuat::from_vec4(glam::DVec4::from(q) / length).normalize());
         Some(Basis { u: turn.x_axis, v: turn.y_axis, w: turn.z_axis })
-    }
-
-    /// The basis with this w, made unit, whose v is as near as can be to the one given: of three
-    /// vectors that are a right-handed basis but for their last digits, or their length.
-    ///
-    /// # Errors
-    /// As [`Basis::from_view_up`], where v and w are parallel, zero, or not finite.
-    pub fn straightened(v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
-        Basis::from_view_up(-w, v)
     }
 
     /// Returns the distance of three vectors from orthonormal: the largest of `| |a| - 1 |` and

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use glam::DVec3;
 use num_bigint::BigInt;
 
-use crate::exact::double_double::DoubleDouble;
 use crate::exact::dyadic::{Dyadic, Exact3, exact3, ratio};
+use crate::exact::precise::Precise;
 use crate::exact::surd::{Radicands, Surd, sign_with_roots};
 
 /// A ray in exact numbers.
@@ -72,15 +72,15 @@ impl BigRay {
         BigRoot { x: quadratic.b, sign, radicand: quadratic.discriminant, y: None }
     }
 
-    /// `value / unit` for a unit greater than 0, relative error at most `2^-100`, as a double-double
-    /// times a power of two; 0 exactly where it is.
-    pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> (DoubleDouble, i32) {
+    /// `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly where it is.
+    pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {
         if value.sign(&self.of) == Ordering::Equal {
-            return (DoubleDouble::default(), 0);
+            return Precise::ZERO;
         }
         let (numerator, n) = self.digits(|places| value.fixed(places, &self.of));
         let (denominator, m) = self.digits(|places| unit.fixed(places, &self.of));
-        ratio(&numerator, &denominator, m - n)
+        let (value, scale) = ratio(&numerator, &denominator, m - n);
+        Precise { value, scale }
     }
 
     /// Compares two roots, exactly.
@@ -99,14 +99,14 @@ impl BigRay {
         sign_with_roots(&numerators, (one.sign, p), (other.sign.reverse(), q), of)
     }
 
-    /// `t` of a root that is not 0: relative error at most `2^-100`, as a double-double times a
-    /// power of two.
-    pub(crate) fn t(&self, root: &BigRoot) -> (DoubleDouble, i32) {
+    /// `t` of a root that is not 0: relative error at most `2^-100`.
+    pub(crate) fn t(&self, root: &BigRoot) -> Precise {
         let (numerator, n) = self.digits(|places| self.numerator(root, places));
         let (denominator, m) =
             self.digits(|places| root.y.as_ref().unwrap_or(&self.a).fixed(places, &self.of));
         let (scale, s) = self.digits(|places| self.scale.fixed(places, &self.of));
-        ratio(&(numerator * scale), &denominator, m - n - s)
+        let (value, scale) = ratio(&(numerator * scale), &denominator, m - n - s);
+        Precise { value, scale }
     }
 
     /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.

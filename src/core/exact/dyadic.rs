@@ -39,7 +39,7 @@ impl Dyadic {
         Dyadic { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    /// Less, equal or greater than 0.
+    /// The sign: less than, equal to or greater than 0.
     pub fn sign(&self) -> Ordering {
         match self.mantissa.sign() {
             Sign::Minus => Ordering::Less,
@@ -48,7 +48,7 @@ impl Dyadic {
         }
     }
 
-    /// Whether the number is 0.
+    /// Returns whether the number is 0.
     pub fn is_zero(&self) -> bool {
         self.mantissa.sign() == Sign::NoSign
     }

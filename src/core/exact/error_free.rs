@@ -8,7 +8,7 @@ use glam::DVec3;
 ///
 /// The same operations give the same bits whatever the width, because none of them fuses a product
 /// with a sum but where the result is exact.
-pub trait Lane:
+pub(crate) trait Lane:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -25,6 +25,20 @@ pub trait Lane:
 
     /// `x / 2`.
     fn half(self) -> Self;
+
+    /// The number, or 0 where it is below.
+    fn not_negative(self) -> Self;
+
+    /// `(2^27 + 1) * self`.
+    fn shifted(self) -> Self;
+
+    /// Two halves of at most 26 bits each, by Veltkamp's splitting.
+    #[inline(always)]
+    fn halves(self) -> (Self, Self) {
+        let shifted = self.shifted();
+        let high = shifted - (shifted - self);
+        (high, self - high)
+    }
 }
 
 /// `(s, e)` with `s = fl(a + b)` and `a + b = s + e` exactly, unless the sum overflows (Knuth, *The
@@ -49,36 +63,15 @@ pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
 /// of at least 2^-969 (Dekker 1971, by Veltkamp's splitting): plain operations, for processors that
 /// have no fused multiply-add, with the same bits as it (but for the sign of an error of 0).
 #[inline(always)]
-pub(crate) fn dekker_product<F: Split>(a: F, b: F) -> (F, F) {
+pub(crate) fn dekker_product<F: Lane>(a: F, b: F) -> (F, F) {
     let product = a * b;
     let ((a_high, a_low), (b_high, b_low)) = (a.halves(), b.halves());
     let error = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
     (product, error)
 }
 
-/// A number that splits into two halves of at most 26 bits each.
-pub(crate) trait Split: Lane {
-    /// `(2^27 + 1) * self`.
-    fn shifted(self) -> Self;
-
-    /// Veltkamp's splitting.
-    #[inline(always)]
-    fn halves(self) -> (Self, Self) {
-        let shifted = self.shifted();
-        let high = shifted - (shifted - self);
-        (high, self - high)
-    }
-}
-
 /// Veltkamp's factor, `2^27 + 1`.
 pub(crate) const SPLITTER: f64 = (1_u32 << 27) as f64 + 1.0;
-
-impl Split for f64 {
-    #[inline(always)]
-    fn shifted(self) -> f64 {
-        SPLITTER * self
-    }
-}
 
 impl Lane for f64 {
     #[inline(always)]
@@ -94,6 +87,16 @@ impl Lane for f64 {
     #[inline(always)]
     fn half(self) -> f64 {
         0.5 * self
+    }
+
+    #[inline(always)]
+    fn not_negative(self) -> f64 {
+        self.max(0.0)
+    }
+
+    #[inline(always)]
+    fn shifted(self) -> f64 {
+        SPLITTER * self
     }
 }
 

@@ -10,19 +10,15 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{ExtractToken, Level, Simd};
 
-use crate::exact::error_free::{Lane, SPLITTER, Split, dekker_product};
+use crate::exact::error_free::{Lane, SPLITTER, dekker_product};
 
 /// A vector of `f64` of the processor's own width.
 #[derive(Clone, Copy)]
 pub(crate) struct Lanes<S: Simd>(pub(crate) S::f64s);
 
-impl<S: Simd> Lanes<S> {
-    /// Returns a vector with one number in every lane.
-    #[inline(always)]
-    pub(crate) fn splat(simd: S, x: f64) -> Self {
-        Lanes(S::f64s::splat(simd, x))
-    }
-}
+/// A vector of `f32` of the processor's own width.
+#[derive(Clone, Copy)]
+pub(crate) struct SingleLanes<S: Simd>(pub(crate) S::f32s);
 
 /// Returns whether the level multiplies and adds in one instruction.
 #[inline(always)]
@@ -36,91 +32,83 @@ pub(crate) fn is_fused(level: Level) -> bool {
     }
 }
 
-impl<S: Simd> Lane for Lanes<S> {
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Lanes(self.0.sqrt())
-    }
+macro_rules! operator {
+    ($lanes:ident, $trait:ident, $method:ident, $operator:tt) => {
+        impl<S: Simd> $trait for $lanes<S> {
+            type Output = Self;
 
-    #[inline(always)]
-    fn two_product(self, other: Self) -> (Self, Self) {
-        if is_fused(self.0.token().level()) {
-            let product = self.0 * other.0;
-            (Lanes(product), Lanes(self.0.mul_sub_precise(other.0, product)))
-        } else {
-            dekker_product(self, other)
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                $lanes(self.0 $operator other.0)
+            }
         }
-    }
-
-    #[inline(always)]
-    fn half(self) -> Self {
-        Lanes(self.0 * 0.5)
-    }
+    };
 }
 
-impl<S: Simd> Split for Lanes<S> {
-    #[inline(always)]
-    fn shifted(self) -> Self {
-        Lanes(self.0 * SPLITTER)
-    }
+/// The arithmetic of lanes, with Veltkamp's factor for their precision.
+macro_rules! lanes {
+    ($lanes:ident, $real:ident, $vector:ident, $splitter:expr) => {
+        impl<S: Simd> $lanes<S> {
+            /// Returns a vector with one number in every lane.
+            #[inline(always)]
+            pub(crate) fn splat(simd: S, x: $real) -> Self {
+                $lanes(S::$vector::splat(simd, x))
+            }
+        }
+
+        operator!($lanes, Add, add, +);
+        operator!($lanes, Sub, sub, -);
+        operator!($lanes, Mul, mul, *);
+        operator!($lanes, Div, div, /);
+
+        impl<S: Simd> Neg for $lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn neg(self) -> Self {
+                $lanes(-self.0)
+            }
+        }
+
+        impl<S: Simd> Lane for $lanes<S> {
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $lanes(self.0.sqrt())
+            }
+
+            #[inline(always)]
+            fn two_product(self, other: Self) -> (Self, Self) {
+                if is_fused(self.0.token().level()) {
+                    let product = self.0 * other.0;
+                    ($lanes(product), $lanes(self.0.mul_sub_precise(other.0, product)))
+                } else {
+                    dekker_product(self, other)
+                }
+            }
+
+            #[inline(always)]
+            fn half(self) -> Self {
+                $lanes(self.0 * 0.5)
+            }
+
+            #[inline(always)]
+            fn not_negative(self) -> Self {
+                $lanes(self.0.max(S::$vector::splat(self.0.token(), 0.0)))
+            }
+
+            #[inline(always)]
+            fn shifted(self) -> Self {
+                $lanes(self.0 * $splitter)
+            }
+        }
+    };
 }
 
-impl<S: Simd> Add for Lanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Lanes(self.0 + other.0)
-    }
-}
-
-impl<S: Simd> Sub for Lanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Lanes(self.0 - other.0)
-    }
-}
-
-impl<S: Simd> Mul for Lanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Lanes(self.0 * other.0)
-    }
-}
-
-impl<S: Simd> Div for Lanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Lanes(self.0 / other.0)
-    }
-}
-
-impl<S: Simd> Neg for Lanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Lanes(-self.0)
-    }
-}
-
-/// A vector of `f32` of the processor's own width.
-#[derive(Clone, Copy)]
-pub(crate) struct SingleLanes<S: Simd>(pub(crate) S::f32s);
+lanes!(Lanes, f64, f64s, SPLITTER);
+// Of f32 it is 2^12 + 1.
+lanes!(SingleLanes, f32, f32s, (1_u32 << 12) as f32 + 1.0);
 
 impl<S: Simd> SingleLanes<S> {
-    /// Returns a vector with one number in every lane.
-    #[inline(always)]
-    pub(crate) fn splat(simd: S, x: f32) -> Self {
-        SingleLanes(S::f32s::splat(simd, x))
-    }
-
     /// `self - a * b`, rounded once, where `a * b` is so close to self that their difference is
     /// exact: the residual of a root or a quotient.
     #[inline(always)]
@@ -131,65 +119,6 @@ impl<S: Simd> SingleLanes<S> {
             let (product, error) = a.two_product(b);
             (self - product) - error
         }
-    }
-}
-
-impl<S: Simd> Lane for SingleLanes<S> {
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        SingleLanes(self.0.sqrt())
-    }
-
-    #[inline(always)]
-    fn two_product(self, other: Self) -> (Self, Self) {
-        if is_fused(self.0.token().level()) {
-            let product = self.0 * other.0;
-            (SingleLanes(product), SingleLanes(self.0.mul_sub_precise(other.0, product)))
-        } else {
-            dekker_product(self, other)
-        }
-    }
-
-    #[inline(always)]
-    fn half(self) -> Self {
-        SingleLanes(self.0 * 0.5)
-    }
-}
-
-/// Veltkamp's factor for `f32`, `2^12 + 1`.
-const SINGLE_SPLITTER: f32 = (1_u32 << 12) as f32 + 1.0;
-
-impl<S: Simd> Split for SingleLanes<S> {
-    #[inline(always)]
-    fn shifted(self) -> Self {
-        SingleLanes(self.0 * SINGLE_SPLITTER)
-    }
-}
-
-macro_rules! operator {
-    ($trait:ident, $method:ident, $operator:tt) => {
-        impl<S: Simd> $trait for SingleLanes<S> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                SingleLanes(self.0 $operator other.0)
-            }
-        }
-    };
-}
-
-operator!(Add, add, +);
-operator!(Sub, sub, -);
-operator!(Mul, mul, *);
-operator!(Div, div, /);
-
-impl<S: Simd> Neg for SingleLanes<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        SingleLanes(-self.0)
     }
 }
 

@@ -48,18 +48,8 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// Less, greater, or `None` where the two are closer than their errors.
+    /// Compares the two; `None` where they are closer than their errors.
     pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
-        self.compare_beyond(other, 2.0 * T_DOUBT)
-    }
-
-    /// Compares the numbers as they stand.
-    pub(crate) fn compare_rounded(self, other: Precise) -> Ordering {
-        self.compare_beyond(other, 0.0).unwrap_or(Ordering::Equal)
-    }
-
-    /// Less, greater, or `None` where the two are closer than a share of them.
-    fn compare_beyond(self, other: Precise, share: f64) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
         let sign = |x: f64| x.total_cmp(&0.0);
         let (x, y) = (self.value.hi + 0.0, other.value.hi + 0.0);
@@ -71,14 +61,13 @@ impl Precise {
             let is_larger = (k < 0) == (x > 0.0);
             return Some(if is_larger { Greater } else { Less });
         }
-        let shift = |x: DoubleDouble, k: i32| x.scaled(k);
         let (a, b) = if k < 0 {
-            (self.value, shift(other.value, k))
+            (self.value, other.value.scaled(k))
         } else {
-            (shift(self.value, -k), other.value)
+            (self.value.scaled(-k), other.value)
         };
         let difference = (a - b).hi;
-        let doubt = share * (a.hi.abs() + b.hi.abs());
+        let doubt = 2.0 * T_DOUBT * (a.hi.abs() + b.hi.abs());
         (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 }

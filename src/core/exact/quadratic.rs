@@ -118,17 +118,6 @@ impl<T: Number> Quadratic<T> {
         let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
     }
-
-    /// The root by rounded numbers alone, whatever the doubt; a negative D counts as 0.
-    pub(crate) fn rounded_root(&self, sphere: &SphereParts<T>, far: bool) -> T {
-        let Quadratic { a, b, discriminant, .. } = *self;
-        let root = if discriminant.near() > 0.0 { discriminant.root() } else { T::from(0.0) };
-        let is_ahead = b.near() >= 0.0;
-        let z = if is_ahead { b + root } else { b - root };
-        let t = if far == is_ahead { z / a } else { sphere.c / z };
-        // Where rounding has left nothing to divide by, D is next to 0, and this the double root.
-        if t.near().is_finite() { t } else { b / a }
-    }
 }
 
 /// `(t d - q) / r` made a unit vector: the outward normal of a sphere at `t`. Zero where rounding has

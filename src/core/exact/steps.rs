@@ -1,7 +1,7 @@
 //! The steps of the ladder, and how many decisions each of them made.
 
 use std::cmp::Ordering;
-use std::ops::{Add, AddAssign};
+use std::ops::Add;
 
 /// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly.
 ///
@@ -63,20 +63,7 @@ impl Add for Steps {
     }
 }
 
-impl AddAssign for Steps {
-    fn add_assign(&mut self, other: Steps) {
-        *self = *self + other;
-    }
-}
-
-/// Less, equal or greater than 0; -0 is 0.
+/// The sign of a number; -0 is 0.
 pub(crate) fn sign_of(x: f64) -> Ordering {
     (x + 0.0).total_cmp(&0.0)
-}
-
-/// The sign of a number as it stands, by the last step that may decide.
-#[cold]
-pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
-    steps.count(last);
-    sign_of(x)
 }

@@ -90,7 +90,7 @@ impl Surd {
         Surd(std::array::from_fn(|i| &self.0[i] * y))
     }
 
-    /// Less, equal or greater than 0, decided exactly.
+    /// The sign, decided exactly.
     ///
     /// `x + y sqrt B` has the sign that x and y share; where they differ, that of x if
     /// `x^2 > y^2 B`. x and y are numbers `p + q sqrt A`, whose signs follow in the same way from

@@ -40,7 +40,7 @@ fn picture<T: Depth>(scene: &Scene, camera: &Camera) -> Result<String, Box<dyn E
         to_pixel: tone,
     };
     let mut tones = vec![b' '; raster.len()];
-    trace_painted::<T, u8>(scene, &camera, &raster, Outputs::NONE, &paint, &mut tones, |_| ());
+    trace_painted::<T, u8>(scene, &camera, &raster, Outputs::NONE, &paint, &mut tones);
     let mut text = String::new();
     for row in tones.chunks(raster.columns().len()) {
         text.push_str(str::from_utf8(row)?.trim_end());

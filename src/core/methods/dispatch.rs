@@ -18,13 +18,13 @@ use crate::exact::steps::Steps;
 use crate::methods::formulas::{
     ByQ, ClosestPoint, Intersect, Kahan, Lagrange, Perpendicular, Plain, Recentred, Textbook,
 };
-use crate::methods::loops::{FrameBy, ViewRays, first_hit, first_hit_rounded};
+use crate::methods::loops::{FrameBy, ViewRays, first_hit};
 use crate::methods::method::{Formula, Method, Precision};
-use crate::methods::number::{Fused, Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
+use crate::methods::number::{Real, RoundedRay, RoundedScene};
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::render::trace;
 use crate::scene::Scene;
-use crate::scene::object::{Object, Root};
+use crate::scene::object::Root;
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,67 +49,53 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// Something done with a method at compile time, chosen at run time.
-trait Visitor {
-    type Out;
-    fn ladder(self) -> Self::Out;
-    fn known<M: Intersect>(self) -> Self::Out;
+/// Does something with the type of a method, chosen at run time: `$known` stands for it. The ladder is
+/// done by itself.
+macro_rules! with_method {
+    ($method:expr, ladder => $ladder:expr, $known:ident => $body:expr) => {
+        match $method {
+            Method::Ladder => $ladder,
+            Method::DoubleDouble => with_type!(ByQ<DoubleDouble, Plain>, $known => $body),
+            Method::Known(formula, Precision::F32) => with_formula!(formula, f32, $known => $body),
+            Method::Known(formula, Precision::F64) => with_formula!(formula, f64, $known => $body),
+        }
+    };
 }
 
-impl Method {
-    fn accept<V: Visitor>(self, visitor: V) -> V::Out {
-        use Precision::{F32, F64};
-        match self {
-            Method::Ladder => visitor.ladder(),
-            Method::DoubleDouble => visitor.known::<ByQ<DoubleDouble, Plain>>(),
-            Method::Known(formula, F32) => formula.accept::<f32, V>(visitor),
-            Method::Known(formula, F64) => formula.accept::<f64, V>(visitor),
+macro_rules! with_formula {
+    ($formula:expr, $real:ty, $known:ident => $body:expr) => {
+        match $formula {
+            Formula::Textbook => with_type!(Textbook<$real>, $known => $body),
+            Formula::HalfB => with_type!(ByQ<$real, Plain>, $known => $body),
+            Formula::Kahan => with_type!(ByQ<$real, Kahan>, $known => $body),
+            Formula::Perpendicular => with_type!(ByQ<$real, Perpendicular>, $known => $body),
+            Formula::ClosestPoint => with_type!(ClosestPoint<$real>, $known => $body),
+            Formula::Recentred => with_type!(Recentred<$real>, $known => $body),
+            Formula::Lagrange => with_type!(ByQ<$real, Lagrange>, $known => $body),
         }
-    }
+    };
 }
 
-impl Formula {
-    fn accept<R: Fused, V: Visitor>(self, visitor: V) -> V::Out {
-        match self {
-            Formula::Textbook => visitor.known::<Textbook<R>>(),
-            Formula::HalfB => visitor.known::<ByQ<R, Plain>>(),
-            Formula::Kahan => visitor.known::<ByQ<R, Kahan>>(),
-            Formula::Perpendicular => visitor.known::<ByQ<R, Perpendicular>>(),
-            Formula::ClosestPoint => visitor.known::<ClosestPoint<R>>(),
-            Formula::Recentred => visitor.known::<Recentred<R>>(),
-            Formula::Lagrange => visitor.known::<ByQ<R, Lagrange>>(),
-        }
-    }
-}
-
-/// The first hit of any ray. A ray that fails [`Ray::check`] hits nothing by the ladder, and whatever
-/// rounding says by the others; what they make NaN or infinite is no hit.
-pub fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHit> {
-    struct FirstHit<'a>(&'a Scene, &'a Ray);
-    impl Visitor for FirstHit<'_> {
-        type Out = Option<MethodHit>;
-
-        fn ladder(self) -> Self::Out {
-            hit_of_root(self.0.first_hit(self.1))
-        }
-
-        fn known<M: Intersect>(self) -> Self::Out {
-            let FirstHit(scene, ray) = self;
-            hit_of_ray::<M>(scene, &RoundedRay::new(ray))
-        }
-    }
-    method.accept(FirstHit(scene, ray))
+macro_rules! with_type {
+    ($type:ty, $known:ident => $body:expr) => {{
+        type $known = $type;
+        $body
+    }};
 }
 
 fn hit_of_root(root: Option<Root>) -> Option<MethodHit> {
     root.map(|Root { object, t, normal, .. }| MethodHit { object, t, normal })
 }
 
-fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<MethodHit> {
-    let (object, t) = first_hit::<M>(scene, ray)?;
-    let normal = match scene.object(object)? {
-        Object::Sphere(sphere) => RoundedSphere::new(&sphere).normal(ray, t),
-        Object::Plane(plane) => RoundedPlane::new(&plane).unit_normal(),
+/// A hit of rounded numbers, with its normal.
+fn hit_of_rounded<R: Real>(
+    scene: &RoundedScene<R>,
+    ray: &RoundedRay<R>,
+    (object, t): (u32, R),
+) -> Option<MethodHit> {
+    let normal = match scene.spheres.get(object as usize) {
+        Some(sphere) => sphere.normal(ray, t),
+        None => scene.planes.get(object as usize - scene.spheres.len())?.unit_normal(),
     };
     Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
 }
@@ -118,44 +104,36 @@ fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<
 /// `u*U + v*V - distance*W` in the method's own precision, from the camera's basis rounded to it,
 /// against every object.
 pub fn trace_by(method: Method, scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
-    struct Trace<'a>(&'a Scene, &'a ResolvedCamera, &'a Raster);
-    impl Visitor for Trace<'_> {
-        type Out = Traced;
+    let by_ladder = || {
+        let frame = trace(scene, camera, raster, Outputs::default());
+        Traced { t: frame.t, object: frame.object }
+    };
+    with_method!(method, ladder => by_ladder(), M => trace_by_known::<M>(scene, camera, raster))
+}
 
-        fn ladder(self) -> Traced {
-            let frame = trace(self.0, self.1, self.2, Outputs::default());
-            Traced { t: frame.t, object: frame.object }
-        }
-
-        fn known<M: Intersect>(self) -> Traced {
-            let Trace(scene, camera, raster) = self;
-            let plan = FrameBy::<M>::new(scene, camera, raster);
-            let mut traced =
-                Traced { t: vec![0.0; raster.len()], object: vec![NO_OBJECT; raster.len()] };
-            let (level, width) = (Level::new(), raster.columns().len().max(1));
-            let rows = traced.t.par_chunks_mut(width).zip(traced.object.par_chunks_mut(width));
-            rows.enumerate().for_each_init(
-                || plan.row(),
-                |row, (index, (t, object))| {
-                    dispatch!(level, _simd => plan.trace_row(index, row));
-                    object.copy_from_slice(&row.object);
-                    for (t, found) in t.iter_mut().zip(&row.t) {
-                        *t = found.to_f64();
-                    }
-                },
-            );
-            traced
-        }
-    }
-    method.accept(Trace(scene, camera, raster))
+fn trace_by_known<M: Intersect>(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
+    let plan = FrameBy::<M>::new(scene, camera, raster);
+    let mut traced = Traced { t: vec![0.0; raster.len()], object: vec![NO_OBJECT; raster.len()] };
+    let (level, width) = (Level::new(), raster.columns().len().max(1));
+    let rows = traced.t.par_chunks_mut(width).zip(traced.object.par_chunks_mut(width));
+    rows.enumerate().for_each_init(
+        || plan.row(),
+        |row, (index, (t, object))| {
+            dispatch!(level, _simd => plan.trace_row(index, row));
+            object.copy_from_slice(&row.object);
+            for (t, found) in t.iter_mut().zip(&row.t) {
+                *t = found.to_f64();
+            }
+        },
+    );
+    traced
 }
 
 /// A raster traced by one method in one thread, for a caller that takes the time, and single pixels
 /// of it looked at closely.
 ///
-/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand. No other
-/// crate can implement this: [`frame_kernel`] makes what there is.
-pub trait FrameKernel: Send + Sync + sealed::Sealed {
+/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand.
+pub trait FrameKernel: Send + Sync {
     /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
     /// memory of its own.
     fn trace(&mut self);
@@ -180,32 +158,20 @@ pub fn frame_kernel(
     camera: &ResolvedCamera,
     raster: &Raster,
 ) -> Box<dyn FrameKernel> {
-    struct Make<'a>(&'a Arc<Scene>, &'a ResolvedCamera, &'a Raster);
-    impl Visitor for Make<'_> {
-        type Out = Box<dyn FrameKernel>;
-
-        fn ladder(self) -> Self::Out {
-            Box::new(LadderFrame {
-                scene: Arc::clone(self.0),
-                camera: *self.1,
-                raster: self.2.clone(),
-                frame: OnceLock::new(),
-            })
-        }
-
-        fn known<M: Intersect>(self) -> Self::Out {
-            let Make(scene, camera, raster) = self;
-            Box::new(KnownFrame::<M> {
-                rays: ViewRays::new(camera, raster),
-                scene: Arc::clone(scene),
-                camera: *camera,
-                raster: raster.clone(),
-                t: Vec::new(),
-                object: Vec::new(),
-            })
-        }
-    }
-    method.accept(Make(scene, camera, raster))
+    let (scene, camera, raster) = (Arc::clone(scene), *camera, raster.clone());
+    with_method!(
+        method,
+        ladder => Box::new(LadderFrame { scene, camera, raster, frame: OnceLock::new() }),
+        M => Box::new(KnownFrame::<M> {
+            rays: ViewRays::new(&camera, &raster),
+            rounded: RoundedScene::new(&scene),
+            scene,
+            camera,
+            raster,
+            t: Vec::new(),
+            object: Vec::new(),
+        })
+    )
 }
 
 struct LadderFrame {
@@ -242,6 +208,7 @@ impl FrameKernel for LadderFrame {
 
 struct KnownFrame<M: Intersect> {
     rays: ViewRays<M::Real>,
+    rounded: RoundedScene<M::Real>,
     scene: Arc<Scene>,
     camera: ResolvedCamera,
     raster: Raster,
@@ -265,13 +232,14 @@ impl<M: Intersect> FrameKernel for KnownFrame<M> {
     }
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
-        hit_of_ray::<M>(&self.scene, &self.rays.ray(row, column))
+        let ray = self.rays.ray(row, column);
+        hit_of_rounded(&self.rounded, &ray, first_hit::<M>(&self.rounded, &ray)?)
     }
 }
 
 /// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that
 /// takes the time.
-pub trait RayKernel: Send + Sync + sealed::Sealed {
+pub trait RayKernel: Send + Sync {
     /// Finds every ray's first hit again, into memory of its own.
     fn intersect(&mut self);
 
@@ -287,27 +255,18 @@ pub trait RayKernel: Send + Sync + sealed::Sealed {
 /// A method's [`RayKernel`]. Scenes and rays are rounded to the method's precision here, before
 /// anything is timed.
 pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> {
-    struct Make<'a>(&'a [(Scene, Ray)]);
-    impl Visitor for Make<'_> {
-        type Out = Box<dyn RayKernel>;
-
-        fn ladder(self) -> Self::Out {
-            Box::new(LadderRays {
-                cases: self.0.to_vec(),
-                hits: Vec::new(),
-                steps: Steps::default(),
-            })
-        }
-
-        fn known<M: Intersect>(self) -> Self::Out {
+    let (hits, steps) = (Vec::new(), Steps::default());
+    with_method!(
+        method,
+        ladder => Box::new(LadderRays { cases: cases.to_vec(), hits, steps }),
+        M => {
             let rounded = |(scene, ray): &(Scene, Ray)| {
-                (RoundedScene::<M::Real>::new(scene), RoundedRay::new(ray))
+                (RoundedScene::new(scene), RoundedRay::new(ray))
             };
-            let cases: Vec<_> = self.0.iter().map(rounded).collect();
+            let cases: Vec<_> = cases.iter().map(rounded).collect();
             Box::new(KnownRays::<M> { hits: vec![None; cases.len()], cases })
         }
-    }
-    method.accept(Make(cases))
+    )
 }
 
 struct LadderRays {
@@ -346,7 +305,7 @@ struct KnownRays<M: Intersect> {
 #[inline(always)]
 fn first_hits<M: Intersect>(cases: &[RoundedCase<M::Real>], hits: &mut [Option<(u32, M::Real)>]) {
     for (hit, (scene, ray)) in hits.iter_mut().zip(cases) {
-        *hit = first_hit_rounded::<M>(scene, ray);
+        *hit = first_hit::<M>(scene, ray);
     }
 }
 
@@ -357,24 +316,7 @@ impl<M: Intersect> RayKernel for KnownRays<M> {
     }
 
     fn hit(&self, index: usize) -> Option<MethodHit> {
-        let (object, t) = (*self.hits.get(index)?)?;
-        let (scene, ray) = &self.cases[index];
-        let normal = match scene.spheres.get(object as usize) {
-            Some(sphere) => sphere.normal(ray, t),
-            None => scene.planes.get(object as usize - scene.spheres.len())?.unit_normal(),
-        };
-        Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
+        let (scene, ray) = self.cases.get(index)?;
+        hit_of_rounded(scene, ray, self.hits[index]?)
     }
-}
-
-/// Kernels are made by [`frame_kernel`] and [`ray_kernel`] alone: their traits may get more methods.
-mod sealed {
-    use super::*;
-
-    pub trait Sealed {}
-
-    impl Sealed for LadderFrame {}
-    impl<M: Intersect> Sealed for KnownFrame<M> {}
-    impl Sealed for LadderRays {}
-    impl<M: Intersect> Sealed for KnownRays<M> {}
 }

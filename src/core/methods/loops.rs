@@ -56,10 +56,6 @@ impl<R: Real> ViewRays<R> {
         let part = Vector { x: x[column], y: y[column], z: z[column] };
         RoundedRay { origin: self.origin, direction: part + self.row_parts[row] }
     }
-
-    fn columns(&self) -> usize {
-        self.column_parts[0].len()
-    }
 }
 
 /// The parts that all rows of a frame share.
@@ -77,15 +73,6 @@ pub(crate) struct Row<R> {
 }
 
 impl<R: Real> Row<R> {
-    pub(crate) fn new(columns: usize) -> Self {
-        let zeros = || vec![R::ZERO; columns];
-        Row {
-            directions: [zeros(), zeros(), zeros()],
-            t: vec![R::INFINITY; columns],
-            object: vec![NO_OBJECT; columns],
-        }
-    }
-
     /// Asks one object for every pixel. Objects come in ascending order, so "nearer than what is
     /// there" keeps the first of equals; NaN is not nearer than anything.
     #[inline(always)]
@@ -137,38 +124,23 @@ impl<M: Intersect> FrameBy<M> {
     }
 
     pub(crate) fn row(&self) -> Row<M::Real> {
-        Row::new(self.rays.columns())
+        let directions = self.rays.column_parts.clone();
+        let columns = directions[0].len();
+        let (t, object) = (vec![M::Real::INFINITY; columns], vec![NO_OBJECT; columns]);
+        Row { directions, t, object }
     }
-}
-
-/// The first hit of any ray, each object rounded and prepared for it on the way.
-pub(crate) fn first_hit<M: Intersect>(
-    scene: &Scene,
-    ray: &RoundedRay<M::Real>,
-) -> Option<(u32, M::Real)> {
-    let spheres = scene.spheres().iter().map(RoundedSphere::new);
-    let planes = scene.planes().iter().map(RoundedPlane::new);
-    nearest::<M>(spheres, planes, ray)
 }
 
 /// The first hit of a rounded ray among rounded objects.
 #[inline(always)]
-pub(crate) fn first_hit_rounded<M: Intersect>(
+pub(crate) fn first_hit<M: Intersect>(
     scene: &RoundedScene<M::Real>,
     ray: &RoundedRay<M::Real>,
 ) -> Option<(u32, M::Real)> {
-    nearest::<M>(scene.spheres.iter().copied(), scene.planes.iter().copied(), ray)
-}
-
-#[inline(always)]
-fn nearest<M: Intersect>(
-    spheres: impl Iterator<Item = RoundedSphere<M::Real>>,
-    planes: impl Iterator<Item = RoundedPlane<M::Real>>,
-    ray: &RoundedRay<M::Real>,
-) -> Option<(u32, M::Real)> {
     let RoundedRay { origin, direction } = *ray;
-    let of_spheres = spheres.map(|sphere| M::new(&sphere, origin).first_hit(direction));
-    let of_planes = planes.map(|plane| PlaneByTextbook::new(&plane, origin).first_hit(direction));
+    let of_spheres = scene.spheres.iter().map(|sphere| M::new(sphere, origin).first_hit(direction));
+    let plane = |plane| PlaneByTextbook::new(plane, origin).first_hit(direction);
+    let of_planes = scene.planes.iter().map(plane);
     let mut first = None;
     let mut nearest = M::Real::INFINITY;
     for (object, t) in (0..).zip(of_spheres.chain(of_planes)) {

@@ -1,7 +1,6 @@
 //! The methods by name: what each formula is, where it comes from, and where it fails.
 
 use std::fmt;
-use std::str::FromStr;
 
 /// A formula for a ray and a sphere.
 ///
@@ -11,35 +10,27 @@ use std::str::FromStr;
 /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 /// ```
 ///
-/// They agree in real arithmetic. They differ in what rounding leaves of D. A plane is met by the
-/// textbook's `t = n.(q - p) / n.d` in all of them (Glassner, section 2.2).
+/// They agree in real arithmetic. They differ in what rounding leaves of D; where each fails,
+/// [`Method::about`] says. A plane is met by the textbook's `t = n.(q - p) / n.d` in all of them
+/// (Glassner, section 2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// The textbook's `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, both roots.
     ///
     /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
     /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
-    ///
-    /// Fails where b^2 and 4 a c are much larger than their difference: distant or grazed spheres, and
-    /// where b and the root nearly cancel: the near root of a large sphere close to the eye.
     Textbook,
     /// Half the linear coefficient, and the roots `q / a` and `c / q` with
     /// `q = -(b + sign(b) sqrt D)`, in which nothing cancels but what is in `D = b^2 - a c`.
     ///
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
-    ///
-    /// Fails like the textbook's where b^2 and a c nearly cancel; the near root of a large sphere is
-    /// good as long as c is.
     HalfB,
     /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
     /// within 1.5 ulp of the exact value for the a, b, c at hand.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
     /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
-    ///
-    /// Fails like half-b: a, b and c are rounded before, and that error is as large as the one that
-    /// is avoided.
     Kahan,
     /// Half-b with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
     /// centre at right angles to the ray.
@@ -47,9 +38,6 @@ pub enum Formula {
     /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
     /// intersection*, Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in
     /// Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
-    ///
-    /// Fails where that vector loses its digits, because `oc` is much longer than it: tiny far
-    /// spheres.
     Perpendicular,
     /// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
     /// with l the distance of that point from the centre.
@@ -57,26 +45,17 @@ pub enum Formula {
     /// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient
     /// CPU ray tracing*, ACM Transactions on Graphics 33(4), 2014),
     /// `kernels/geometry/sphere_intersector.h`.
-    ///
-    /// Fails like the perpendicular's, and where the two terms nearly cancel: the near root of a large
-    /// sphere close to the eye.
     ClosestPoint,
     /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
     /// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
     ///
     /// Source: Embree, which does so for curves ("move ray closer to make intersection stable",
     /// `kernels/geometry/curve_intersector_sweep.h`).
-    ///
-    /// Fails where the moved origin loses its digits (tiny far spheres) and where t0 and the rest
-    /// nearly cancel (a large sphere close to the eye).
     Recentred,
     /// Half-b with `D = r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
     ///
     /// Source: Lagrange's identity, *Solutions analytiques de quelques problemes sur les pyramides
     /// triangulaires*, 1773 (Steele, *The Cauchy-Schwarz Master Class*, 2004, chapter 3).
-    ///
-    /// Fails where `oc x d` loses its digits, which is late, and near the surface of a large sphere,
-    /// where D is small against both terms.
     Lagrange,
 }
 
@@ -100,23 +79,6 @@ pub enum Method {
     /// A known formula, every operation in one precision, no error bound.
     Known(Formula, Precision),
 }
-
-/// A name that no method has.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct UnknownMethod {
-    /// The name.
-    pub name: String,
-}
-
-impl fmt::Display for UnknownMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names: Vec<_> = Method::ALL.iter().map(|method| method.name()).collect();
-        write!(f, "no method is called {:?}: there are {}", self.name, names.join(", "))
-    }
-}
-
-impl std::error::Error for UnknownMethod {}
 
 impl Method {
     /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32`
@@ -146,26 +108,7 @@ impl Method {
 
     /// The name in commands, files and tables.
     pub fn name(self) -> &'static str {
-        use Formula::*;
-        use Precision::*;
-        match self {
-            Method::Ladder => "ladder",
-            Method::DoubleDouble => "double-double",
-            Method::Known(Textbook, F32) => "textbook-f32",
-            Method::Known(Textbook, F64) => "textbook-f64",
-            Method::Known(HalfB, F32) => "half-b-f32",
-            Method::Known(HalfB, F64) => "half-b-f64",
-            Method::Known(Kahan, F32) => "kahan-f32",
-            Method::Known(Kahan, F64) => "kahan-f64",
-            Method::Known(Perpendicular, F32) => "perpendicular-f32",
-            Method::Known(Perpendicular, F64) => "perpendicular-f64",
-            Method::Known(ClosestPoint, F32) => "closest-point-f32",
-            Method::Known(ClosestPoint, F64) => "closest-point-f64",
-            Method::Known(Recentred, F32) => "recentred-f32",
-            Method::Known(Recentred, F64) => "recentred-f64",
-            Method::Known(Lagrange, F32) => "lagrange-f32",
-            Method::Known(Lagrange, F64) => "lagrange-f64",
-        }
+        self.facts()[0]
     }
 
     /// The method of this name.
@@ -183,91 +126,86 @@ impl Method {
 
     /// Book or paper, in one line.
     pub fn source(self) -> &'static str {
-        match self {
-            Method::Ladder => {
-                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps"
-            }
-            Method::DoubleDouble => {
-                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
-                 Mathematical Software 44 (2017)"
-            }
-            Method::Known(formula, _) => formula.source(),
-        }
+        self.facts()[1]
     }
 
     /// Returns what it does and where it fails, in one sentence.
     pub fn about(self) -> &'static str {
+        self.facts()[2]
+    }
+
+    /// Name, source, and what it does and where it fails.
+    fn facts(self) -> [&'static str; 3] {
         match self {
-            Method::Ladder => {
+            Method::Ladder => [
+                "ladder",
+                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
                 "Each decision in f64 with an error bound, where that leaves doubt in double-double, \
-                 and where that does too, exactly."
-            }
-            Method::DoubleDouble => {
+                 and where that does too, exactly.",
+            ],
+            Method::DoubleDouble => [
+                "double-double",
+                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
+                 Mathematical Software 44 (2017)",
                 "The half-b formula with about 106 digits, rounded at the end: fails where squares \
-                 leave the range of f64, and on exact ties and tangents of rounded rays."
+                 leave the range of f64, and on exact ties and tangents of rounded rays.",
+            ],
+            Method::Known(formula, precision) => {
+                let ([single, double], source, about) = formula.facts();
+                [if precision == Precision::F32 { single } else { double }, source, about]
             }
-            Method::Known(formula, _) => formula.about(),
         }
     }
 }
 
 impl Formula {
-    fn source(self) -> &'static str {
+    /// Names in `f32` and in `f64`, source, and what it does and where it fails.
+    fn facts(self) -> ([&'static str; 2], &'static str, &'static str) {
         match self {
-            Formula::Textbook => {
-                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1"
-            }
-            Formula::HalfB => "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
-            Formula::Kahan => {
-                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264"
-            }
-            Formula::Perpendicular => {
-                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
-                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3"
-            }
-            Formula::ClosestPoint => {
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h"
-            }
-            Formula::Recentred => {
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
-                 curve_intersector_sweep.h"
-            }
-            Formula::Lagrange => {
-                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3"
-            }
-        }
-    }
-
-    fn about(self) -> &'static str {
-        match self {
-            Formula::Textbook => {
+            Formula::Textbook => (
+                ["textbook-f32", "textbook-f64"],
+                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1",
                 "(-b -+ sqrt(b^2 - 4ac)) / 2a as it stands: loses the outline of distant spheres, and \
-                 the near root of a large sphere close to the eye."
-            }
-            Formula::HalfB => {
+                 the near root of a large sphere close to the eye.",
+            ),
+            Formula::HalfB => (
+                ["half-b-f32", "half-b-f64"],
+                "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
                 "Half of b, and q = -(b + sign(b) sqrt D) for both roots: keeps the near root of a \
-                 large sphere, still loses the outline of distant ones in b^2 - ac."
-            }
-            Formula::Kahan => {
+                 large sphere, still loses the outline of distant ones in b^2 - ac.",
+            ),
+            Formula::Kahan => (
+                ["kahan-f32", "kahan-f64"],
+                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264",
                 "b^2 - ac with fused multiply-adds, almost exact: but a, b and c are rounded before, \
-                 which costs the outline as much as the plain difference does."
-            }
-            Formula::Perpendicular => {
+                 which costs the outline as much as the plain difference does.",
+            ),
+            Formula::Perpendicular => (
+                ["perpendicular-f32", "perpendicular-f64"],
+                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
+                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3",
                 "D from the vector from the centre at right angles to the ray: fails for tiny far \
-                 spheres, whose perpendicular vector has few digits."
-            }
-            Formula::ClosestPoint => {
+                 spheres, whose perpendicular vector has few digits.",
+            ),
+            Formula::ClosestPoint => (
+                ["closest-point-f32", "closest-point-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h",
                 "From the ray's point closest to the centre half a chord back and forth: fails for \
-                 tiny far spheres, and at the near root of a large sphere close to the eye."
-            }
-            Formula::Recentred => {
+                 tiny far spheres, and at the near root of a large sphere close to the eye.",
+            ),
+            Formula::Recentred => (
+                ["recentred-f32", "recentred-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
+                 curve_intersector_sweep.h",
                 "Moves the origin to the ray's point closest to the centre and solves from there: \
-                 fails where the closest-point formula does."
-            }
-            Formula::Lagrange => {
+                 fails where the closest-point formula does.",
+            ),
+            Formula::Lagrange => (
+                ["lagrange-f32", "lagrange-f64"],
+                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3",
                 "D as r^2 a - |oc x d|^2, in which little cancels far away: fails on near tangents, \
-                 and inside a sphere near its surface."
-            }
+                 and inside a sphere near its surface.",
+            ),
         }
     }
 }
@@ -275,13 +213,5 @@ impl Formula {
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = UnknownMethod;
-
-    fn from_str(name: &str) -> Result<Method, UnknownMethod> {
-        Method::from_name(name).ok_or_else(|| UnknownMethod { name: name.to_owned() })
     }
 }

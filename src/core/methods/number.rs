@@ -24,9 +24,8 @@ pub(crate) trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// 0.
     const ZERO: Self;
-    /// Beyond every number: "no hit yet".
+    /// The `t` of no hit yet, beyond every number.
     const INFINITY: Self;
 
     /// The nearest number of this precision.
@@ -134,11 +133,8 @@ impl PartialOrd for DoubleDouble {
 /// A point or direction in a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vector<R> {
-    /// Coordinate to the right in the canonical camera.
     pub(crate) x: R,
-    /// Coordinate upwards in it.
     pub(crate) y: R,
-    /// Towards its reader.
     pub(crate) z: R,
 }
 
@@ -149,18 +145,16 @@ impl<R: Real> Vector<R> {
         Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
     }
 
-    /// Each coordinate as the nearest `f64`.
+    /// The nearest vector of `f64`.
     pub(crate) fn to_f64(self) -> DVec3 {
         DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }
 
-    /// The scalar product.
     #[inline(always)]
     pub(crate) fn dot(self, other: Self) -> R {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The vector product.
     #[inline(always)]
     pub(crate) fn cross(self, other: Self) -> Self {
         Vector {
@@ -170,13 +164,11 @@ impl<R: Real> Vector<R> {
         }
     }
 
-    /// `factor * self`.
     #[inline(always)]
     pub(crate) fn times(self, factor: R) -> Self {
         Vector { x: factor * self.x, y: factor * self.y, z: factor * self.z }
     }
 
-    /// `self / divisor`.
     #[inline(always)]
     pub(crate) fn divided_by(self, divisor: R) -> Self {
         Vector { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
@@ -202,14 +194,11 @@ impl<R: Real> Sub for Vector<R> {
 /// A [`Ray`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RoundedRay<R> {
-    /// The point at t = 0.
     pub(crate) origin: Vector<R>,
-    /// Not normalized.
     pub(crate) direction: Vector<R>,
 }
 
 impl<R: Real> RoundedRay<R> {
-    /// Rounds each coordinate.
     #[inline(always)]
     pub(crate) fn new(ray: &Ray) -> Self {
         RoundedRay {
@@ -222,7 +211,6 @@ impl<R: Real> RoundedRay<R> {
 /// A [`Sphere`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RoundedSphere<R> {
-    /// The centre.
     pub(crate) center: Vector<R>,
     /// The radius; one too small for the precision is 0.
     pub(crate) radius: R,
@@ -231,23 +219,18 @@ pub(crate) struct RoundedSphere<R> {
 /// A [`Plane`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RoundedPlane<R> {
-    /// Any point of it.
     pub(crate) point: Vector<R>,
-    /// A vector at right angles to it, of any length.
     pub(crate) normal: Vector<R>,
 }
 
 /// A [`Scene`] rounded to a method's precision, objects counted as there.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RoundedScene<R> {
-    /// Objects 0, 1, ...
     pub(crate) spheres: Vec<RoundedSphere<R>>,
-    /// The objects after the spheres.
     pub(crate) planes: Vec<RoundedPlane<R>>,
 }
 
 impl<R: Real> RoundedSphere<R> {
-    /// Rounds centre and radius.
     #[inline(always)]
     pub(crate) fn new(sphere: &Sphere) -> Self {
         let Sphere { center, radius } = *sphere;
@@ -263,7 +246,6 @@ impl<R: Real> RoundedSphere<R> {
 }
 
 impl<R: Real> RoundedPlane<R> {
-    /// Rounds point and normal.
     #[inline(always)]
     pub(crate) fn new(plane: &Plane) -> Self {
         RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
@@ -276,7 +258,6 @@ impl<R: Real> RoundedPlane<R> {
 }
 
 impl<R: Real> RoundedScene<R> {
-    /// Rounds every object.
     pub(crate) fn new(scene: &Scene) -> Self {
         RoundedScene {
             spheres: scene.spheres().iter().map(RoundedSphere::new).collect(),

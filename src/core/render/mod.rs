@@ -45,7 +45,7 @@ use crate::render::frame::buffers::{BandBuffers, OwnBuffers, band_buffers, empty
 use crate::render::frame::counts::Counts;
 use crate::render::frame::depth::sealed::Sealed;
 use crate::render::frame::depth::{Depth, Finish};
-use crate::render::frame::{Frame, Outputs, Raster, Stage};
+use crate::render::frame::{Frame, Outputs, Raster};
 use crate::render::plan::Plan;
 use crate::render::plan::classify::SLICE_ROWS;
 use crate::render::row_band::RowBand;
@@ -64,7 +64,7 @@ use crate::scene::Scene;
 /// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
 /// without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
-    trace_reporting(scene, camera, raster, outputs, |_| ())
+    trace_as(scene, camera, raster, outputs)
 }
 
 /// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
@@ -74,22 +74,12 @@ pub fn trace_as<T: Depth>(
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
-    trace_reporting(scene, camera, raster, outputs, |_| ())
+    trace_at_level(Level::new(), scene, camera, raster, outputs, |_| ())
 }
 
-/// [`trace_as`] for those who want to tell how far it is: `done` is called, from any thread, with
-/// the number of rows that were just finished.
-pub fn trace_reporting<T: Depth>(
-    scene: &Scene,
-    camera: &ResolvedCamera,
-    raster: &Raster,
-    outputs: Outputs,
-    done: impl Fn(usize) + Sync,
-) -> Frame<T> {
-    trace_at_level(Level::new(), scene, camera, raster, outputs, done)
-}
-
-/// [`trace_reporting`] with the instructions of a given SIMD level, all of which give the same bits.
+/// [`trace_as`] with the instructions of a given SIMD level, all of which give the same bits, for those
+/// who want to tell how far it is: `done` is called, from any thread, with the number of rows that were
+/// just finished.
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,
@@ -99,20 +89,13 @@ pub fn trace_at_level<T: Depth>(
     done: impl Fn(usize) + Sync,
 ) -> Frame<T> {
     let mut frame = empty_frame(camera, raster, outputs);
-    let observe = |stage| {
-        if let Stage::Rows(rows) = stage {
-            done(rows);
-        }
-    };
-    T::fill(&mut frame, level, scene, None, &observe);
+    T::fill(&mut frame, level, scene, None, &done);
     frame
 }
 
 /// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the
 /// frame, and keeps of the frame only the `outputs`. Each band of rows is coloured as soon as it is
 /// traced, while it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
-///
-/// `observe` is told, from any thread, when a stage is done.
 ///
 /// # Panics
 /// Where there is not one pixel for each of the raster's.
@@ -123,23 +106,8 @@ pub fn trace_painted<T: Depth, P: Send>(
     outputs: Outputs,
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
     pixels: &mut [P],
-    observe: impl Fn(Stage) + Sync,
 ) -> Frame<T> {
-    trace_painted_at_level(Level::new(), scene, camera, raster, outputs, paint, pixels, observe)
-}
-
-/// [`trace_painted`] with the instructions of a given SIMD level, all of which give the same bits.
-#[expect(clippy::too_many_arguments, reason = "those of trace_painted, and the level")]
-pub fn trace_painted_at_level<T: Depth, P: Send>(
-    level: Level,
-    scene: &Scene,
-    camera: &ResolvedCamera,
-    raster: &Raster,
-    outputs: Outputs,
-    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
-    pixels: &mut [P],
-    observe: impl Fn(Stage) + Sync,
-) -> Frame<T> {
+    let level = Level::new();
     assert_eq!(pixels.len(), raster.len(), "a pixel for each of the raster's");
     if paint.shade != Shade::T {
         let mut frame = empty_frame(camera, raster, outputs);
@@ -155,11 +123,11 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
                 painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
             }
         };
-        T::fill(&mut frame, level, scene, Some(&finish), &observe);
+        T::fill(&mut frame, level, scene, Some(&finish), &|_| ());
         return frame;
     }
     let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
-    T::fill(&mut frame, level, scene, None, &observe);
+    T::fill(&mut frame, level, scene, None, &|_| ());
     paint_frame(level, &frame, scene, paint, pixels);
     if !outputs.t {
         frame.t = Vec::new();
@@ -189,14 +157,13 @@ fn fill<T: Depth>(
     level: Level,
     scene: &Scene,
     finish: Option<Finish<'_, T>>,
-    observe: &(dyn Fn(Stage) + Sync),
+    done: &(dyn Fn(usize) + Sync),
 ) {
     let Frame { camera, raster, t, object, normal, steps, counts } = frame;
     if raster.is_empty() {
         return;
     }
     let plan = Plan::new(level, scene, camera, raster);
-    observe(Stage::Planned);
     *counts = plan.counts;
     let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
     let (width, bands) = (raster.columns().len(), plan.bands());
@@ -217,7 +184,7 @@ fn fill<T: Depth>(
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
         }
-        observe(Stage::Rows(rows.len()));
+        done(rows.len());
         drawn
     };
     let bands = bands.into_iter().zip(buffers);
@@ -246,9 +213,9 @@ macro_rules! tracer {
                 level: Level,
                 scene: &Scene,
                 finish: Option<Finish<'_, $real>>,
-                observe: &(dyn Fn(Stage) + Sync),
+                done: &(dyn Fn(usize) + Sync),
             ) {
-                fill(frame, level, scene, finish, observe);
+                fill(frame, level, scene, finish, done);
             }
         }
     };

@@ -60,7 +60,7 @@ impl<'a> AlongRay<'a> {
     /// Where the object is none, see [`Object::check`].
     pub fn new(object: &Object, ray: ExactRay<'a>) -> Result<AlongRay<'a>, ObjectError> {
         object.check()?;
-        Ok(AlongRay { seen: ObjectFromOrigin::by(object, &ray), ray })
+        Ok(AlongRay { seen: ObjectFromOrigin::new(object, ray.origin()), ray })
     }
 
     /// f(t), within half an ulp and 2^-7 of one of what exact arithmetic on the ray's own inputs
@@ -78,11 +78,11 @@ impl<'a> AlongRay<'a> {
             ObjectFromOrigin::Sphere(seen) => self.sphere_value(seen, t),
             ObjectFromOrigin::Plane(seen) => self.plane_value(seen, t),
         };
-        let (value, k) = sure.unwrap_or_else(|| match &self.seen {
+        let value = sure.unwrap_or_else(|| match &self.seen {
             ObjectFromOrigin::Sphere(seen) => self.ray.big().sphere_value(seen.sphere(), t),
             ObjectFromOrigin::Plane(seen) => self.ray.big().plane_value(seen.plane(), t),
         });
-        Precise::new(value, k).to_f64()
+        value.to_f64()
     }
 
     /// f'(t): `2 (a t + b)` for a sphere, `n . d` at every t for a plane. Rounded from more digits;
@@ -99,10 +99,7 @@ impl<'a> AlongRay<'a> {
                 let along = dot(offset, self.ray.fine.d) / self.stretch();
                 2.0 * ldexp(along.hi, seen.scale + self.ray.scale)
             }
-            None => {
-                let (slope, k) = self.ray.big().sphere_slope(seen.sphere(), t);
-                Precise::new(slope, k).to_f64()
-            }
+            None => self.ray.big().sphere_slope(seen.sphere(), t).to_f64(),
         }
     }
 
@@ -156,8 +153,8 @@ impl<'a> AlongRay<'a> {
         is_plain.then(|| mantissa.scaled(own + k))
     }
 
-    /// With e = p + t d - center: `|e|^2 - r^2`, if double-double is sure of it.
-    fn sphere_value(&self, seen: &SphereFromOrigin, t: f64) -> Option<(DoubleDouble, i32)> {
+    /// `|e|^2 - r^2` with e = p + t d - center, if double-double is sure of it.
+    fn sphere_value(&self, seen: &SphereFromOrigin, t: f64) -> Option<Precise> {
         type T = DoubleDouble;
         let (offset, off) = self.offset_from_center(seen, t)?;
         let radius = seen.fine.radius;
@@ -166,11 +163,11 @@ impl<'a> AlongRay<'a> {
         let doubt = (2.0 * length(near(offset)) + off) * off
             + (T::DOT + T::SUM) * ee.hi
             + (T::PRODUCT + T::SUM) * rr.hi;
-        is_sure(value, 1.05 * doubt).then_some((value, 2 * seen.scale))
+        is_sure(value, 1.05 * doubt).then_some(Precise::new(value, 2 * seen.scale))
     }
 
     /// `n . d t - n . (point - p)`, if double-double is sure of it.
-    fn plane_value(&self, seen: &PlaneFromOrigin, t: f64) -> Option<(DoubleDouble, i32)> {
+    fn plane_value(&self, seen: &PlaneFromOrigin, t: f64) -> Option<Precise> {
         type T = DoubleDouble;
         let normal = seen.normal.map(T::from);
         let t = self.scaled_time(t, self.ray.scale - seen.scale)?;
@@ -179,7 +176,8 @@ impl<'a> AlongRay<'a> {
         let value = rate * t - seen.offset;
         let doubt = (self.ray.fine.doubt + T::DOT + T::QUOTIENT + T::PRODUCT + T::SUM) * reach
             + (seen.offset_doubt() + T::SUM) * seen.offset.hi.abs();
-        is_sure(value, 1.05 * doubt).then_some((value, seen.scale + seen.normal_scale()))
+        is_sure(value, 1.05 * doubt)
+            .then_some(Precise::new(value, seen.scale + seen.normal_scale()))
     }
 
     /// f far out: infinite, or the constant of a parallel plane.

@@ -6,8 +6,8 @@ use glam::DVec3;
 use num_bigint::BigInt;
 
 use crate::exact::big_ray::{BigQuadratic, BigRay, BigRoot};
-use crate::exact::double_double::DoubleDouble;
 use crate::exact::dyadic::{Dyadic, Exact3, dot, exact3, minus, ratio, shifted};
+use crate::exact::precise::Precise;
 use crate::exact::scale::ldexp;
 use crate::exact::surd::Surd;
 use crate::scene::plane::Plane;
@@ -44,7 +44,7 @@ impl BigRay {
     }
 
     /// `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
-    pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
+    pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> Precise {
         // Times the scale's square: t and the direction are free of it.
         let (q, t) = (self.to_center(sphere), Dyadic::from(t));
         let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
@@ -55,14 +55,14 @@ impl BigRay {
     }
 
     /// `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
-    pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
+    pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> Precise {
         let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.of);
         let half = &self.a.scaled(&Dyadic::from(t)) - &b;
         self.value(&(&half + &half), &self.scale.square(&self.of))
     }
 
     /// `normal . (origin + t direction - point)`, as [`BigRay::value`].
-    pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> (DoubleDouble, i32) {
+    pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> Precise {
         let normal = exact3(plane.normal);
         let offset = dot(&normal, &minus(&exact3(plane.point), &self.origin));
         let value = &self.dot(&normal).scaled(&Dyadic::from(t)) - &self.scale.scaled(&offset);

@@ -200,7 +200,9 @@ impl Scene {
         let seen: Vec<(u32, ObjectFromOrigin)> = spheres
             .into_iter()
             .chain(planes)
-            .filter_map(|index| Some((index, ObjectFromOrigin::by(&self.object(index)?, ray))))
+            .filter_map(|index| {
+                Some((index, ObjectFromOrigin::new(&self.object(index)?, ray.origin())))
+            })
             .collect();
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
@@ -236,7 +238,7 @@ impl Scene {
                 steps.count(Step::F64);
                 continue;
             }
-            let seen = ObjectFromOrigin::by(&object, ray);
+            let seen = ObjectFromOrigin::new(&object, ray.origin());
             if seen.side_step() > Step::F64 {
                 steps.count(seen.side_step());
             }

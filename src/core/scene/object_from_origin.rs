@@ -18,7 +18,7 @@ use crate::scene::plane::Plane;
 use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::{LineHit, RootSide, SphereFromOrigin};
+use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 
 /// An object as the rays of one origin see it.
 #[derive(Clone, Debug)]
@@ -29,22 +29,11 @@ pub(crate) enum ObjectFromOrigin {
 
 impl ObjectFromOrigin {
     pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectFromOrigin {
-        ObjectFromOrigin::up_to(object, origin, Step::Exact)
-    }
-
-    /// Computes it for the origin of a ray, whose ladder may be cut off.
-    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectFromOrigin {
-        ObjectFromOrigin::up_to(object, ray.origin(), ray.last)
-    }
-
-    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectFromOrigin {
         match object {
             Object::Sphere(sphere) => {
-                ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(sphere, origin, last))
+                ObjectFromOrigin::Sphere(SphereFromOrigin::new(sphere, origin))
             }
-            Object::Plane(plane) => {
-                ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(plane, origin, last))
-            }
+            Object::Plane(plane) => ObjectFromOrigin::Plane(PlaneFromOrigin::new(plane, origin)),
         }
     }
 
@@ -76,9 +65,9 @@ impl ObjectFromOrigin {
     pub(crate) fn root_sides(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [RootSide] {
         match self {
             ObjectFromOrigin::Sphere(seen) => match seen.meets(ray, steps) {
-                LineHit::Misses => &[],
-                LineHit::Touches => &[RootSide::Near],
-                LineHit::Crosses => &[RootSide::Near, RootSide::Far],
+                Ordering::Less => &[],
+                Ordering::Equal => &[RootSide::Near],
+                Ordering::Greater => &[RootSide::Near, RootSide::Far],
             },
             ObjectFromOrigin::Plane(seen) => {
                 if seen.meets(ray, steps) {
@@ -222,22 +211,16 @@ impl Hit<'_> {
                 return t.total_cmp(&other_t);
             }
         }
-        let is_whole = ray.last == Step::Exact;
-        if is_whole && self.root == other.root && self.seen.is_same(other.seen) {
+        if self.root == other.root && self.seen.is_same(other.seen) {
             steps.count(Step::F64);
             return Ordering::Equal;
         }
         let (t, other_t) = (self.seen.t(ray, self.root), other.seen.t(ray, other.root));
-        if ray.last > Step::F64
-            && let Some(order) = t.compare(other_t)
-        {
+        if let Some(order) = t.compare(other_t) {
             steps.count(Step::DoubleDouble);
             return order;
         }
-        steps.count(ray.last);
-        if !is_whole {
-            return t.compare_rounded(other_t);
-        }
+        steps.count(Step::Exact);
         let (one, other) =
             (self.seen.big_root(ray, self.root), other.seen.big_root(ray, other.root));
         ray.big().compare(&one, &other)
@@ -253,15 +236,7 @@ impl Sphere {
     /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
     /// [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
-        ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
-    }
-
-    /// [`Sphere::roots`] of a ray with all its digits.
-    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        if self.check().is_err() {
-            return Roots::None;
-        }
-        ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
+        Object::Sphere(*self).roots(ray)
     }
 }
 
@@ -271,43 +246,40 @@ impl Plane {
     /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an
     /// ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
-        ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
-    }
-
-    /// [`Plane::roots`] of a ray with all its digits.
-    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        if self.check().is_err() {
-            return Roots::None;
-        }
-        ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
+        Object::Plane(*self).roots(ray)
     }
 }
 
 impl Object {
-    /// Finds where the ray's line meets the object.
+    /// Finds where the ray's line meets the object, see [`Sphere::roots`] and [`Plane::roots`].
     pub fn roots(&self, ray: &Ray) -> Roots {
-        match self {
-            Object::Sphere(sphere) => sphere.roots(ray),
-            Object::Plane(plane) => plane.roots(ray),
+        ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+    }
+
+    /// [`Object::roots`] of a ray with all its digits.
+    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
+        if self.check().is_err() {
+            return Roots::None;
         }
+        ObjectFromOrigin::new(self, ray.origin()).roots(ray)
     }
 
     /// The first hit of the ray with this object alone, which is given `index`; none of an object
     /// that does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
         self.check().ok()?;
-        let seen = ObjectFromOrigin::by(self, ray);
+        let seen = ObjectFromOrigin::new(self, ray.origin());
         let root = seen.first_root(ray, &mut Steps::default())?;
         Some(seen.root(index, ray, root))
     }
 
-    /// How the ray's line meets the object, which is given `index` in the roots; decided exactly.
+    /// The roots of the ray's line with the object, which is given `index` in them; decided exactly.
     ///
     /// # Errors
     /// Where the object is none, see [`Object::check`].
     pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
         self.check()?;
-        let (seen, steps) = (ObjectFromOrigin::by(self, ray), &mut Steps::default());
+        let (seen, steps) = (ObjectFromOrigin::new(self, ray.origin()), &mut Steps::default());
         let side = match &seen {
             ObjectFromOrigin::Sphere(sphere) => sphere.side,
             ObjectFromOrigin::Plane(plane) => plane.side.reverse(),

@@ -23,7 +23,7 @@ pub struct PlaneTerms {
 }
 
 impl PlaneTerms {
-    /// The parts of a ray or a plane that is none.
+    /// The parts of a plane that is none.
     pub(crate) const NONE: PlaneTerms = PlaneTerms { rate: f64::NAN, offset: f64::NAN };
 }
 

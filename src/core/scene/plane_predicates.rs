@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::exact_ray::ExactRay;
-use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::{Number, UNIT, Vector, dot, length, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
@@ -13,8 +12,8 @@ use crate::exact::dyadic::{Dyadic, cross, exact3};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::Precise;
 use crate::exact::quadratic::DirectionParts;
-use crate::exact::scale::{exponent, ldexp, split, unit};
-use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::exact::scale::{ldexp, split, unit};
+use crate::exact::steps::{Step, Steps};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
@@ -62,11 +61,6 @@ impl<T: Number> Rate<T> {
 
 impl PlaneFromOrigin {
     pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneFromOrigin {
-        PlaneFromOrigin::up_to(plane, origin, Step::Exact)
-    }
-
-    /// Computes it with the ladder cut off after a step.
-    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneFromOrigin {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
         let to: Vector<DoubleDouble> =
@@ -75,10 +69,7 @@ impl PlaneFromOrigin {
         let scale = quartered + more;
         let normal = normal.to_array();
         let normal_length = length(normal);
-        let offset = match last {
-            Step::F64 => DoubleDouble::from(dot(normal, to.map(DoubleDouble::near))),
-            _ => dot(normal.map(DoubleDouble::from), to),
-        };
+        let offset = dot(normal.map(DoubleDouble::from), to);
         let reach = normal_length * length(to.map(DoubleDouble::near));
         let mut seen = PlaneFromOrigin {
             plane: *plane,
@@ -92,12 +83,12 @@ impl PlaneFromOrigin {
             side_step: Step::F64,
         };
         if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
-            seen.side_step = last.min(Step::DoubleDouble);
+            seen.side_step = Step::DoubleDouble;
         }
-        /// Beyond this share, t would lose digits for the offset's sake.
+        /// The share of error beyond which t would lose digits for the offset's sake.
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
-        if !is_sure && last == Step::Exact {
+        if !is_sure {
             seen.set_exact(origin);
         }
         seen
@@ -125,16 +116,10 @@ impl PlaneFromOrigin {
             steps.count(Step::F64);
             return sign;
         }
-        if ray.last == Step::F64 {
-            return rounded_sign(rough.value, ray.last, steps);
-        }
         let fine = self.fine_rate(ray);
         if let Some(sign) = fine.sign() {
             steps.count(Step::DoubleDouble);
             return sign;
-        }
-        if ray.last == Step::DoubleDouble {
-            return rounded_sign(fine.value.hi, ray.last, steps);
         }
         steps.count(Step::Exact);
         ray.big().rate(&self.plane)
@@ -163,13 +148,7 @@ impl PlaneFromOrigin {
         if self.side == Ordering::Equal {
             return Precise::ZERO;
         }
-        if ray.last == Step::F64 {
-            return self.rounded_t(DoubleDouble::from(self.rough_rate(ray).value), ray);
-        }
         let rate = self.fine_rate(ray);
-        if ray.last == Step::DoubleDouble {
-            return self.rounded_t(rate.value, ray);
-        }
         let off = self.offset_doubt
             + 1.05
                 * (rate.doubt / rate.value.hi.abs()
@@ -179,18 +158,7 @@ impl PlaneFromOrigin {
         if off <= doubt && (1e-250..1e250).contains(&t.hi.abs()) {
             return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
         }
-        let (t, k) = ray.big().t(&self.big_root(ray));
-        Precise::new(t, k)
-    }
-
-    /// `t` by a rate as it stands, whatever its doubt.
-    #[cold]
-    fn rounded_t(&self, rate: DoubleDouble, ray: &ExactRay) -> Precise {
-        let k = exponent(rate.hi);
-        let rate = rate.scaled(-k);
-        let t = self.offset / rate;
-        let t = if ray.last == Step::F64 { DoubleDouble::from(t.hi) } else { t };
-        Precise::new(t.times(ray.stretch), self.scale - ray.scale - k)
+        ray.big().t(&self.big_root(ray))
     }
 
     /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.
@@ -251,20 +219,12 @@ impl Plane {
     }
 
     /// The intersection's parts for the readouts, each rounded once from more digits. They may
-    /// overflow or underflow where `t` does not; of a ray or a plane that is none, they are NaN.
-    pub fn terms(&self, ray: &Ray) -> PlaneTerms {
-        match ExactRay::from_ray(ray) {
-            Ok(ray) => self.terms_of(&ray),
-            Err(_) => PlaneTerms::NONE,
-        }
-    }
-
-    /// [`Plane::terms`] of a ray with all its digits.
+    /// overflow or underflow where `t` does not; of a plane that is none, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
         if self.check().is_err() {
             return PlaneTerms::NONE;
         }
-        let seen = PlaneFromOrigin::up_to(self, ray.origin(), ray.last);
+        let seen = PlaneFromOrigin::new(self, ray.origin());
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 

@@ -21,15 +21,6 @@ pub(crate) struct PointPower {
 }
 
 impl PointPower {
-    /// Computes it in `f64` alone, whatever the doubt.
-    pub(crate) fn rounded(q: [f64; 3], radius: f64) -> PointPower {
-        let (qq, rr) = (dot(q, q), radius * radius);
-        let value = qq - rr;
-        let doubt = 8.0 * UNIT * (qq + rr) / value.abs();
-        let value = DoubleDouble::from(value);
-        PointPower { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
-    }
-
     /// Computes it of q and r in units of `2^scale`: in double-double where that keeps its digits,
     /// else from the exact number: close to the sphere c is all that is left of large squares.
     pub(crate) fn new(
@@ -37,9 +28,9 @@ impl PointPower {
         origin: DVec3,
         q: [DoubleDouble; 3],
         radius: f64,
-        (scale, last): (i32, Step),
+        scale: i32,
     ) -> PointPower {
-        /// Beyond this share, t would lose digits for c's sake.
+        /// The share of error beyond which t would lose digits for c's sake.
         const PLENTY: f64 = 256.0 * U2;
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
@@ -50,7 +41,7 @@ impl PointPower {
         // 6 roundings in f64, and one of q itself, twice.
         let is_sure = value.hi.abs() > 8.0 * UNIT * squares && value.hi.abs() > 1e-200;
         let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
-        if doubt <= PLENTY && value.hi.abs() > 1e-200 || last == Step::DoubleDouble {
+        if doubt <= PLENTY && value.hi.abs() > 1e-200 {
             return PointPower { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };
         }
         let exact = big_c(sphere, origin);

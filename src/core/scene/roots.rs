@@ -5,11 +5,11 @@
 /// number there is, with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
-    /// Not at all.
+    /// The line misses the surface.
     None,
-    /// Once: a tangent, or a plane.
+    /// One root: a tangent, or a plane.
     One(f64),
-    /// Twice.
+    /// Two roots.
     Two(f64, f64),
 }
 

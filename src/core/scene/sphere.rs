@@ -35,7 +35,7 @@ pub struct SphereQuadratic {
 }
 
 impl SphereQuadratic {
-    /// The parts of a ray or a sphere that is none.
+    /// The parts of a sphere that is none.
     pub(crate) const NONE: SphereQuadratic =
         SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN };
 }

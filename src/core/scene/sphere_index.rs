@@ -3,21 +3,21 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::scene::boxes::{BOX_LANES, Bound, Boxes};
+use crate::scene::boxes::Bound;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 
 /// The id of a slot that holds no sphere of its own.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
-/// Spheres side by side: as many as a vector has lanes.
-pub(crate) struct SphereSlots<'a> {
-    pub(crate) x: &'a [f64],
-    pub(crate) y: &'a [f64],
-    pub(crate) z: &'a [f64],
-    pub(crate) radius: &'a [f64],
+/// Spheres side by side, as many as a vector has lanes: x, y and z of the centres, and the radii.
+pub(crate) type SphereSlots<'a> = [&'a [f64]; 4];
+
+fn columns_of(sphere: &Sphere) -> [f64; 4] {
+    [sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius]
 }
 
 /// Spheres in slots, slots in blocks of [`BLOCK`], blocks in groups of up to [`GROUP`], each with a
@@ -26,24 +26,16 @@ pub(crate) struct SphereSlots<'a> {
 /// Spheres of one block, and of one group, have radii of the same power of 4 and lie together, until
 /// [one is replaced](SphereIndex::replace). Slots of a block that no sphere is left for repeat the
 /// block's first one; their id is [`NO_SPHERE`], and block and group do not count them.
-///
-/// A group's first block, and how many it has, are multiples of [`BOX_LANES`]: blocks that only fill
-/// up have count 0, and their slots are zeros without a sphere. So are there as many groups as a
-/// multiple of [`BOX_LANES`]; those that only fill up have count 0 and no blocks.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SphereIndex {
-    /// The centres, slot by slot.
-    pub(crate) x: Vec<f64>,
-    pub(crate) y: Vec<f64>,
-    pub(crate) z: Vec<f64>,
-    /// The radii, slot by slot.
-    pub(crate) radius: Vec<f64>,
+    /// x, y and z of the centres and the radii, slot by slot.
+    pub(crate) columns: [Vec<f64>; 4],
     /// The sphere of the scene in the slot; [`NO_SPHERE`] where the slot only fills up.
     pub(crate) ids: Vec<u32>,
     /// The slot of each sphere of the scene.
     slot_of: Vec<u32>,
-    pub(crate) blocks: Boxes,
-    pub(crate) groups: Boxes,
+    pub(crate) blocks: Vec<Bound>,
+    pub(crate) groups: Vec<Bound>,
     /// The first block of each group; at the end, the number of blocks.
     first_block: Vec<u32>,
 }
@@ -53,68 +45,66 @@ impl SphereIndex {
     /// the spheres at a time. The same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
-        let blocks_in = |count: usize| count.div_ceil(BLOCK).next_multiple_of(BOX_LANES);
-        let blocks: usize = classes.iter().map(|class| blocks_in(class.len())).sum();
-        let [x, y, z, radius] = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
+        let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
+        let columns = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
         let ids = Vec::with_capacity(blocks * BLOCK);
         let (slot_of, first_block) = (vec![0; spheres.len()], Vec::new());
-        let (groups, none) = (Boxes::default(), Boxes::default());
-        let mut index =
-            SphereIndex { x, y, z, radius, ids, slot_of, blocks: none, groups, first_block };
+        let mut index = SphereIndex {
+            columns,
+            ids,
+            slot_of,
+            blocks: Vec::new(),
+            groups: Vec::new(),
+            first_block,
+        };
         for class in classes {
             let first = index.ids.len() / BLOCK;
             for key in &keys[class.clone()] {
                 index.slot_of[key.id as usize] = index.ids.len() as u32;
-                index.push(key.center, spheres[key.id as usize].radius, key.id);
+                index.push(&spheres[key.id as usize], key.id);
             }
             index.fill_up();
-            let end = first + blocks_in(class.len());
+            let end = index.ids.len() / BLOCK;
             index.first_block.extend((first..end).step_by(GROUP).map(|block| block as u32));
-            index.resize(end * BLOCK);
         }
         let groups = index.first_block.len();
-        index.first_block.resize(groups.next_multiple_of(BOX_LANES) + 1, blocks as u32);
-        let bounds = (0..blocks).into_par_iter().map(|block| index.bound_of_block(block));
-        index.blocks = Boxes::new(&bounds.collect::<Vec<Bound>>());
-        let bounds = (0..groups).map(|group| index.bound_of_group(group));
-        index.groups = Boxes::new(&bounds.collect::<Vec<Bound>>());
+        index.first_block.push(blocks as u32);
+        index.blocks =
+            (0..blocks).into_par_iter().map(|block| index.bound_of_block(block)).collect();
+        index.groups = (0..groups).map(|group| index.bound_of_group(group)).collect();
         index
     }
 
     /// Puts another sphere in the place of one, wherever it lies: O([`BLOCK`] + [`GROUP`]).
     pub(crate) fn replace(&mut self, index: u32, sphere: &Sphere) {
         let slot = self.slot_of[index as usize] as usize;
-        self.put(slot, sphere.center.to_array(), sphere.radius);
+        self.put(slot, sphere);
         let block = slot / BLOCK;
         let slots = SphereIndex::slots_of(block);
         if slot == slots.start {
             for padded in slots.filter(|slot| self.ids[*slot] == NO_SPHERE).collect::<Vec<_>>() {
-                self.put(padded, sphere.center.to_array(), sphere.radius);
+                self.put(padded, sphere);
             }
         }
-        self.blocks.set(block, self.bound_of_block(block));
+        self.blocks[block] = self.bound_of_block(block);
         let group = self.first_block.partition_point(|first| *first as usize <= block) - 1;
-        self.groups.set(group, self.bound_of_group(group));
+        self.groups[group] = self.bound_of_group(group);
     }
 
-    /// The blocks of a group, with those that only fill it up.
+    /// The blocks of a group.
     pub(crate) fn blocks_of(&self, group: usize) -> Range<usize> {
         self.first_block[group] as usize..self.first_block[group + 1] as usize
     }
 
-    /// Some slots' spheres.
+    /// The spheres of some slots.
     pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
-        SphereSlots {
-            x: &self.x[slots.clone()],
-            y: &self.y[slots.clone()],
-            z: &self.z[slots.clone()],
-            radius: &self.radius[slots],
-        }
+        self.columns.each_ref().map(|column| &column[slots.clone()])
     }
 
     /// One slot's sphere.
     pub(crate) fn sphere(&self, slot: usize) -> Sphere {
-        Sphere { center: self.center(slot).into(), radius: self.radius[slot] }
+        let [x, y, z, radius] = self.columns.each_ref().map(|column| column[slot]);
+        Sphere { center: DVec3::new(x, y, z), radius }
     }
 
     /// The slots of a block.
@@ -125,61 +115,49 @@ impl SphereIndex {
     /// The spheres of which `may` says so of group, block and themselves, each given by the middle and
     /// the half extents of its box; ascending.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
-        let may_be_in = |boxes: &Boxes, place: usize| {
-            let Bound { middle, half, count, .. } = boxes.get(place);
-            count > 0 && may(middle, half)
-        };
-        let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups, *group));
+        let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
+        let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
         let blocks = groups.flat_map(|group| self.blocks_of(group));
         let slots = blocks
-            .filter(|block| may_be_in(&self.blocks, *block))
+            .filter(|block| may_be_in(&self.blocks[*block]))
             .flat_map(SphereIndex::slots_of)
             .filter(|slot| self.ids[*slot] != NO_SPHERE)
-            .filter(|slot| may(self.center(*slot), [self.radius[*slot]; 3]));
+            .filter(|slot| {
+                let Sphere { center, radius } = self.sphere(*slot);
+                may(center.to_array(), [radius; 3])
+            });
         let mut found: Vec<u32> = slots.map(|slot| self.ids[slot]).collect();
         found.sort_unstable();
         found
     }
 
-    fn center(&self, slot: usize) -> [f64; 3] {
-        [self.x[slot], self.y[slot], self.z[slot]]
-    }
-
-    fn push(&mut self, [x, y, z]: [f64; 3], radius: f64, id: u32) {
-        self.x.push(x);
-        self.y.push(y);
-        self.z.push(z);
-        self.radius.push(radius);
+    fn push(&mut self, sphere: &Sphere, id: u32) {
+        for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
+            column.push(value);
+        }
         self.ids.push(id);
     }
 
-    fn put(&mut self, slot: usize, center: [f64; 3], radius: f64) {
-        [self.x[slot], self.y[slot], self.z[slot]] = center;
-        self.radius[slot] = radius;
+    fn put(&mut self, slot: usize, sphere: &Sphere) {
+        for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
+            column[slot] = value;
+        }
     }
 
     /// Fills the last block up with its first sphere.
     fn fill_up(&mut self) {
         let first = (self.ids.len() - 1) / BLOCK * BLOCK;
         while !self.ids.len().is_multiple_of(BLOCK) {
-            self.push(self.center(first), self.radius[first], NO_SPHERE);
+            self.push(&self.sphere(first), NO_SPHERE);
         }
-    }
-
-    /// Adds slots that only fill up.
-    fn resize(&mut self, slots: usize) {
-        for values in [&mut self.x, &mut self.y, &mut self.z, &mut self.radius] {
-            values.resize(slots, 0.0);
-        }
-        self.ids.resize(slots, NO_SPHERE);
     }
 
     fn bound_of_block(&self, block: usize) -> Bound {
         let own = SphereIndex::slots_of(block).filter(|slot| self.ids[*slot] != NO_SPHERE);
-        Bound::around(own.map(|slot| Bound::of_sphere(self.center(slot), self.radius[slot])))
+        Bound::around(own.map(|slot| Bound::of_sphere(&self.sphere(slot))))
     }
 
     fn bound_of_group(&self, group: usize) -> Bound {
-        Bound::around(self.blocks_of(group).map(|block| self.blocks.get(block)))
+        Bound::around(self.blocks_of(group).map(|block| self.blocks[block]))
     }
 }

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::exact_ray::ExactRay;
-use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::{Number, PLAIN, UNIT, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
@@ -13,31 +12,9 @@ use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
 use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
 use crate::exact::scale::ldexp;
-use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::exact::steps::{Step, Steps};
 use crate::scene::point_power::PointPower;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
-
-/// The way a ray's line meets a sphere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LineHit {
-    /// Not at all.
-    Misses,
-    /// It meets it in one point.
-    Touches,
-    /// It meets it in two.
-    Crosses,
-}
-
-impl From<Ordering> for LineHit {
-    /// Converts the sign of D.
-    fn from(sign: Ordering) -> LineHit {
-        match sign {
-            Ordering::Less => LineHit::Misses,
-            Ordering::Equal => LineHit::Touches,
-            Ordering::Greater => LineHit::Crosses,
-        }
-    }
-}
 
 /// One of the two roots of a line and a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,11 +50,6 @@ pub(crate) struct SphereFromOrigin {
 
 impl SphereFromOrigin {
     pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereFromOrigin {
-        SphereFromOrigin::up_to(sphere, origin, Step::Exact)
-    }
-
-    /// Computes it with the ladder cut off after a step.
-    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereFromOrigin {
         let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
         let parts: [DoubleDouble; 3] =
             std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
@@ -86,10 +58,7 @@ impl SphereFromOrigin {
         let rounded = near(q);
         let distance = length(rounded);
         let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
-        let c = match last {
-            Step::F64 => PointPower::rounded(rounded, radius),
-            _ => PointPower::new(sphere, origin, q, radius, (scale + quartered, last)),
-        };
+        let c = PointPower::new(sphere, origin, q, radius, scale + quartered);
         let fine = SphereParts {
             q,
             radius: DoubleDouble::from(radius),
@@ -149,33 +118,24 @@ impl SphereFromOrigin {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Finds whether the ray's line meets the sphere.
-    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> LineHit {
+    /// The sign of D: `Less` where the ray's line misses the sphere, `Equal` where it touches it,
+    /// `Greater` where it crosses it.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
-            return LineHit::Crosses;
+            return Ordering::Greater;
         }
-        let of_sign =
-            |sure: Option<bool>| sure.map(|is| if is { LineHit::Crosses } else { LineHit::Misses });
-        let rough = Quadratic::new(&self.rough, &ray.rough);
-        if let Some(meets) = of_sign(sure_sign(&rough)) {
+        if let Some(sign) = sure_sign(&Quadratic::new(&self.rough, &ray.rough)) {
             steps.count(Step::F64);
-            return meets;
+            return sign;
         }
-        if ray.last == Step::F64 {
-            return rounded_sign(rough.discriminant, ray.last, steps).into();
-        }
-        let fine = Quadratic::new(&self.fine, &ray.fine);
-        if let Some(meets) = of_sign(sure_sign(&fine)) {
+        if let Some(sign) = sure_sign(&Quadratic::new(&self.fine, &ray.fine)) {
             steps.count(Step::DoubleDouble);
-            return meets;
-        }
-        if ray.last == Step::DoubleDouble {
-            return rounded_sign(fine.discriminant.hi, ray.last, steps).into();
+            return sign;
         }
         steps.count(Step::Exact);
         let big = ray.big();
-        big.meets(&big.quadratic(&self.sphere)).into()
+        big.meets(&big.quadratic(&self.sphere))
     }
 
     /// Finds whether the centre lies ahead: the sign of b, of a line that meets the sphere.
@@ -185,16 +145,10 @@ impl SphereFromOrigin {
         if let Some(sign) = sure(rough.b, rough.b_doubt) {
             return sign;
         }
-        if ray.last == Step::F64 {
-            return rounded_sign(rough.b, ray.last, steps);
-        }
         let fine = Quadratic::new(&self.fine, &ray.fine);
         if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
             steps.count(Step::DoubleDouble);
             return sign;
-        }
-        if ray.last == Step::DoubleDouble {
-            return rounded_sign(fine.b.hi, ray.last, steps);
         }
         steps.count(Step::Exact);
         let big = ray.big();
@@ -207,11 +161,9 @@ impl SphereFromOrigin {
             steps.count(Step::F64);
             return Some(RootSide::Far);
         }
-        if self.meets(ray, steps) == LineHit::Misses || self.ahead(ray, steps) != Ordering::Greater
-        {
-            return None;
-        }
-        Some(self.root_of_hit())
+        let is_hit =
+            self.meets(ray, steps) != Ordering::Less && self.ahead(ray, steps) == Ordering::Greater;
+        is_hit.then(|| self.root_of_hit())
     }
 
     /// Returns the root at which every ray that hits the sphere hits it first: the far one from inside
@@ -225,32 +177,10 @@ impl SphereFromOrigin {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {
             return Precise::ZERO;
         }
-        let fine = if ray.last == Step::Exact {
-            self.fine_t(ray, root, doubt)
-        } else {
-            Some(self.rounded_t(ray, root))
-        };
-        fine.map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale)).unwrap_or_else(
-            || {
-                let big = ray.big();
-                let (t, k) = big.t(&self.big_root(ray, root));
-                Precise::new(t, k)
-            },
-        )
-    }
-
-    /// `t` by the step after which the ray's ladder is cut off, in the units of
-    /// [`SphereFromOrigin::fine_t`].
-    #[cold]
-    fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> DoubleDouble {
-        let far = root == RootSide::Far;
-        match ray.last {
-            Step::F64 => {
-                let quadratic = Quadratic::new(&self.rough, &ray.rough);
-                DoubleDouble::from(quadratic.rounded_root(&self.rough, far))
-            }
-            _ => Quadratic::new(&self.fine, &ray.fine).rounded_root(&self.fine, far),
+        if let Some(t) = self.fine_t(ray, root, doubt) {
+            return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
         }
+        ray.big().t(&self.big_root(ray, root))
     }
 
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
@@ -286,9 +216,6 @@ impl SphereFromOrigin {
 
     /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
     pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        if ray.last != Step::Exact {
-            return self.rounded_normal(ray, root);
-        }
         // t d is off by this share of its length, about |q|; a radius small against that needs more.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
@@ -309,25 +236,14 @@ impl SphereFromOrigin {
         }))
     }
 
-    /// The normal by the step after which the ray's ladder is cut off.
-    #[cold]
-    fn rounded_normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, root);
-        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, root) };
-        DVec3::from_array(match ray.last {
-            Step::F64 => sphere_normal(self.rough.q, &ray.rough, t.hi),
-            _ => sphere_normal(self.fine.q, &ray.fine, t),
-        })
-    }
-
     /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
     /// it is exactly 0, and has its right sign.
     pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
         let fine = Quadratic::new(&self.fine, &ray.fine);
         let discriminant = match self.meets(ray, &mut Steps::default()) {
-            LineHit::Touches => 0.0,
-            LineHit::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
-            LineHit::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
+            Ordering::Equal => 0.0,
+            Ordering::Greater => fine.discriminant.hi.max(f64::MIN_POSITIVE),
+            Ordering::Less => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
         };
         (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
     }
@@ -339,9 +255,9 @@ impl SphereFromOrigin {
 }
 
 /// The sign of D where it is beyond doubt.
-fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<bool> {
+fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     let discriminant = quadratic.discriminant.near();
-    (discriminant.abs() > quadratic.discriminant_doubt).then_some(discriminant > 0.0)
+    (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
 }
 
 /// q and r in units of a common `2^k`, which is 1 but for extreme lengths.
@@ -370,20 +286,12 @@ impl Sphere {
     }
 
     /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
-    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
-    pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
-        match ExactRay::from_ray(ray) {
-            Ok(ray) => self.quadratic_of(&ray),
-            Err(_) => SphereQuadratic::NONE,
-        }
-    }
-
-    /// [`Sphere::quadratic`] of a ray with all its digits.
+    /// or underflow where the roots do not; of a sphere that is none, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
             return SphereQuadratic::NONE;
         }
-        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::new(self, ray.origin());
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
@@ -401,7 +309,7 @@ impl Sphere {
     /// negative, and of a sphere that is none. Infinite where it overflows.
     pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
         self.check().ok()?;
-        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::new(self, ray.origin());
         let (.., discriminant) = seen.quadratic(ray);
         (discriminant >= 0.0)
             .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))

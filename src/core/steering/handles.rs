@@ -3,13 +3,15 @@
 use glam::{DVec2, DVec3};
 
 use super::pole::{frame_carried, up_carried};
-use super::steered::{SteerError, Steered, check_positive, orthonormal, steady};
+use super::steered::{SteerError, Steered, orthonormal, steady};
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::fine_basis::Aim;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
 use crate::exact::error_free::difference_with_rest;
-use crate::exact::scale::{ldexp3, split, unit};
+use crate::exact::scale::{ldexp3, length, split, unit};
+use crate::scene::error::ObjectError;
+use crate::scene::sphere::Sphere;
 
 /// The thing that stays when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -40,8 +42,6 @@ pub enum CornerKeeps {
     Nothing,
     /// The ratio of width to height, and so the shape of a pixel.
     Ratio,
-    /// Pixels are square: the ratio is that of the image.
-    SquarePixels,
 }
 
 /// The thing that stays when the viewport's distance changes.
@@ -131,32 +131,6 @@ impl Camera {
         self.led_to(Camera { orientation, ..*self })
     }
 
-    /// The camera whose up, drawn from the eye and `scale` times as long as it is, ends in a point:
-    ///
-    /// ```text
-    /// up = (point - eye) / scale
-    /// ```
-    ///
-    /// The view stays; v and u turn about it by the angle between the old up and the new, as the camera
-    /// sees them.
-    ///
-    /// # Errors
-    /// Where the scale is not positive and finite, up is zero or parallel to the view, or the basis is
-    /// set by hand.
-    pub fn with_up_tip(&self, point: DVec3, scale: f64) -> Result<Camera, SteerError> {
-        check_positive("scale", scale)?;
-        check_point("up", point)?;
-        let new = (point - self.eye) / scale;
-        let orientation = match self.orientation {
-            Orientation::At { at, .. } => Orientation::At { at, up: new },
-            Orientation::View { view, .. } => Orientation::View { view, up: new },
-            Orientation::Basis(_) => return Err(SteerError::NoUp),
-        };
-        let camera = Camera { orientation, ..*self };
-        camera.basis()?;
-        Ok(camera)
-    }
-
     /// The camera with a corner of its viewport moved, in the viewport's plane, to (or nearest to) a
     /// point of the world; the viewport's middle stays. With `p = point - eye`
     ///
@@ -186,7 +160,6 @@ impl Camera {
                 self.viewport.check()?;
                 Some(width / height)
             }
-            CornerKeeps::SquarePixels => Some(self.image.aspect()),
         };
         let size = match ratio {
             None => 2.0 * half,
@@ -289,6 +262,16 @@ impl Camera {
         let camera = Camera { orientation: Orientation::Basis(turned), ..moved };
         camera.basis()?;
         Ok(Steered { camera, up_went_along: false })
+    }
+}
+
+impl Sphere {
+    /// The sphere with this centre whose surface passes through a point: `radius = |point - center|`.
+    ///
+    /// # Errors
+    /// Where the point is the centre: the radius is 0.
+    pub fn with_surface_through(&self, point: DVec3) -> Result<Sphere, ObjectError> {
+        Sphere::new(self.center, length(point - self.center))
     }
 }
 

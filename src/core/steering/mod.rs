@@ -4,12 +4,11 @@
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u;
 //!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
 //!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag) say by how much.
-//! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`], [`Camera::travelled`].
-//! - *One thing alone*: [`Camera::swung`] rolls, [`Camera::up_tilted`] and [`Camera::up_tipped`] change
-//!   up, [`Camera::scaled_picture`] is the d-lock.
-//! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_up_tip`],
-//!   [`Camera::with_viewport_corner`], [`Camera::with_viewport_through`]; spheres and planes have their
-//!   own.
+//! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
+//! - *One thing alone*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
+//!   [`Camera::scaled_picture`] is the d-lock.
+//! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_viewport_corner`],
+//!   [`Camera::with_viewport_through`]; [`Sphere::with_surface_through`](crate::Sphere).
 //! - *Pointer*: [`Drag`]: from a place in the observer's picture to a point of the world.
 //! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], by [`pixel_in_world`].
 //!
@@ -35,7 +34,6 @@
 
 mod handles;
 mod moves;
-mod objects;
 mod one_thing;
 mod pointer;
 mod pole;
@@ -48,5 +46,5 @@ use crate::camera::Camera;
 
 pub use handles::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
 pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE, pixel_in_world};
-pub use snap::{nice_step, rounded_point, rounded_to, snapped};
+pub use snap::{nice_step, rounded_to, snapped};
 pub use steered::{CONE, POLE_GAP, ROUNDING_TURN, SteerError, Steered};

@@ -1,9 +1,9 @@
-//! Cameras that differ from a given one in one thing: rolled, with up tilted or tipped, moved without a
-//! turn, with the same picture at another distance.
+//! Cameras that differ from a given one in one thing: rolled, with up tilted, with the same picture at
+//! another distance.
 
 use glam::DVec3;
 
-use crate::camera::basis::{Basis, BasisError, UpAngle};
+use crate::camera::basis::{Basis, BasisError};
 use crate::camera::viewport::{Viewport, ViewportError};
 use crate::camera::{Camera, Orientation};
 use crate::exact::scale::{ldexp3, length, split};
@@ -18,7 +18,7 @@ impl Camera {
     /// ```
     ///
     /// View and w stay to the bit; up's length and its angle to the view stay but for rounding, which
-    /// turns the camera by at most 5e-16 times the [conditioning](UpAngle). A whole number of turns
+    /// turns the camera by at most 5e-16 times the [conditioning](crate::UpAngle). A whole number of turns
     /// changes nothing.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl Camera {
 
     /// The camera with up turned towards the view, or away from it, until the angle between the two
     /// is this: up moves in the plane of both and keeps its length, so that u, v and w stay but for
-    /// rounding, which turns them by at most 5e-16 times the [conditioning](UpAngle).
+    /// rounding, which turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
     ///
     /// ```text
     /// up = |up| (sin(angle) V - cos(angle) W)
@@ -61,18 +61,6 @@ impl Camera {
             return Err(BasisError::UpParallelToView { up, view: self.view() }.into());
         }
         self.with_up(|up| up.length() * (sin * v - cos * w))
-    }
-
-    /// The camera with up tipped sideways, towards u, out of the plane of up and view: what the
-    /// [conditioning](UpAngle) is about. The camera rolls by [`UpAngle::roll_of_tip`], clockwise as it
-    /// sees it.
-    ///
-    /// # Errors
-    /// Where the angle is not finite, or there is no basis before or after, or one set by hand.
-    pub fn up_tipped(&self, degrees: f64) -> Result<Camera, SteerError> {
-        let (sin, cos) = sin_cos_of_degrees(degrees)?;
-        let Basis { u, .. } = self.basis()?;
-        self.with_up(|up| cos * up + (sin * up.length()) * u)
     }
 
     /// The camera with its viewport at another distance, and width and height scaled with it: the
@@ -114,31 +102,6 @@ impl Camera {
         })
     }
 
-    /// The camera moved by an offset, in world units, with the point it looks at, if it is given by
-    /// one: p changes, d does not (but for the rounding of eye and at).
-    ///
-    /// # Errors
-    /// Where eye or at are not finite afterwards, or have become the same point by rounding.
-    pub fn travelled(&self, offset: DVec3) -> Result<Camera, BasisError> {
-        let moved = |field, point: DVec3| {
-            let value = point + offset;
-            if value.is_finite() { Ok(value) } else { Err(BasisError::NotFinite { field, value }) }
-        };
-        let eye = moved("eye", self.eye)?;
-        let orientation = match self.orientation {
-            Orientation::At { at, up } => {
-                let was_apart = at != self.eye;
-                let at = moved("at", at)?;
-                if was_apart && at == eye {
-                    return Err(BasisError::EyeIsAt { point: eye });
-                }
-                Orientation::At { at, up }
-            }
-            given => given,
-        };
-        Ok(Camera { eye, orientation, ..*self })
-    }
-
     /// The camera with up changed; the change is made at about length 1, so that nothing overflows.
     fn with_up(&self, change: impl Fn(DVec3) -> DVec3) -> Result<Camera, SteerError> {
         let changed = |up: DVec3| {
@@ -154,14 +117,6 @@ impl Camera {
         let camera = Camera { orientation, ..*self };
         camera.basis()?;
         Ok(camera)
-    }
-}
-
-impl UpAngle {
-    /// The radians by which the camera rolls when up is tipped sideways by `tip` radians:
-    /// `atan2(sin(tip), sin(angle) cos(tip))`, for small tips `tip` times the conditioning.
-    pub fn roll_of_tip(&self, tip: f64) -> f64 {
-        (tip.sin() * self.conditioning).atan2(tip.cos())
     }
 }
 

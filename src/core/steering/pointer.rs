@@ -16,7 +16,7 @@ pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// horizon of its axis or plane, a pixel goes to infinity.
 pub const FARTHEST: f64 = 1000.0;
 
-/// Along what something is dragged. Vectors are directions in the world, of any length.
+/// The line or plane along which something is dragged. Vectors are directions in the world, of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DragAlong {
     /// The plane through the anchor that is parallel to the observer's picture.
@@ -122,7 +122,7 @@ impl Drag {
         uv: DVec2,
         along: DragAlong,
     ) -> Result<DVec3, DragError> {
-        let seen = SeenAnchor::new(self.anchor, observer)?;
+        let seen = ObserverAnchor::new(self.anchor, observer)?;
         let way = uv - self.begun_at;
         if !way.is_finite() {
             return Err(DragError::NotFinite { field: "pointer", value: uv.extend(0.0) });
@@ -149,13 +149,13 @@ impl Drag {
 /// # Errors
 /// Where the point is not in front of the observer.
 pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
-    let SeenAnchor { depth, distance, .. } = SeenAnchor::new(point, observer)?;
+    let ObserverAnchor { depth, distance, .. } = ObserverAnchor::new(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());
     Ok(depth / distance * height)
 }
 
 /// An anchor in the observer's coordinates.
-struct SeenAnchor<'a> {
+struct ObserverAnchor<'a> {
     observer: &'a ResolvedCamera,
     /// `(x, y, -z)`
     place: DVec3,
@@ -164,14 +164,14 @@ struct SeenAnchor<'a> {
     distance: f64,
 }
 
-impl SeenAnchor<'_> {
-    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<SeenAnchor<'_>, DragError> {
+impl ObserverAnchor<'_> {
+    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<ObserverAnchor<'_>, DragError> {
         finite("anchor", anchor)?;
         let place = finite("anchor", anchor - observer.eye())?;
         let place = observer.basis().to_camera_from_world(place);
         let depth = -place.z;
         if depth > 0.0 {
-            return Ok(SeenAnchor {
+            return Ok(ObserverAnchor {
                 observer,
                 place,
                 depth,

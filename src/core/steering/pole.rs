@@ -22,7 +22,7 @@ struct Way {
 }
 
 impl Way {
-    /// Straight to the opposite direction, the way goes about v.
+    /// The way between two directions; to the opposite one it goes about v.
     fn new(from: DVec3, to: DVec3, v: DVec3) -> Way {
         let across = from.cross(to);
         let axis = if across == DVec3::ZERO { unit(v) } else { unit(across) };

@@ -1,7 +1,5 @@
 //! Dragged numbers that stay readable: snapped to a step, or rounded to what a pixel can tell.
 
-use glam::DVec3;
-
 use super::steered::{SteerError, check_finite, check_positive};
 
 /// The multiple of `step` nearest to a value. Of a decimal step such as 0.05 it is the decimal itself
@@ -77,15 +75,6 @@ pub fn rounded_to(value: f64, pixel: f64) -> Result<f64, SteerError> {
     // 17 digits tell every f64 apart.
     let rounded = (0..17).map(|digits| decimal(&format!("{value:.digits$e}")));
     Ok(rounded.into_iter().find(|x| (x - value).abs() <= near).unwrap_or(value))
-}
-
-/// [`rounded_to`] of each coordinate.
-///
-/// # Errors
-/// As [`rounded_to`].
-pub fn rounded_point(point: DVec3, pixel: f64) -> Result<DVec3, SteerError> {
-    let [x, y, z] = point.to_array();
-    Ok(DVec3::new(rounded_to(x, pixel)?, rounded_to(y, pixel)?, rounded_to(z, pixel)?))
 }
 
 /// A decimal as the nearest `f64`; written by `format!`, it is always one.

@@ -14,7 +14,7 @@ use crate::exact::scale::{angle_between, unit};
 /// [`Camera::looked_round`] go to, in radians: 1 degree.
 pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
 
-/// Within this angle of up, or of -up, a handle that is dragged takes up along, in radians:
+/// The angle to up, or to -up, within which a handle that is dragged takes up along, in radians:
 /// 5 degrees.
 pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 

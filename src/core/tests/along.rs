@@ -111,11 +111,7 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
             let ray = resolved.exact_ray(Pixel { row, column });
             for object in &objects {
                 let along = AlongRay::new(object, ray).unwrap();
-                let found = match object {
-                    Object::Sphere(sphere) => sphere.roots_of(&ray),
-                    Object::Plane(plane) => plane.roots_of(&ray),
-                };
-                for t in found.iter() {
+                for t in object.roots_of(&ray).iter() {
                     let slope = along.slope(t);
                     let (before, after) = (along.value(t.next_down()), along.value(t.next_up()));
                     assert!(before * slope < 0.0 && after * slope > 0.0, "{object:?} at {t}");

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use crate::common::oracle::Big3;
 use crate::common::seed::config;
-use crate::common::{oracle, vec3};
+use crate::common::{oracle, up_angle, vec3};
 
 /// Tolerance of the coordinates of u, v and w, of `|a . b|` and of `|a| - 1`.
 const BASIS_TOLERANCE: f64 = 6e-16;
@@ -99,7 +99,7 @@ proptest! {
 
     #[test]
     fn angle_and_conditioning((view, up) in view_and_up()) {
-        let UpAngle { angle, conditioning } = UpAngle::between(view, up).unwrap();
+        let UpAngle { angle, conditioning } = up_angle(view, up).unwrap();
         let (a, b) = (Big3::from(view).unit(), Big3::from(up).unit());
         let cross = a.cross(&b);
         let sine = oracle::near(&cross.dot(&cross).sqrt());
@@ -120,7 +120,7 @@ fn up_almost_parallel_to_view_is_still_exact() {
 
 #[test]
 fn extreme_angles_are_numbers() {
-    let between = |up| UpAngle::between(DVec3::NEG_Z, up).unwrap();
+    let between = |up| up_angle(DVec3::NEG_Z, up).unwrap();
     let quarter = between(DVec3::X);
     assert_eq!(quarter, UpAngle { angle: std::f64::consts::FRAC_PI_2, conditioning: 1.0 });
     assert_eq!(between(vec3(1e-300, 0.0, -1.0)).angle, 1e-300);

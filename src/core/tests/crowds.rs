@@ -265,15 +265,15 @@ fn crowds_of_many_random_cameras_are_right() {
 fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
     for listed in pinhole_yardstick::adversarial::all() {
         let start = std::time::Instant::now();
-        let setting = listed.make();
+        let setting = (listed.make)();
         for number in [0, 3] {
             let resolved = setting.camera(number);
             let raster = Raster::full(resolved.image());
             let frame = trace_as::<f32>(&setting.scene, &resolved, &raster, Outputs::default());
             let checked =
-                every_pixel_is_right(&setting.name, &setting.scene, &as_given(&resolved), &frame);
+                every_pixel_is_right(listed.name, &setting.scene, &as_given(&resolved), &frame);
             let seconds = start.elapsed().as_secs_f64();
-            println!("{} frame {number}: {seconds:.1} s, {checked:?}", setting.name);
+            println!("{} frame {number}: {seconds:.1} s, {checked:?}", listed.name);
         }
     }
 }

@@ -7,11 +7,11 @@
 use std::fmt::Write;
 
 use expect_test::expect_file;
-use pinhole_core::methods::{Method, Precision, first_hit_by};
+use pinhole_core::methods::{Method, Precision};
 use pinhole_core::*;
 use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given};
 
-use crate::common::given;
+use crate::common::{first_hit_by, given};
 
 /// A ray: as given, or through a place of a camera's viewport.
 #[derive(Clone, Copy)]
@@ -130,9 +130,9 @@ impl Case {
             Asked::Ray(origin, direction) => {
                 pinhole_reference::first_hit(&self.objects, origin, direction)
             }
-            Asked::Uv(camera, u, v) => camera.first_hit_of_uv(&self.objects, u, v),
+            Asked::Uv(camera, u, v) => camera.prepare(&self.objects).ok()?.first_hit_of_uv(u, v),
             Asked::Pixel(camera, row, column) => {
-                camera.first_hit_of_pixel(&self.objects, row, column)
+                camera.prepare(&self.objects).ok()?.first_hit_of_pixel(row, column)
             }
         }
     }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
 use pinhole_core::*;
 
-use crate::common::{assert_ulps, assert_ulps3, plane, root_on, roots_on, sphere, vec3};
+use crate::common::{assert_ulps, assert_ulps3, exact, plane, root_on, roots_on, sphere, vec3};
 
 const BACK_WALL: Plane = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
 const WARM_UP: DVec2 = DVec2::new(0.2, -0.1);
@@ -87,7 +87,7 @@ fn a_sphere_through_the_middle() {
     assert_eq!(ball.roots(&camera.ray(DVec2::ZERO)), Roots::Two(4.0, 6.0));
     assert_eq!(ball.roots(&camera.ray(WARM_UP)), Roots::None);
     let quadratic = SphereQuadratic { a: 1.0, b: -5.0, c: 24.0, discriminant: 1.0 };
-    assert_eq!(ball.quadratic(&camera.ray(DVec2::ZERO)), quadratic);
+    assert_eq!(ball.quadratic_of(&exact(&camera.ray(DVec2::ZERO))), quadratic);
 }
 
 #[test]

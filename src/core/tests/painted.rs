@@ -1,11 +1,9 @@
 //! Only what is asked for is kept, and colours made while tracing are those of the whole frame.
 
-use std::sync::Mutex;
-
 use pinhole_core::*;
 
 use crate::common::levels::levels;
-use crate::common::{Numbers, camera, plane, sphere, vec3};
+use crate::common::{Numbers, camera, plane, shade_pixel, sphere, vec3};
 
 /// Scenes whose pictures take every way that shading has: spheres from near, from far, from inside
 /// and from so far that they take the exact way, planes, runs of one pixel, background.
@@ -112,7 +110,7 @@ fn painted_as_shaded<T: Depth>(outputs: Outputs) {
                     let mut pixels = vec![[0; 4]; raster.len()];
                     let to = &mut pixels;
                     let traced: Frame<T> = on_threads(threads, || {
-                        trace_painted(&scene, &camera, &raster, outputs, &paint, to, |_| ())
+                        trace_painted(&scene, &camera, &raster, outputs, &paint, to)
                     });
                     assert!(traced == frame, "{name}, {}, {outputs:?}", how.name());
                     assert!(pixels == expected, "{name}, {}, {outputs:?}", how.name());
@@ -195,34 +193,13 @@ fn light_and_normals_are_the_right_ones_to_the_nearest_byte() {
 }
 
 #[test]
-fn stages_are_told_in_order_and_make_up_the_frame() {
-    let (_, scene, camera) = scenes().swap_remove(0);
-    let raster = Raster::full(camera.image());
-    for how in Shade::ALL {
-        let (told, paint) =
-            (Mutex::new(Vec::new()), Paint { shade: how, color_of, to_pixel: of_four });
-        let observe = |stage| told.lock().unwrap().push(stage);
-        let mut pixels = vec![[0; 4]; raster.len()];
-        let none = Outputs::NONE;
-        let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut pixels, observe);
-        let told = told.into_inner().unwrap();
-        assert_eq!(told[0], Stage::Planned);
-        let rows = told[1..].iter().map(|stage| match stage {
-            Stage::Rows(rows) => *rows,
-            other => panic!("{other:?} after the plan"),
-        });
-        assert_eq!(rows.sum::<usize>(), 75, "{}", how.name());
-    }
-}
-
-#[test]
 #[should_panic(expected = "a pixel for each")]
 fn a_picture_of_another_size_is_refused() {
     let (_, scene, camera) = scenes().swap_remove(0);
     let raster = Raster::full(camera.image());
     let paint = Paint { shade: Shade::Lambert, color_of, to_pixel: of_four };
     let none = Outputs::NONE;
-    let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut [[0; 4]; 7], |_| ());
+    let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut [[0; 4]; 7]);
 }
 
 #[test]

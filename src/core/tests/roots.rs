@@ -4,7 +4,7 @@ use pinhole_core::*;
 use proptest::prelude::*;
 
 use crate::common::seed::config;
-use crate::common::{assert_ulps, oracle, plane, root_on, roots_on, sphere, vec3};
+use crate::common::{assert_ulps, exact, oracle, plane, root_on, roots_on, sphere, vec3};
 
 fn point() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0..1.0_f64].prop_map(DVec3::from_array)
@@ -180,7 +180,7 @@ proptest! {
         let size = q.length() + point.length();
         prop_assert!(beside <= 4.0 * f64::EPSILON * size, "{beside:e} beside");
         prop_assert!((normal - n).length() <= 4.0 * f64::EPSILON);
-        let PlaneTerms { rate, offset } = wall.terms(&ray);
+        let PlaneTerms { rate, offset } = wall.terms_of(&exact(&ray));
         prop_assert!((offset / rate - found).abs() <= 3.0 * f64::EPSILON * found.abs());
     }
 
@@ -201,7 +201,7 @@ proptest! {
     /// The parts shown are those that decide: the roots follow from them.
     #[test]
     fn the_quadratics_parts((sphere, ray) in sphere_and_ray()) {
-        let SphereQuadratic { a, b, c, discriminant } = sphere.quadratic(&ray);
+        let SphereQuadratic { a, b, c, discriminant } = sphere.quadratic_of(&exact(&ray));
         prop_assert_eq!(sphere.roots(&ray) == Roots::None, discriminant < 0.0);
         let (d, oc) = (ray.direction, ray.origin - sphere.center);
         let near = |x: f64, y: f64, size: f64| (x - y).abs() <= 8.0 * f64::EPSILON * size;
@@ -307,7 +307,7 @@ fn a_parallel_plane_is_no_hit() {
     assert_eq!(floor.roots(&along(DVec3::ZERO)), Roots::None);
     // Even inside the plane.
     assert_eq!(floor.roots(&along(vec3(0.0, -1.0, 0.0))), Roots::None);
-    let terms = floor.terms(&along(DVec3::ZERO));
+    let terms = floor.terms_of(&exact(&along(DVec3::ZERO)));
     assert_eq!(terms, PlaneTerms { rate: 0.0, offset: -2.0 });
 }
 

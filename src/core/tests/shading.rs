@@ -2,7 +2,7 @@
 
 use pinhole_core::*;
 
-use crate::common::{camera, plane, sphere, vec3};
+use crate::common::{camera, plane, shade_pixel, sphere, vec3};
 
 const ORANGE: Rgb = [0xe6, 0x9f, 0x00];
 const BLUE: Rgb = [0x00, 0x72, 0xb2];

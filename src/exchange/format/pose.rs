@@ -69,7 +69,7 @@ impl Pose {
                 n((off * 1e4).round() / 1e4)
             ));
         }
-        let basis = Basis::straightened(v, w).map_err(|error| error.to_string())?;
+        let basis = Basis::from_view_up(-w, v).map_err(|error| error.to_string())?;
         if off > ORTHONORMAL_TOLERANCE {
             notes.push(format!(
                 "its axes are off a right angle by {off:.0e}: w is as given, v and u straightened"

@@ -220,6 +220,7 @@ fn plane_name(before: &Plane, after: &Plane) -> &'static str {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+    use pinhole_core::steering::Keep;
     use pinhole_core::{DVec3, ImageSize, OrientationKind};
 
     use super::*;
@@ -260,7 +261,7 @@ mod tests {
             d.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::X };
         });
         assert_name("move eye and at", true, |d| {
-            d.camera = d.camera.travelled(DVec3::X).unwrap();
+            d.camera = d.camera.with_eye_at(DVec3::X, Keep::View).unwrap().camera;
         });
         assert_name("change distance", true, |d| d.camera.viewport.distance = 2.0);
         assert_name("change the field of view", true, |d| {

@@ -196,7 +196,8 @@ impl Picture {
             .filter(|index| !is_missed_for_sure(&self.objects[*index], &ray))
             .collect();
         let objects: Vec<Object> = near.iter().map(|index| self.objects[*index]).collect();
-        let mut hit = self.of_reference.first_hit_of_pixel(&objects, pixel.row, pixel.column)?;
+        let view = self.of_reference.prepare(&objects).ok()?;
+        let mut hit = view.first_hit_of_pixel(pixel.row, pixel.column)?;
         hit.object = near[hit.object];
         Some(hit)
     }

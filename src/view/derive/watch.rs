@@ -36,7 +36,7 @@ pub(super) fn picture(
     // Zeroed memory costs nothing until a thread fills its part.
     let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
     let paint = Paint { shade, color_of, to_pixel: opaque };
-    let frame = trace_painted(scene, camera, raster, outputs, &paint, &mut pixels, |_| ());
+    let frame = trace_painted(scene, camera, raster, outputs, &paint, &mut pixels);
     watch(Work::Trace);
     (frame, pixels)
 }

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 
 use crate::exact::lanes::lanes_of;
 use crate::render::bvh::occlusion::Occlusion;
-use crate::render::bvh::visible::{BoxSeen, VisibleSpheres};
+use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
@@ -42,7 +42,7 @@ pub(crate) fn draw_visible<S: Simd>(
     };
     for (number, group) in visible.groups.iter().enumerate().skip(first_group) {
         let start = std::mem::take(&mut first_block);
-        let rows = own_rows(target, &group.bounds.rows());
+        let rows = own_rows(target, &group.bounds.extent.rows());
         if rows.is_empty() {
             continue;
         }
@@ -53,7 +53,7 @@ pub(crate) fn draw_visible<S: Simd>(
             continue;
         }
         for (place, block) in group.blocks.iter().enumerate().skip(start) {
-            if own_rows(target, &block.rows()).is_empty() {
+            if own_rows(target, &block.extent.rows()).is_empty() {
                 continue;
             }
             // Where spheres do not cover one another much, a look at each block costs more than it
@@ -70,7 +70,7 @@ pub(crate) fn draw_visible<S: Simd>(
             }
         }
         if !visible.is_crowded {
-            drawing.occlusion.touch(&rows, &group.bounds.columns());
+            drawing.occlusion.touch(&rows, &group.bounds.extent.columns());
         }
     }
     None
@@ -86,8 +86,8 @@ struct Drawing<'a> {
 /// Returns whether this band counts a block's spheres, which are counted once: by the first band
 /// that the block reaches.
 #[inline(always)]
-fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
-    block.rows().start >= target.rows.start
+fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
+    block.extent.rows().start >= target.rows.start
 }
 
 /// Rows of the raster that lie in the target, as rows of the target.
@@ -100,17 +100,17 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 impl Drawing<'_> {
     /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
-    fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
-        let rows = own_rows(target, &bounds.rows());
-        self.occlusion.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
+    fn is_hidden(&mut self, target: &SpanTarget, bounds: &VisibleBox) -> bool {
+        let rows = own_rows(target, &bounds.extent.rows());
+        self.occlusion.hides(target.t, &rows, &bounds.extent.columns(), bounds.nearest)
     }
 
     /// Counts the spheres of a block that is passed over.
-    fn count_hidden(&mut self, target: &SpanTarget, block: &BoxSeen) {
-        if own_rows(target, &block.rows()).is_empty() {
+    fn count_hidden(&mut self, target: &SpanTarget, block: &VisibleBox) {
+        if own_rows(target, &block.extent.rows()).is_empty() {
             return;
         }
-        let spheres = u64::from(self.visible.index.blocks.count[block.place as usize]);
+        let spheres = u64::from(self.visible.index.blocks[block.place as usize].count);
         self.drawn.counts.hidden += spheres;
         if is_first_band(target, block) {
             self.drawn.counts.in_view += spheres;
@@ -123,7 +123,7 @@ impl Drawing<'_> {
         &mut self,
         simd: S,
         target: &mut SpanTarget,
-        (block, has_others): (&BoxSeen, bool),
+        (block, has_others): (&VisibleBox, bool),
         kept: Option<&[Outlines]>,
     ) {
         let index = self.visible.index;

@@ -1,7 +1,5 @@
 //! The groups and blocks of an index over many spheres that a camera can see.
 
-use std::ops::Range;
-
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
@@ -11,35 +9,24 @@ use crate::render::outline::Outlines;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::scene::boxes::Boxes;
+use crate::scene::boxes::Bound;
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::scene::sphere_order::BLOCK;
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct BoxSeen {
+pub(crate) struct VisibleBox {
     /// Number among its kind.
     pub(crate) place: u32,
     /// Lower bound of the t of all their hits.
     pub(crate) nearest: f32,
-    rows: [u16; 2],
-    columns: [u16; 2],
-}
-
-impl BoxSeen {
-    pub(crate) fn rows(&self) -> Range<usize> {
-        usize::from(self.rows[0])..usize::from(self.rows[1])
-    }
-
-    pub(crate) fn columns(&self) -> Range<usize> {
-        usize::from(self.columns[0])..usize::from(self.columns[1])
-    }
+    pub(crate) extent: Extent,
 }
 
 /// A group that can be seen, with those of its blocks that can.
-pub(crate) struct GroupSeen {
-    pub(crate) bounds: BoxSeen,
-    pub(crate) blocks: Vec<BoxSeen>,
+pub(crate) struct VisibleGroup {
+    pub(crate) bounds: VisibleBox,
+    pub(crate) blocks: Vec<VisibleBox>,
     /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
     /// finds them anew otherwise.
     pub(crate) outlines: Vec<Outlines>,
@@ -51,7 +38,7 @@ pub(crate) struct GroupSeen {
 pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
-    pub(crate) groups: Vec<GroupSeen>,
+    pub(crate) groups: Vec<VisibleGroup>,
     /// True if spheres cover one another so much that each is worth a look whether it is hidden.
     pub(crate) is_crowded: bool,
     /// Spheres that are not drawn by rows, of groups in which there can be such.
@@ -78,28 +65,26 @@ impl<'a> VisibleSpheres<'a> {
         const CROWDED: f64 = 2.5;
         /// Number of outlines that fit into a processor's second-level cache.
         const KEPT: u32 = 40_000;
-        let mut dropped = Counts { blocks: blocks_in(&index.blocks), ..Counts::default() };
+        let mut dropped = Counts { blocks: index.blocks.len() as u64, ..Counts::default() };
         let mut groups = Vec::new();
         let mut covered = 0.0;
         for group in 0..index.groups.len() {
             match seen(&index.groups, group, &space, axes) {
-                _ if index.groups.count[group] == 0 => {}
                 Ok((bounds, area)) => {
                     covered += area;
                     groups.push(bounds);
                 }
                 Err(why) => {
-                    let blocks = index.blocks_of(group);
-                    let blocks = blocks.filter(|block| index.blocks.count[*block] > 0).count();
-                    drop_box(&mut dropped, why, index.groups.count[group], blocks);
+                    let blocks = index.blocks_of(group).len();
+                    drop_box(&mut dropped, why, index.groups[group].count, blocks);
                 }
             }
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
-        let in_groups: u32 = groups.iter().map(|of| index.groups.count[of.place as usize]).sum();
+        let in_groups: u32 = groups.iter().map(|of| index.groups[of.place as usize].count).sum();
         let keeps_outlines = in_groups <= KEPT;
-        let found: Vec<(GroupSeen, Counts)> = groups
+        let found: Vec<(VisibleGroup, Counts)> = groups
             .into_par_iter()
             // A group's outlines are worth a thread's while, its blocks' bounds alone are not.
             .with_min_len(if keeps_outlines { 1 } else { 16 })
@@ -108,9 +93,8 @@ impl<'a> VisibleSpheres<'a> {
                 let mut blocks = Vec::new();
                 for block in index.blocks_of(bounds.place as usize) {
                     match seen(&index.blocks, block, &space, axes) {
-                        _ if index.blocks.count[block] == 0 => {}
                         Ok((bounds, _)) => blocks.push(bounds),
-                        Err(why) => drop_box(&mut dropped, why, index.blocks.count[block], 1),
+                        Err(why) => drop_box(&mut dropped, why, index.blocks[block].count, 1),
                     }
                 }
                 if is_crowded {
@@ -122,7 +106,7 @@ impl<'a> VisibleSpheres<'a> {
                     Vec::new()
                 };
                 let has_others = may_have_others(&index.groups, &bounds, &space);
-                (GroupSeen { bounds, blocks, outlines, has_others }, dropped)
+                (VisibleGroup { bounds, blocks, outlines, has_others }, dropped)
             })
             .collect();
         let mut groups = Vec::with_capacity(found.len());
@@ -166,13 +150,13 @@ impl<'a> VisibleSpheres<'a> {
 }
 
 /// Returns whether a sphere of a group may be so near or so large that it is not drawn by rows.
-fn may_have_others(groups: &Boxes, bounds: &BoxSeen, space: &CameraSpace) -> bool {
+fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -> bool {
     /// Share of the eye's distance.
     const NEAR: f64 = 0.1;
     /// Radius in columns or rows.
     const LARGE: f64 = 400.0;
     let (near, radius) =
-        (f64::from(bounds.nearest) * space.distance, groups.radius[bounds.place as usize]);
+        (f64::from(bounds.nearest) * space.distance, groups[bounds.place as usize].radius);
     let slope = space.row_slope.min(space.column_slope);
     near <= NEAR * radius || radius > LARGE * slope * near
 }
@@ -183,7 +167,7 @@ fn outlines_of<S: Simd>(
     simd: S,
     index: &SphereIndex,
     space: &CameraSpace,
-    blocks: &[BoxSeen],
+    blocks: &[VisibleBox],
 ) -> Vec<Outlines> {
     let vectors = BLOCK / S::f64s::LEN;
     let mut all = vec![Outlines::default(); blocks.len() * vectors];
@@ -194,10 +178,6 @@ fn outlines_of<S: Simd>(
         }
     }
     all
-}
-
-fn blocks_in(blocks: &Boxes) -> u64 {
-    blocks.count.iter().filter(|count| **count > 0).count() as u64
 }
 
 fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
@@ -215,14 +195,13 @@ fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
 /// they stand for, and far less than what would cost anything.
 #[inline(always)]
 fn seen(
-    boxes: &Boxes,
+    boxes: &[Bound],
     place: usize,
     space: &CameraSpace,
     axes: &RasterAxes,
-) -> Result<(BoxSeen, f64), Unseen> {
+) -> Result<(VisibleBox, f64), Unseen> {
     const SHARE: f64 = 1e-9;
-    let middle = [boxes.x[place], boxes.y[place], boxes.z[place]];
-    let half = [boxes.half_x[place], boxes.half_y[place], boxes.half_z[place]];
+    let Bound { middle, half, area, radius, .. } = boxes[place];
     let q: [f64; 3] = std::array::from_fn(|i| middle[i] - space.eye[i]);
     let along = |axis: [f64; 3]| q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2];
     let reach = |axis: [f64; 3]| {
@@ -259,11 +238,9 @@ fn seen(
     if rows.is_empty() || columns.is_empty() {
         return Err(Unseen::Outside);
     }
-    let depth = z.max(boxes.radius[place]).max(1e-3 * rz);
-    let area = std::f64::consts::PI * boxes.area[place]
-        / (depth * depth * space.row_slope * space.column_slope);
+    let depth = z.max(radius).max(1e-3 * rz);
+    let area = std::f64::consts::PI * area / (depth * depth * space.row_slope * space.column_slope);
     let nearest = (near / space.distance).max(0.0) as f32 * (1.0 - 1e-6);
-    let pair = |range: Range<usize>| [range.start as u16, range.end as u16];
-    let bounds = BoxSeen { place: place as u32, nearest, rows: pair(rows), columns: pair(columns) };
-    Ok((bounds, area))
+    let extent = Extent::new(rows, columns);
+    Ok((VisibleBox { place: place as u32, nearest, extent }, area))
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::Level;
 
-use crate::render::frame::{Frame, Stage};
+use crate::render::frame::Frame;
 use crate::scene::Scene;
 
 /// The number that a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within
@@ -85,7 +85,7 @@ pub(crate) mod sealed {
             level: Level,
             scene: &Scene,
             finish: Option<Finish<'_, Self>>,
-            observe: &(dyn Fn(Stage) + Sync),
+            done: &(dyn Fn(usize) + Sync),
         );
     }
 }

@@ -69,16 +69,6 @@ pub struct Frame<T = f64> {
     pub counts: Counts,
 }
 
-/// A stage of a frame that was just done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Stage {
-    /// The plan: what the rows can see, and what their pixels share.
-    Planned,
-    /// Some rows, so many: traced, and coloured where the shading allows.
-    Rows(usize),
-}
-
 /// One traced pixel of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -111,11 +101,6 @@ impl Raster {
         Raster { rows: rows.collect(), columns: columns.collect() }
     }
 
-    /// One pixel alone.
-    pub fn of_pixel(pixel: Pixel) -> Raster {
-        Raster { rows: vec![pixel.row], columns: vec![pixel.column] }
-    }
-
     /// These rows and columns, ascending.
     pub fn from_cells(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
         Raster { rows, columns }
@@ -134,22 +119,16 @@ impl Raster {
     /// Returns, for each row of the image, the place among [`Raster::rows`] of the nearest one, and
     /// likewise for columns; of two equally near ones the first.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
-        [nearest(&self.rows, image.height()), nearest(&self.columns, image.width())]
+        let places = |traced, count| (0..count).map(|own| nearest(traced, own)).collect();
+        [places(&self.rows, image.height()), places(&self.columns, image.width())]
     }
 
     /// The place among the raster's pixels, row by row, of the one in the nearest row and column, as
     /// [`Raster::nearest`] has it for all; `None` where no pixel is traced.
     pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
-        let place = |traced: &[u32], own: u32| {
-            let after = traced.partition_point(|x| *x < own);
-            let before = after.saturating_sub(1);
-            let is_nearer = |x: &u32| x.abs_diff(own) < traced[before].abs_diff(own);
-            if traced.get(after).is_some_and(is_nearer) { after } else { before }
-        };
-        let is_there = !self.is_empty();
-        is_there.then(|| {
-            let row = place(&self.rows, pixel.row);
-            row * self.columns.len() + place(&self.columns, pixel.column)
+        (!self.is_empty()).then(|| {
+            let row = nearest(&self.rows, pixel.row);
+            row * self.columns.len() + nearest(&self.columns, pixel.column)
         })
     }
 
@@ -185,18 +164,12 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
-/// Returns, for each of `count` rows or columns, the index of the nearest that was traced.
-fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
-    let mut index = 0;
-    let nearest_to = |own: u32| {
-        while let Some(next) = traced.get(index + 1)
-            && next.abs_diff(own) < traced[index].abs_diff(own)
-        {
-            index += 1;
-        }
-        index
-    };
-    (0..count).map(nearest_to).collect()
+/// Place of the nearest traced row or column; of two equally near ones the first.
+fn nearest(traced: &[u32], own: u32) -> usize {
+    let after = traced.partition_point(|x| *x < own);
+    let before = after.saturating_sub(1);
+    let is_nearer = |x: &u32| x.abs_diff(own) < traced[before].abs_diff(own);
+    if traced.get(after).is_some_and(is_nearer) { after } else { before }
 }
 
 impl<T: Copy> Frame<T> {

@@ -16,6 +16,11 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
+    pub(crate) fn new(rows: Range<usize>, columns: Range<usize>) -> Extent {
+        let pair = |range: Range<usize>| [range.start as u16, range.end as u16];
+        Extent { rows: pair(rows), columns: pair(columns) }
+    }
+
     pub(crate) fn rows(&self) -> Range<usize> {
         usize::from(self.rows[0])..usize::from(self.rows[1])
     }
@@ -25,49 +30,18 @@ impl Extent {
     }
 }
 
-/// The extents of all spheres of a frame.
+/// A camera and a raster as the extents of all spheres need them.
 pub(crate) struct Extents<'a> {
-    bounds: Bounds<'a>,
-    raster: &'a Raster,
-}
-
-impl<'a> Extents<'a> {
-    pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
-        Extents { bounds: Bounds::new(camera), raster }
-    }
-
-    /// `None` for a sphere that covers no pixel of the raster.
-    pub(crate) fn find(&self, sphere: &Sphere) -> Option<Extent> {
-        let part_of = |cells: &Range<u32>, of: &[u32]| {
-            let place = |cell: u32| of.partition_point(|x| *x < cell) as u16;
-            [place(cells.start), place(cells.end)]
-        };
-        let PixelBounds { rows, columns } = self.bounds.find(sphere)?;
-        let (rows, columns) =
-            (part_of(&rows, self.raster.rows()), part_of(&columns, self.raster.columns()));
-        let is_seen = rows[0] < rows[1] && columns[0] < columns[1];
-        is_seen.then_some(Extent { rows, columns })
-    }
-}
-
-/// A rectangle of pixels: half-open ranges of rows and columns, not clipped to the image.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct PixelBounds {
-    pub(crate) rows: Range<u32>,
-    pub(crate) columns: Range<u32>,
-}
-
-/// A camera as the bounds of all spheres need it.
-pub(crate) struct Bounds<'a> {
     camera: &'a ResolvedCamera,
-    /// See [`Bounds::new`].
+    raster: &'a Raster,
+    /// See [`Extents::new`].
     doubt: f64,
     /// Pixels for each unit of `u / distance`.
     columns_per_slope: f64,
     rows_per_slope: f64,
 }
 
-impl<'a> Bounds<'a> {
+impl<'a> Extents<'a> {
     /// The rays are exact; the bounds are computed in `f64` from the rounded basis and the rounded
     /// way to the centre. With respect to that basis, taken as orthonormal, a ray is off by the
     /// basis' rounding (or, by hand, by its tolerance), and the centre by the rounding of its
@@ -75,20 +49,20 @@ impl<'a> Bounds<'a> {
     /// of each coordinate, which on a viewport of extreme aspect is the difference between a margin
     /// and none. So a ray that meets the sphere is, in these coordinates, one that meets a sphere
     /// larger by `doubt * (|oc| + r)`.
-    pub(crate) fn new(camera: &'a ResolvedCamera) -> Self {
+    pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
-        let basis = camera.basis();
         let (viewport, image) = (camera.viewport(), camera.image());
-        Bounds {
+        Extents {
             camera,
-            doubt: ROUNDING + 4.0 * basis.defect(),
+            raster,
+            doubt: ROUNDING + 4.0 * camera.basis().defect(),
             columns_per_slope: viewport.distance / viewport.width * f64::from(image.width()),
             rows_per_slope: viewport.distance / viewport.height * f64::from(image.height()),
         }
     }
 
-    /// A rectangle that contains every pixel whose view ray can hit the sphere at `t > 0`; `None`
-    /// where no pixel's can.
+    /// A rectangle that contains every pixel of the raster whose view ray can hit the sphere at
+    /// `t > 0`; `None` where no pixel's can.
     ///
     /// In camera coordinates the view rays tangent to the sphere's outline in the u-w plane have
     ///
@@ -98,27 +72,31 @@ impl<'a> Bounds<'a> {
     ///
     /// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
     /// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
-    pub(crate) fn find(&self, sphere: &Sphere) -> Option<PixelBounds> {
+    pub(crate) fn find(&self, sphere: &Sphere) -> Option<Extent> {
         let to_center = sphere.center - self.camera.eye();
         let q = self.camera.basis().to_camera_from_world(to_center);
         let depth = -q.z;
         let radius = sphere.radius + self.doubt * (sphere.radius + to_center.abs().element_sum());
-        let anywhere = PixelBounds { rows: 0..u32::MAX, columns: 0..u32::MAX };
-        if !is_in_plain_range(q, radius) {
-            return Some(anywhere);
-        }
-        if depth + radius < 0.0 {
+        let is_plain = is_in_plain_range(q, radius);
+        if is_plain && depth + radius < 0.0 {
             return None;
         }
-        if depth <= radius {
-            return Some(anywhere);
-        }
-        let image = self.camera.image();
-        let (left, right) = tangents(q.x, depth, radius);
-        let (bottom, top) = tangents(q.y, depth, radius);
-        let columns = cells(left, right, self.columns_per_slope, image.width());
-        let rows = cells(-top, -bottom, self.rows_per_slope, image.height());
-        (!columns.is_empty() && !rows.is_empty()).then_some(PixelBounds { rows, columns })
+        let (rows, columns) = if is_plain && depth > radius {
+            let image = self.camera.image();
+            let (left, right) = tangents(q.x, depth, radius);
+            let (bottom, top) = tangents(q.y, depth, radius);
+            let columns = cells(left, right, self.columns_per_slope, image.width());
+            (cells(-top, -bottom, self.rows_per_slope, image.height()), columns)
+        } else {
+            (0..u32::MAX, 0..u32::MAX)
+        };
+        let part = |cells: Range<u32>, of: &[u32]| {
+            [cells.start, cells.end].map(|cell| of.partition_point(|x| *x < cell) as u16)
+        };
+        let (rows, columns) =
+            (part(rows, self.raster.rows()), part(columns, self.raster.columns()));
+        let is_seen = rows[0] < rows[1] && columns[0] < columns[1];
+        is_seen.then_some(Extent { rows, columns })
     }
 }
 

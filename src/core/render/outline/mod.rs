@@ -104,6 +104,7 @@ pub(crate) struct Outline {
     pub(crate) last_row: f64,
     pub(crate) nearest: f64,
     pub(crate) thin: f64,
+    /// True if the error of the root needs correction too.
     pub(crate) is_wide: bool,
 }
 
@@ -260,14 +261,14 @@ impl<S: Simd> Centers<S> {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
         let q = [
-            load(of.x) - splat(space.eye[0]),
-            load(of.y) - splat(space.eye[1]),
-            load(of.z) - splat(space.eye[2]),
+            load(of[0]) - splat(space.eye[0]),
+            load(of[1]) - splat(space.eye[1]),
+            load(of[2]) - splat(space.eye[2]),
         ];
         let x = along(simd, q, space.u);
         let y = along(simd, q, space.v);
         let z = -along(simd, q, space.w);
-        Centers { x, y, z, r: load(of.radius), qq: x * x + y * y + z * z }
+        Centers { x, y, z, r: load(of[3]), qq: x * x + y * y + z * z }
     }
 
     /// Lanes whose centres lie in front of the eye, of ordinary size, nothing lost in h.
@@ -281,7 +282,7 @@ impl<S: Simd> Centers<S> {
             & r.simd_gt(z * splat(1e-9))
     }
 
-    /// Behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
+    /// Lanes that are behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
     #[inline(always)]
     fn unseen(self, simd: S, space: &CameraSpace, safe: S::f64s) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);

@@ -52,7 +52,7 @@ impl Classifier<'_> {
             };
             let (x, y, z) = (side(|s| s.center.x), side(|s| s.center.y), side(|s| s.center.z));
             let radius = side(|s| s.radius);
-            let slots = SphereSlots { x: &x, y: &y, z: &z, radius: &radius };
+            let slots: SphereSlots = [&x, &y, &z, &radius];
             dispatch!(self.level, simd => outlines.find(simd, space, &slots));
             for (lane, sphere) in some.iter().enumerate() {
                 let index = first + group * lanes + lane;

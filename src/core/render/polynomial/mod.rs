@@ -4,6 +4,5 @@
 pub(crate) mod blend;
 pub(crate) mod conic;
 pub(crate) mod frame_rays;
-pub(crate) mod kernel;
 pub(crate) mod object_kernel;
 pub(crate) mod per_pixel;

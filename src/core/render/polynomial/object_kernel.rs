@@ -1,16 +1,19 @@
-//! An object's polynomials over a patch of pixels, and what they say of a row.
+//! An object's polynomials over a patch of pixels, and what they say of a row: `t` of every pixel that
+//! is beyond doubt, several at a time.
 
 use std::cmp::Ordering;
 
-use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+use fearless_simd::{Select, Simd};
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, dot, length};
+use crate::exact::error_free::Lane;
+use crate::exact::lanes::Lanes;
 use crate::exact::quadratic::SphereParts;
 use crate::exact::scale::ldexp;
-use crate::render::polynomial::blend::T_SHARE;
+use crate::render::polynomial::blend::{DOUBT, MISS, T_SHARE};
 use crate::render::polynomial::conic::{Conic, ConicRow, Thresholds};
 use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
-use crate::render::polynomial::kernel::{PlaneRow, SphereRow, plane_row, sphere_row};
 use crate::scene::plane_predicates::PlaneFromOrigin;
 
 /// Returns the factor from the units of the polynomials to those of `t`; `None` where they are extreme.
@@ -19,10 +22,26 @@ pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
 }
 
+type MaskOf<S> = <<S as Simd>::f64s as SimdBase<S>>::Mask;
+
+/// `c0 + m (c1 + m c2)`
+#[inline(always)]
+fn quadratic<S: Simd>(c: [Lanes<S>; 3], m: Lanes<S>) -> Lanes<S> {
+    c[0] + (c[1] + c[2] * m) * m
+}
+
+/// Selects the lanes of one of two vectors.
+#[inline(always)]
+fn select<S: Simd>(mask: MaskOf<S>, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
+    Lanes(mask.select(yes.0, no.0))
+}
+
 /// A sphere's polynomials.
 pub(crate) struct SphereKernel {
     conic: Conic,
+    /// `c` times `factor`.
     c: f64,
+    /// Factor from the polynomials' units to those of `t`.
     factor: f64,
     side: Ordering,
     thresholds: Thresholds,
@@ -85,11 +104,51 @@ impl SphereKernel {
         (low <= high).then_some([low, high])
     }
 
+    /// Computes `t` of the first hit of each pixel of the row k, m columns from the middle; [`MISS`] or
+    /// [`DOUBT`]. `m` and `t` are as long as each other, and a multiple of the vector's length.
     #[inline(always)]
-    pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, found: &mut [f64]) {
-        let SphereKernel { c, factor, side, thresholds, .. } = *self;
-        let row = SphereRow { conic: self.conic.row(k), c, factor, side, thresholds };
-        sphere_row(simd, m, &row, found);
+    pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
+        let row = self.conic.row(k);
+        let splat = |x: f64| Lanes::<S>::splat(simd, x);
+        let (d, b, a) = (row.discriminant.map(splat), row.b.map(splat), row.a.map(splat));
+        let (c, factor) = (splat(self.c), splat(self.factor));
+        let minus_c = -c;
+        let Thresholds { hit, miss, ahead } = self.thresholds;
+        let (hit, miss, ahead, behind) =
+            (splat(hit).0, splat(miss).0, splat(ahead).0, splat(-ahead).0);
+        let (none, doubt) = (splat(MISS).0, splat(DOUBT).0);
+        let pairs = m.chunks_exact(S::f64s::LEN).zip(t.chunks_exact_mut(S::f64s::LEN));
+        for (m, t) in pairs {
+            let m = Lanes::<S>(S::f64s::from_slice(simd, m));
+            let b = b[0] + b[1] * m;
+            let found = match self.side {
+                Ordering::Greater => {
+                    let discriminant = quadratic(d, m);
+                    if discriminant.0.simd_lt(miss).all_true() {
+                        none.store_slice(t);
+                        continue;
+                    }
+                    let t = c / (b + discriminant.sqrt());
+                    let is_miss = discriminant.0.simd_lt(miss) | b.0.simd_lt(behind);
+                    let is_hit = discriminant.0.simd_ge(hit) & b.0.simd_gt(ahead);
+                    is_hit.select(t.0, is_miss.select(none, doubt))
+                }
+                Ordering::Less => {
+                    let discriminant = quadratic(d, m);
+                    let is_ahead = b.0.simd_ge(splat(0.0).0);
+                    let z = select(is_ahead, b, -b) + discriminant.sqrt();
+                    let above = select(is_ahead, z * factor, minus_c);
+                    let t = above / select(is_ahead, quadratic(a, m), z);
+                    discriminant.0.simd_ge(hit).select(t.0, doubt)
+                }
+                Ordering::Equal => {
+                    let t = (b + b) * factor / quadratic(a, m);
+                    let is_miss = b.0.simd_lt(miss);
+                    b.0.simd_gt(ahead).select(t.0, is_miss.select(none, doubt))
+                }
+            };
+            found.store_slice(t);
+        }
     }
 }
 
@@ -103,10 +162,14 @@ fn generous(m: f64, side: f64) -> f64 {
 
 /// A plane's `normal . direction` as a polynomial in columns m and rows k from the middle.
 pub(crate) struct PlaneKernel {
+    /// The offset, in the units of `t`.
     offset: f64,
     rate: [f64; 3],
+    /// A rate beyond this, with the offset's sign, is a hit, and `t` exact enough.
     hit: f64,
+    /// A rate beyond this, with the other sign, is a miss.
     miss: f64,
+    /// 1 or -1: the offset's sign.
     sign: f64,
 }
 
@@ -135,10 +198,22 @@ impl PlaneKernel {
         }
     }
 
+    /// Computes `t` of the hit of each pixel, as [`SphereKernel::answer`].
     #[inline(always)]
-    pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, found: &mut [f64]) {
-        let PlaneKernel { offset, hit, miss, sign, .. } = *self;
-        let rate = [self.rate[0] + k * self.rate[2], self.rate[1]];
-        plane_row(simd, m, &PlaneRow { offset, rate, hit, miss, sign }, found);
+    pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
+        let splat = |x: f64| Lanes::<S>::splat(simd, x);
+        let (offset, rate) =
+            (splat(self.offset), [self.rate[0] + k * self.rate[2], self.rate[1]].map(splat));
+        let (hit, miss, sign) = (splat(self.hit).0, splat(-self.miss).0, splat(self.sign));
+        let (none, doubt) = (splat(MISS).0, splat(DOUBT).0);
+        let pairs = m.chunks_exact(S::f64s::LEN).zip(t.chunks_exact_mut(S::f64s::LEN));
+        for (m, t) in pairs {
+            let m = Lanes::<S>(S::f64s::from_slice(simd, m));
+            let rate = rate[0] + rate[1] * m;
+            let found = (offset / rate).0;
+            let rate = (rate * sign).0;
+            let is_miss = rate.simd_lt(miss);
+            rate.simd_gt(hit).select(found, is_miss.select(none, doubt)).store_slice(t);
+        }
     }
 }

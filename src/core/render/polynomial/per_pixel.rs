@@ -12,7 +12,7 @@ pub(crate) fn pixel_hit(
     factor: f64,
     known: f32,
 ) -> f64 {
-    /// Far more than `t` in `f64` is off by where its doubt is this small.
+    /// Share by which two `t` are apart for sure: far more than one in `f64` is off by.
     const APART: f64 = 1e-6;
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
     if discriminant < -discriminant_doubt || b < -b_doubt {

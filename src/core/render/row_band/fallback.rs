@@ -32,24 +32,12 @@ impl RowBand<'_> {
             return;
         }
         let seen = self.seen(index);
-        self.resolve_with(index, &seen, row, column, t);
+        self.resolve_exactly(index, &seen, row, column, t);
     }
 
-    /// One pixel by itself, up the ladder.
+    /// Decides one pixel by itself, up the ladder; its `t` may be known.
     #[cold]
     pub(crate) fn resolve_exactly(
-        &mut self,
-        index: u32,
-        seen: &ObjectFromOrigin,
-        row: usize,
-        column: usize,
-    ) {
-        self.resolve_with(index, seen, row, column, None);
-    }
-
-    /// Decides a pixel whose `t` may be known.
-    #[cold]
-    fn resolve_with(
         &mut self,
         index: u32,
         seen: &ObjectFromOrigin,

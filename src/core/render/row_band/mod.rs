@@ -243,7 +243,7 @@ impl<'a> RowBand<'a> {
                 let found = pixel_hit(&quadratic, parts, factor, self.t[place]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
-                    self.resolve_exactly(index, seen, row, column);
+                    self.resolve_exactly(index, seen, row, column, None);
                 } else if found < f64::INFINITY {
                     (self.t[place], self.object[place]) = (to_single(found), index);
                 }
@@ -318,7 +318,7 @@ impl<'a> RowBand<'a> {
                     if is_in_doubt(*found, self.t[place], self.object[place], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
-                        self.resolve_exactly(index, seen, row, column);
+                        self.resolve_exactly(index, seen, row, column, None);
                     }
                 }
             }

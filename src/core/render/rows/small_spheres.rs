@@ -50,7 +50,7 @@ struct FoundRows {
     is_left: u64,
 }
 
-/// Added to a whole number from 0 on, it leaves that number as the lowest bits of the sum.
+/// Summand that leaves a whole number from 0 on as the lowest bits of the sum.
 const WHOLE: f64 = (1_u64 << 52) as f64;
 
 /// The whole number that [`WHOLE`] was added to.

@@ -17,7 +17,10 @@ use crate::scene::sphere::Sphere;
 pub(crate) struct Span {
     pub(crate) index: u32,
     pub(crate) outline: Outline,
-    pub(crate) shape: SpanShape,
+    /// The numerator of t, in two parts.
+    numerator: [f32; 2],
+    /// b for each column, in two parts, for wide spheres the first of 12 bits.
+    b_column: [f32; 2],
 }
 
 /// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
@@ -40,8 +43,7 @@ impl Span {
         } else {
             two_parts(b_column)
         };
-        let shape = SpanShape { numerator: two_parts(numerator), b_column, is_wide };
-        Span { index, outline: *outline, shape }
+        Span { index, outline: *outline, numerator: two_parts(numerator), b_column }
     }
 
     /// The part of the raster's rows that it can cover.
@@ -133,7 +135,7 @@ impl Span {
         span_row: &SpanRow,
         columns: (usize, usize),
     ) -> bool {
-        let lanes = SpanLanes::new(simd, &self.shape, span_row);
+        let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         let mut buffers = RowBuffers {
             columns: &target.axes.columns,
@@ -143,10 +145,10 @@ impl Span {
         let own = (self.index, self.outline.nearest as f32);
         target.decided += (columns.1 - columns.0 + 1) as u64;
         target.is_reached[row - target.rows.start] = true;
-        if self.shape.is_wide {
-            draw_row::<S>(simd, &mut buffers, columns, own, &Wide(&lanes))
+        if self.outline.is_wide {
+            draw_row::<S, true>(simd, &mut buffers, columns, own, &lanes)
         } else {
-            draw_row::<S>(simd, &mut buffers, columns, own, &Narrow(&lanes))
+            draw_row::<S, false>(simd, &mut buffers, columns, own, &lanes)
         }
     }
 
@@ -161,12 +163,12 @@ impl Span {
         (from, to): (usize, usize),
         span_row: &SpanRow,
     ) {
-        let lanes = SpanLanes::new(simd, &self.shape, span_row);
+        let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         for at in (from..=to).step_by(S::f32s::LEN) {
             let columns = S::f32s::from_slice(simd, &target.axes.columns[at..at + S::f32s::LEN]);
             let found =
-                if self.shape.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
+                if self.outline.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
             let found = found.0;
             for (column, &t) in (at..=to).zip(found.as_slice()) {
                 let place = start + column;
@@ -201,7 +203,7 @@ impl Span {
         if first <= last
             && let Some(columns) = target.axes.columns_between(first, last)
         {
-            let pivot = if self.shape.is_wide { first } else { 0.5 * (first + last) };
+            let pivot = if self.outline.is_wide { first } else { 0.5 * (first + last) };
             let b = self.outline.b0 + self.outline.b_row * j + self.outline.b_column * pivot;
             let (left, right) = (first - start, end - last);
             let span_row = SpanRow {
@@ -281,7 +283,7 @@ impl SpanRows {
         let ends = RowEnds::<S>::new(simd, middle, squared, splat(span.outline.thin));
         let RowEnds { start, end, first, last, is_sure } = ends;
         let (from, to, is_there) = axes.clip(simd, first, last);
-        let is_wide = span.shape.is_wide;
+        let is_wide = span.outline.is_wide;
         let pivot = if is_wide { first } else { splat(0.5) * (first + last) };
         let b = splat(b0) + splat(b_row) * j + splat(b_column) * pivot;
         let high = b.narrow(b);
@@ -372,18 +374,7 @@ pub(crate) struct SpanRow {
     pub(crate) offset: f32,
 }
 
-/// The numbers that all of a sphere's rows share.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SpanShape {
-    /// The numerator of t, in two parts.
-    pub(crate) numerator: [f32; 2],
-    /// b for each column, in two parts, for wide spheres the first of 12 bits.
-    pub(crate) b_column: [f32; 2],
-    /// True if the error of the root needs correction too.
-    pub(crate) is_wide: bool,
-}
-
-/// The lanes' version of a [`SpanShape`] and a [`SpanRow`].
+/// The lanes' version of a [`Span`] and a [`SpanRow`].
 #[derive(Clone, Copy)]
 pub(crate) struct SpanLanes<S: Simd> {
     first: SingleLanes<S>,
@@ -399,7 +390,7 @@ pub(crate) struct SpanLanes<S: Simd> {
 
 impl<S: Simd> SpanLanes<S> {
     #[inline(always)]
-    pub(crate) fn new(simd: S, shape: &SpanShape, row: &SpanRow) -> Self {
+    pub(crate) fn new(simd: S, span: &Span, row: &SpanRow) -> Self {
         let splat = |x| SingleLanes::splat(simd, x);
         SpanLanes {
             first: splat(row.first),
@@ -409,8 +400,8 @@ impl<S: Simd> SpanLanes<S> {
             b: row.b.map(splat),
             pivot: splat(row.pivot),
             offset: splat(row.offset),
-            numerator: shape.numerator.map(splat),
-            b_column: shape.b_column.map(splat),
+            numerator: span.numerator.map(splat),
+            b_column: span.b_column.map(splat),
         }
     }
 
@@ -512,19 +503,19 @@ struct Drawing<S: Simd> {
 impl<S: Simd> Drawing<S> {
     /// One vector: which lanes are in doubt.
     #[inline(always)]
-    fn draw(
+    fn draw<const IS_WIDE: bool>(
         &self,
         columns: &[f32],
         t: &mut [f32],
         object: &mut [u32],
-        t_of: &impl RowOfT<S>,
+        lanes: &SpanLanes<S>,
     ) -> <S::f32s as SimdBase<S>>::Mask {
         let columns = S::f32s::from_slice(self.simd, columns);
         let known = S::f32s::from_slice(self.simd, t);
         if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
-        let found = t_of.t(columns).0;
+        let found = if IS_WIDE { lanes.wide(columns) } else { lanes.narrow(columns) }.0;
         let is_inside = columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
         // Not a selection of what is stored: that would become a masked store, slow on many
@@ -539,41 +530,16 @@ impl<S: Simd> Drawing<S> {
     }
 }
 
-/// A row's `t`, column by column.
-pub(crate) trait RowOfT<S: Simd> {
-    fn t(&self, columns: S::f32s) -> SingleLanes<S>;
-}
-
-/// [`SpanLanes::narrow`]
-pub(crate) struct Narrow<'a, S: Simd>(pub(crate) &'a SpanLanes<S>);
-
-/// [`SpanLanes::wide`]
-pub(crate) struct Wide<'a, S: Simd>(pub(crate) &'a SpanLanes<S>);
-
-impl<S: Simd> RowOfT<S> for Narrow<'_, S> {
-    #[inline(always)]
-    fn t(&self, columns: S::f32s) -> SingleLanes<S> {
-        self.0.narrow(columns)
-    }
-}
-
-impl<S: Simd> RowOfT<S> for Wide<'_, S> {
-    #[inline(always)]
-    fn t(&self, columns: S::f32s) -> SingleLanes<S> {
-        self.0.wide(columns)
-    }
-}
-
 /// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
 /// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too
 /// close to it to tell; those stay as they are.
 #[inline(always)]
-pub(crate) fn draw_row<S: Simd>(
+pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
     simd: S,
     buffers: &mut RowBuffers,
     (from, to): (usize, usize),
     (index, nearest): (u32, f32),
-    t_of: &impl RowOfT<S>,
+    lanes: &SpanLanes<S>,
 ) -> bool {
     let n = S::f32s::LEN;
     let drawing = Drawing {
@@ -592,7 +558,7 @@ pub(crate) fn draw_row<S: Simd>(
     let mut at = from;
     while at < whole {
         let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
-        in_doubt |= drawing.draw(&buffers.columns[at..at + n], t, object, t_of);
+        in_doubt |= drawing.draw::<IS_WIDE>(&buffers.columns[at..at + n], t, object, lanes);
         at += n;
     }
     if at <= to {
@@ -602,7 +568,7 @@ pub(crate) fn draw_row<S: Simd>(
         t[..left].copy_from_slice(&buffers.t[at..]);
         object[..left].copy_from_slice(&buffers.object[at..]);
         let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw(columns, &mut t[..n], &mut object[..n], t_of);
+        in_doubt |= drawing.draw::<IS_WIDE>(columns, &mut t[..n], &mut object[..n], lanes);
         buffers.t[at..].copy_from_slice(&t[..left]);
         buffers.object[at..].copy_from_slice(&object[..left]);
     }

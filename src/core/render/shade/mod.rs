@@ -81,7 +81,7 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
 pub struct HitShader<'a>(Toner<'a>);
 
 impl<'a> HitShader<'a> {
-    /// Of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
+    /// The shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
     pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
         HitShader(Toner::new(scene, shade, nearest))
     }
@@ -97,19 +97,4 @@ impl<'a> HitShader<'a> {
 pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
     let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
     color.map(|byte| srgb.byte_of((light * srgb.parts_of(byte) + 0.5) as u32))
-}
-
-/// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
-pub fn shade_pixel(
-    scene: &Scene,
-    shade: Shade,
-    ray: &Ray,
-    nearest: f64,
-    color_of: impl Fn(u32) -> Rgb,
-) -> Rgb {
-    let shader = HitShader::new(scene, shade, nearest);
-    match scene.first_hit(ray) {
-        None => BACKGROUND,
-        Some(hit) => shader.color(ray, hit.object, hit.t, color_of(hit.object)),
-    }
 }

@@ -14,7 +14,7 @@ use crate::render::shade::surface::{
 };
 use crate::scene::Scene;
 
-/// More than the widest vector of `f32` has: rows are padded by so many.
+/// Number of pixels that rows are padded by: as many as the widest vector of `f32` has.
 pub(crate) const PADDING: usize = 16;
 
 /// The share of light that is everywhere, and the share that comes from the eye.

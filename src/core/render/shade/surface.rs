@@ -4,12 +4,9 @@
 //! No closures here: what a closure does in vectors is not always put into the loop around it, and
 //! then costs ten times as much.
 
-use fearless_simd::Simd;
-use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use crate::exact::error_free::Lane;
-use crate::exact::lanes::Lanes;
 use crate::scene::sphere::Sphere;
 
 /// Number of radii of distance up to which `p + t d - center` keeps a normal's digits within 1e-6
@@ -22,26 +19,6 @@ const FAR: f64 = 1e6;
 
 /// A `t` that has its digits in `f32` too.
 pub(crate) const PLAIN_T: std::ops::Range<f64> = 1e-37..1e38;
-
-/// One number or several, of which none is below 0.
-pub(crate) trait NotNegative: Lane {
-    /// The number, or 0 where it is below.
-    fn not_negative(self) -> Self;
-}
-
-impl NotNegative for f64 {
-    #[inline(always)]
-    fn not_negative(self) -> f64 {
-        self.max(0.0)
-    }
-}
-
-impl<S: Simd> NotNegative for Lanes<S> {
-    #[inline(always)]
-    fn not_negative(self) -> Self {
-        Lanes(self.0.max(S::f64s::splat(self.0.token(), 0.0)))
-    }
-}
 
 /// The eye and a sphere, of measures that need no scaling.
 #[derive(Clone, Copy)]
@@ -85,7 +62,7 @@ fn over<L: Lane>(a: [L; 3], b: L) -> [L; 3] {
 ///
 /// The error of the square is a few roundings times `(|q| / r)^2`, that of q itself left aside.
 #[inline(always)]
-pub(crate) fn sphere_cosine<L: NotNegative>(q: [L; 3], r_squared: L, d: [L; 3], one: L) -> L {
+pub(crate) fn sphere_cosine<L: Lane>(q: [L; 3], r_squared: L, d: [L; 3], one: L) -> L {
     let across = cross(q, d);
     (one - dot(across, across) / (dot(d, d) * r_squared)).not_negative().sqrt()
 }
@@ -109,7 +86,7 @@ pub(crate) fn near_normal<L: Lane>(q: [L; 3], d: [L; 3], t: L) -> [L; 3] {
 /// the ray's point nearest to the centre and half the chord,
 /// `n = (m - sqrt(r^2 - |m|^2) d / |d|) / r` with `m = d x (q x d) / d.d`.
 #[inline(always)]
-pub(crate) fn far_normal<L: NotNegative>(q: [L; 3], r: L, d: [L; 3]) -> [L; 3] {
+pub(crate) fn far_normal<L: Lane>(q: [L; 3], r: L, d: [L; 3]) -> [L; 3] {
     let length_squared = dot(d, d);
     let middle = over(cross(d, cross(q, d)), length_squared);
     let half_chord = (r * r - dot(middle, middle)).not_negative().sqrt();

@@ -9,7 +9,7 @@ use crate::camera::ray::Ray;
 use crate::exact::dyadic::Dyadic;
 use crate::exact::scale::exponent;
 use crate::scene::Scene;
-use crate::scene::boxes::{BOX_LANES, Boxes};
+use crate::scene::boxes::Bound;
 use crate::scene::error::SceneError;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
@@ -57,35 +57,25 @@ fn assert_contains([middle, half]: [f64; 2], [inner, inner_half]: [f64; 2]) {
     assert!(middle - half <= inner - inner_half && inner + inner_half <= middle + half);
 }
 
-fn axes(boxes: &Boxes, index: usize) -> [[f64; 2]; 3] {
-    [
-        [boxes.x[index], boxes.half_x[index]],
-        [boxes.y[index], boxes.half_y[index]],
-        [boxes.z[index], boxes.half_z[index]],
-    ]
+fn axes(bound: &Bound) -> [[f64; 2]; 3] {
+    std::array::from_fn(|axis| [bound.middle[axis], bound.half[axis]])
 }
 
 /// The spheres in these slots, as `(slot, sphere)`.
 fn held(index: &SphereIndex, slots: std::ops::Range<usize>) -> Vec<(usize, Sphere)> {
     let own = slots.filter(|slot| index.ids[*slot] != NO_SPHERE);
-    own.map(|slot| {
-        let center = DVec3::new(index.x[slot], index.y[slot], index.z[slot]);
-        (slot, Sphere { center, radius: index.radius[slot] })
-    })
-    .collect()
+    own.map(|slot| (slot, index.sphere(slot))).collect()
 }
 
 /// Everything that holds of an index of these spheres, whether new or updated.
 fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
-    assert!(index.blocks.len().is_multiple_of(BOX_LANES));
-    assert!(index.groups.len().is_multiple_of(BOX_LANES));
     assert_eq!(index.ids.len(), index.blocks.len() * BLOCK);
     let mut seen = vec![0; spheres.len()];
     let mut next_block = 0;
     for group in 0..index.groups.len() {
         let blocks = index.blocks_of(group);
         assert_eq!(blocks.start, next_block, "groups follow each other");
-        assert!(blocks.len() <= GROUP && blocks.len().is_multiple_of(BOX_LANES));
+        assert!(!blocks.is_empty() && blocks.len() <= GROUP);
         next_block = blocks.end;
         let mut in_group = Vec::new();
         for block in blocks {
@@ -95,44 +85,37 @@ fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
                 assert_eq!(*sphere, spheres[id]);
                 seen[id] += 1;
             }
-            assert_box(&index.blocks, block, &inside);
-            assert_filled_up(index, block, &inside);
+            assert_box(&index.blocks[block], &inside);
+            assert_filled_up(index, block);
             in_group.extend(inside);
         }
-        assert_box(&index.groups, group, &in_group);
+        assert_box(&index.groups[group], &in_group);
     }
     assert_eq!(next_block, index.blocks.len());
     assert!(seen.iter().all(|times| *times == 1), "a sphere has no slot, or two");
 }
 
 /// Asserts what a box says of the spheres inside it.
-fn assert_box(boxes: &Boxes, place: usize, inside: &[(usize, Sphere)]) {
-    assert_eq!(boxes.count[place] as usize, inside.len());
-    if inside.is_empty() {
-        assert_eq!(axes(boxes, place), [[0.0; 2]; 3]);
-        return;
-    }
+fn assert_box(bound: &Bound, inside: &[(usize, Sphere)]) {
+    assert!(!inside.is_empty() && bound.count as usize == inside.len());
     for (_, sphere) in inside {
-        for (outer, inner) in axes(boxes, place).into_iter().zip(sphere.center.to_array()) {
+        for (outer, inner) in axes(bound).into_iter().zip(sphere.center.to_array()) {
             assert_contains(outer, [inner, sphere.radius]);
         }
     }
     let radii = || inside.iter().map(|(_, sphere)| sphere.radius);
     let area: f64 = radii().map(|r| r * r).sum();
-    let found = boxes.area[place];
+    let found = bound.area;
     assert!(found == area || (found - area).abs() <= 1e-12 * area, "{found:e} for {area:e}");
-    assert_eq!(boxes.radius[place], radii().fold(0.0, f64::max));
+    assert_eq!(bound.radius, radii().fold(0.0, f64::max));
 }
 
 /// Slots without a sphere repeat the block's first one.
-fn assert_filled_up(index: &SphereIndex, block: usize, inside: &[(usize, Sphere)]) {
+fn assert_filled_up(index: &SphereIndex, block: usize) {
     let slots = SphereIndex::slots_of(block);
     let first = slots.start;
     for slot in slots.filter(|slot| index.ids[*slot] == NO_SPHERE) {
-        let slot_values =
-            |slot: usize| [index.x[slot], index.y[slot], index.z[slot], index.radius[slot]];
-        let expected = if inside.is_empty() { [0.0; 4] } else { slot_values(first) };
-        assert_eq!(slot_values(slot), expected);
+        assert_eq!(index.sphere(slot), index.sphere(first));
     }
 }
 
@@ -169,8 +152,7 @@ fn boxes_are_tight_and_groups_are_of_one_size_class() {
     // A block's share of the volume is a cube of edge 15; the spheres stick out by 0.1.
     let spheres = cloud(5000, (-1.0, -1.0));
     let index = SphereIndex::new(&spheres);
-    let filled = (0..index.blocks.len()).filter(|block| index.blocks.count[*block] > 0);
-    let edges: Vec<f64> = filled.map(|block| 2.0 * index.blocks.half_x[block]).collect();
+    let edges: Vec<f64> = index.blocks.iter().map(|bound| 2.0 * bound.half[0]).collect();
     let mean = edges.iter().sum::<f64>() / edges.len() as f64;
     assert!(mean < 25.0, "{mean}");
     assert_eq!(edges.len(), 5000_usize.div_ceil(BLOCK), "blocks are full");

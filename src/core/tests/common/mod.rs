@@ -6,6 +6,7 @@ pub(crate) mod levels;
 pub(crate) mod oracle;
 pub(crate) mod seed;
 
+use pinhole_core::methods::{Method, MethodHit, ray_kernel};
 use pinhole_core::*;
 
 /// A point or direction.
@@ -57,6 +58,37 @@ pub(crate) fn roots_on(sphere: Sphere, ray: &Ray) -> Vec<Root> {
 /// The root of one plane with its point and normal.
 pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
     Scene::new(vec![], vec![plane]).unwrap().roots(ray)[0]
+}
+
+/// The first hit of one ray by a method.
+pub(crate) fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHit> {
+    let mut kernel = ray_kernel(method, &[(scene.clone(), *ray)]);
+    kernel.intersect();
+    kernel.hit(0)
+}
+
+/// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
+pub(crate) fn shade_pixel(
+    scene: &Scene,
+    shade: Shade,
+    ray: &Ray,
+    nearest: f64,
+    color_of: impl Fn(u32) -> Rgb,
+) -> Rgb {
+    let color = |hit: Root| {
+        HitShader::new(scene, shade, nearest).color(ray, hit.object, hit.t, color_of(hit.object))
+    };
+    scene.first_hit(ray).map_or(BACKGROUND, color)
+}
+
+/// A ray with all its digits.
+pub(crate) fn exact(ray: &Ray) -> ExactRay<'static> {
+    ExactRay::from_ray(ray).unwrap()
+}
+
+/// The angle between up and view.
+pub(crate) fn up_angle(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+    Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL }.up_angle()
 }
 
 /// A camera at `eye` along `view`, level with y up, with the canonical viewport.

@@ -91,7 +91,6 @@ fn up_tilts_towards_the_view_and_breaks() {
     assert!(tilted.is_err() || tilted.unwrap().up_angle().unwrap().conditioning > 1e14);
     let by_hand = camera.given_by(OrientationKind::Basis).unwrap();
     assert_eq!(by_hand.up_tilted(30.0), Err(SteerError::NoUp));
-    assert_eq!(by_hand.up_tipped(30.0), Err(SteerError::NoUp));
 }
 
 proptest! {
@@ -134,20 +133,6 @@ proptest! {
         prop_assert!(off <= 5e-16 * found.conditioning, "{off:e} at {:?}", found);
     }
 
-    /// Tipping up sideways rolls the camera as the conditioning says.
-    #[test]
-    fn a_tip_rolls_by_the_conditioning(camera in any_camera(), degrees in -5.0..5.0_f64) {
-        prop_assume!(camera.orientation.kind() != OrientationKind::Basis);
-        let tipped = camera.up_tipped(degrees).unwrap();
-        let (before, after) = (camera.basis().unwrap(), tipped.basis().unwrap());
-        // Clockwise, as the camera sees it.
-        let roll = after.v.dot(before.u).atan2(after.v.dot(before.v));
-        let up = camera.up_angle().unwrap();
-        prop_assert!((roll - up.roll_of_tip(degrees.to_radians())).abs() <= 1e-15 * up.conditioning + 1e-15);
-        let small = up.roll_of_tip(1e-9);
-        prop_assert!((small / 1e-9 / up.conditioning - 1.0).abs() < 1e-9);
-    }
-
     /// The picture is the same, and t is divided by the factor.
     #[test]
     fn a_scaled_picture_is_the_same(
@@ -169,16 +154,6 @@ proptest! {
         prop_assert!((t(&before) / t(&after) / factor - 1.0).abs() <= 1e-14);
     }
 
-    /// p moves, d stays.
-    #[test]
-    fn travelling_moves_the_origin_alone(camera in any_camera(), offset in vector(-1.0..1.0)) {
-        let travelled = camera.travelled(offset).unwrap();
-        prop_assert_eq!(travelled.eye, camera.eye + offset);
-        prop_assert_eq!(travelled.orientation.kind(), camera.orientation.kind());
-        let (before, after) = (camera.view(), travelled.view());
-        let reach = camera.eye.length() + before.length() + offset.length();
-        prop_assert!((before - after).length() <= 1e-15 * reach);
-    }
 }
 
 #[test]
@@ -194,18 +169,6 @@ fn the_canonical_picture_scales_exactly() {
     let empty = Viewport { height: 0.0, ..Viewport::CANONICAL };
     let error = Camera { viewport: empty, ..Camera::CANONICAL }.scaled_picture(1.0).unwrap_err();
     assert_eq!(error.field, "height");
-}
-
-#[test]
-fn travelling_has_its_limits() {
-    let travelled = EXERCISE.travelled(vec3(1.0, 2.0, 3.0)).unwrap();
-    assert_eq!((travelled.eye, travelled.view()), (vec3(21.0, 6.0, 13.0), EXERCISE.view()));
-    assert_eq!(travelled.basis(), EXERCISE.basis());
-    let error = EXERCISE.travelled(vec3(f64::INFINITY, 0.0, 0.0)).unwrap_err();
-    assert!(matches!(error, BasisError::NotFinite { field: "eye", .. }));
-    // So far out that eye and at round to one point.
-    let error = Camera::CANONICAL.travelled(vec3(0.0, 0.0, 1e20)).unwrap_err();
-    assert!(matches!(error, BasisError::EyeIsAt { .. }));
 }
 
 /// Extreme lengths of up: nothing overflows, and the swing is that of the reference.

@@ -289,7 +289,8 @@ impl<'a> Checker<'a> {
         let objects: Vec<reference::Object> =
             objects.iter().map(|index| as_reference(self.scene.object(*index).unwrap())).collect();
         let camera = camera_as_reference(self.camera);
-        let hit = camera.first_hit_of_pixel(&objects, place.row, place.column);
+        let view = camera.prepare(&objects).ok();
+        let hit = view.and_then(|view| view.first_hit_of_pixel(place.row, place.column));
         let ulps = hit.as_ref().filter(|_| t.is_finite()).map_or(0.0, |hit| hit.t.ulps_from_f32(t));
         (hit.map(|hit| hit.object), ulps)
     }

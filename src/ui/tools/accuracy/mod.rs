@@ -182,7 +182,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
     let pixel = pixel_of(session.selection, resolved)?;
     let method = session.settings.compared.0;
-    let raster = Raster::of_pixel(pixel);
+    let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
     let truth = trace(scene, resolved, &raster, Outputs::default());
     let traced = trace_by(method, scene, resolved, &raster);
     let from = u32::from(session.settings.count_from_one);

@@ -3,17 +3,11 @@
 use std::collections::HashSet;
 
 use pinhole_core::*;
-use pinhole_yardstick::scenes::{self, Count, Group};
+use pinhole_yardstick::scenes::{self, covered};
 use pinhole_yardstick::{Setting, adversarial};
 
 fn made(name: &str) -> Setting {
-    let setting = adversarial::all().into_iter().find(|listed| listed.name == name).unwrap().make();
-    assert_eq!(setting.name, name);
-    setting
-}
-
-fn covered(setting: &Setting) -> f64 {
-    scenes::covered(&setting.scene, &setting.camera(0))
+    (adversarial::all().into_iter().find(|listed| listed.name == name).unwrap().make)()
 }
 
 #[test]
@@ -79,11 +73,9 @@ fn adversarial_scenes_are_what_their_names_say() {
 
 #[test]
 fn the_list_has_every_name_once() {
-    let names: Vec<String> = scenes::all().into_iter().map(|listed| listed.name).collect();
+    let names: Vec<&str> = scenes::all().iter().map(|listed| listed.name).collect();
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
-    let growth: Vec<String> = scenes::growth(1_000_000).into_iter().map(|l| l.name).collect();
-    assert_eq!(growth, ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6"]);
-    assert!(scenes::all().iter().any(|listed| listed.group == Group::Sizes));
-    assert_eq!(Count(30_000).to_string(), "3e4");
-    assert_eq!(Count(12_345).to_string(), "12345");
+    for group in ["growth", "adversarial", "sizes"] {
+        assert!(scenes::all().iter().any(|listed| listed.group == group), "{group}");
+    }
 }

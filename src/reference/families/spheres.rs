@@ -1,114 +1,59 @@
 //! Families of any rays against one sphere, or several objects.
 
-use crate::draw::{Draw, cross, dot, plus, scaled};
-use crate::family::{Family, Make, RayCase};
+use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
+use crate::families::family::{Family, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS, rays};
 use crate::object::Object;
 
-pub(crate) const ULPS: [f64; 3] = [-1.0, 0.0, 1.0];
-pub(crate) const OFFSETS: [f64; 4] = [3.0, 6.0, 9.0, 12.0];
-pub(crate) const TO_ROUNDING: [f64; 8] = [-16.0, -14.0, -12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
-pub(crate) const SMALL: [f64; 6] = [-12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
-pub(crate) const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
-
 pub(crate) static FAMILIES: [Family; 14] = [
-    Family {
-        name: "ordinary",
-        about: "A sphere of everyday size seen from a few radii away.",
-        knob_name: "distance of the line from the centre / radius",
-        knobs: &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0],
-        make: Make::Ray(ordinary),
-    },
-    Family {
-        name: "course-floor",
-        about: "The course's floor, a sphere of radius 5000 around (0, -5001, 0), from the origin.",
-        knob_name: "slope of the ray below the horizontal (0.02 touches)",
-        knobs: &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0],
-        make: Make::Ray(course_floor),
-    },
-    Family {
-        name: "several",
-        about: "Spheres and planes of everyday size: which one is first.",
-        knob_name: "number of objects",
-        knobs: &[2.0, 5.0, 20.0],
-        make: Make::Ray(several),
-    },
-    Family {
-        name: "tiny-far",
-        about: "A sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.",
-        knob_name: "log10 of radius / distance",
-        knobs: &SMALL,
-        make: Make::Ray(tiny_far),
-    },
-    Family {
-        name: "planet",
-        about: "The eye a little above a huge sphere: c is small against the squares it is made of.",
-        knob_name: "log10 of the radius, with the eye 0.001 to 10 above",
-        knobs: &PLANETS,
-        make: Make::Ray(planet),
-    },
-    Family {
-        name: "grazing",
-        about: "A line that passes the sphere's outline closely, inside or outside.",
-        knob_name: "log10 of |1 - distance of the line from the centre / radius|",
-        knobs: &TO_ROUNDING,
-        make: Make::Ray(grazing),
-    },
-    Family {
-        name: "tangent",
-        about: "A line that touches the sphere exactly, and radii one unit in the last place beside.",
-        knob_name: "radius, in ulps from tangent",
-        knobs: &ULPS,
-        make: Make::Ray(tangent),
-    },
-    Family {
-        name: "eye-near-surface",
-        about: "The origin just above or below the surface: is the near root ahead or behind?",
-        knob_name: "log10 of height / radius",
-        knobs: &TO_ROUNDING,
-        make: Make::Ray(eye_near_surface),
-    },
-    Family {
-        name: "eye-on-surface",
-        about: "The origin exactly on the surface, where t = 0 is no hit, and radii one ulp beside.",
-        knob_name: "radius, in ulps from the origin's distance",
-        knobs: &ULPS,
-        make: Make::Ray(eye_on_surface),
-    },
-    Family {
-        name: "eye-inside",
-        about: "The origin inside the sphere, or at its centre: the far root.",
-        knob_name: "distance from the centre / radius",
-        knobs: &[0.0, 1e-9, 0.1, 0.5, 0.9, 0.999],
-        make: Make::Ray(eye_inside),
-    },
-    Family {
-        name: "direction-length",
-        about: "An everyday sphere and a direction that is far from length 1.",
-        knob_name: "log10 of the direction's length",
-        knobs: &[-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0],
-        make: Make::Ray(direction_length),
-    },
-    Family {
-        name: "world-offset",
-        about: "An everyday sphere and ray, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Ray(world_offset),
-    },
-    Family {
-        name: "extreme-range",
-        about: "Lengths, the direction, or both so large or small that squares leave f64's range.",
-        knob_name: "log10 of the scale",
-        knobs: &[-320.0, -300.0, -150.0, -100.0, 100.0, 150.0, 300.0, 307.0],
-        make: Make::Ray(extreme_range),
-    },
-    Family {
-        name: "mixed-range",
-        about: "Origin, centre, radius and direction each of a size of its own.",
-        knob_name: "log10 of the largest size; the smallest is its inverse",
-        knobs: &[10.0, 30.0, 100.0, 300.0],
-        make: Make::Ray(mixed_range),
-    },
+    rays(
+        "ordinary",
+        "distance of the line from the centre / radius",
+        &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0],
+        everyday,
+    ),
+    rays(
+        "course-floor",
+        "slope of the ray below the horizontal (0.02 touches)",
+        &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0],
+        course_floor,
+    ),
+    rays("several", "number of objects", &[2.0, 5.0, 20.0], several),
+    rays("tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
+    rays("planet", "log10 of the radius, with the eye 0.001 to 10 above", &PLANETS, planet),
+    rays(
+        "grazing",
+        "log10 of |1 - distance of the line from the centre / radius|",
+        &TO_ROUNDING,
+        grazing,
+    ),
+    rays("tangent", "radius, in ulps from tangent", &ULPS, tangent),
+    rays("eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
+    rays("eye-on-surface", "radius, in ulps from the origin's distance", &ULPS, eye_on_surface),
+    rays(
+        "eye-inside",
+        "distance from the centre / radius",
+        &[0.0, 1e-9, 0.1, 0.5, 0.9, 0.999],
+        eye_inside,
+    ),
+    rays(
+        "direction-length",
+        "log10 of the direction's length",
+        &[-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0],
+        direction_length,
+    ),
+    rays("world-offset", "log10 of the offset", &OFFSETS, world_offset),
+    rays(
+        "extreme-range",
+        "log10 of the scale",
+        &[-320.0, -300.0, -150.0, -100.0, 100.0, 150.0, 300.0, 307.0],
+        extreme_range,
+    ),
+    rays(
+        "mixed-range",
+        "log10 of the largest size; the smallest is its inverse",
+        &[10.0, 30.0, 100.0, 300.0],
+        mixed_range,
+    ),
 ];
 
 fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 3]) -> RayCase {
@@ -124,7 +69,7 @@ fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3
     plus(to, aside, draw.across(to))
 }
 
-/// A sphere within a box, and an origin up to 8 radii away.
+/// A sphere of everyday size seen from a few radii away: within a box, the origin up to 8 radii away.
 fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
     let radius = draw.between(0.25, 1.0);
     let center = draw.in_box(4.0);
@@ -135,15 +80,12 @@ fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
-fn ordinary(draw: &mut Draw, impact: f64) -> RayCase {
-    everyday(draw, impact)
-}
-
 fn any_impact(draw: &mut Draw) -> RayCase {
     let impact = draw.between(0.0, 1.2);
     everyday(draw, impact)
 }
 
+/// The course's floor, a sphere of radius 5000 around (0, -5001, 0), from the origin.
 fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     let level = draw.across([0.0, 1.0, 0.0]);
     let direction = plus(level, -slope, [0.0, 1.0, 0.0]);
@@ -151,6 +93,7 @@ fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
 }
 
+/// Spheres and planes of everyday size: which one is first.
 fn several(draw: &mut Draw, count: f64) -> RayCase {
     let planes = draw.whole(0, (count as i64 + 2) / 4);
     let spheres = (count - planes) as usize;
@@ -165,6 +108,7 @@ fn several(draw: &mut Draw, count: f64) -> RayCase {
     RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
 }
 
+/// A sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.
 fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
@@ -181,6 +125,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
+/// The eye a little above a huge sphere: c is small against the squares it is made of.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -197,39 +142,20 @@ fn planet(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, direction)
 }
 
+/// A line that passes the sphere's outline closely, inside or outside.
 fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     let impact = 1.0 + draw.sign() * draw.decade(k);
     everyday(draw, impact)
 }
 
-/// Sizes of the whole numbers that a touching case is made of: those of `f32` keep within 24 bits,
-/// those of `f64` within 53, which their products do not.
-pub(crate) struct Sizes {
-    pub(crate) quaternion: i64,
-    pub(crate) place: i64,
-    pub(crate) steps: i64,
-}
-
-pub(crate) fn sizes(draw: &mut Draw) -> Sizes {
-    if draw.single || draw.once_in(2) {
-        Sizes { quaternion: 3, place: 1 << 10, steps: 1 << 8 }
-    } else {
-        Sizes { quaternion: 100, place: 1 << 40, steps: 1 << 20 }
-    }
-}
-
-/// A power of two that all lengths of a case may be multiplied by.
-pub(crate) fn binary_scale(draw: &mut Draw) -> f64 {
-    draw.power_of_two(-20, 20)
-}
-
+/// A line that touches the sphere exactly, and radii one unit in the last place beside.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = sizes(draw);
+    let Sizes { quaternion, place, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
     let touched = [0; 3].map(|_| draw.whole(-place, place));
     let (back, radii) = (draw.whole(1, steps), draw.whole(1, steps));
     let radius = draw.moved_by_ulps(radii * length, ulps);
-    let scale = binary_scale(draw);
+    let scale = draw.binary_scale();
     let stretch = draw.power_of_two(-8, 8);
     one_sphere(
         scaled(plus(touched, radii, out), scale),
@@ -239,6 +165,7 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     )
 }
 
+/// The origin just above or below the surface: is the near root ahead or behind?
 fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.between(0.5, 4.0);
     let center = draw.in_box(4.0);
@@ -247,8 +174,9 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
 
+/// The origin exactly on the surface, where t = 0 is no hit, and radii one ulp beside.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = sizes(draw);
+    let Sizes { quaternion, place, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
     let origin = [0; 3].map(|_| draw.whole(-place, place));
     let radii = draw.whole(1, steps);
@@ -260,7 +188,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
         _ => draw.whole_vector(9),
     };
     let direction = if direction == [0.0; 3] { out } else { direction };
-    let scale = binary_scale(draw);
+    let scale = draw.binary_scale();
     one_sphere(
         scaled(plus(origin, radii, out), scale),
         radius * scale,
@@ -269,6 +197,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     )
 }
 
+/// The origin inside the sphere, or at its centre: the far root.
 fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
@@ -276,6 +205,7 @@ fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     one_sphere(draw.given3(center), radius, draw.given3(origin), draw.direction())
 }
 
+/// An everyday sphere and a direction that is far from length 1.
 fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let length = dot(case.direction, case.direction).sqrt();
@@ -283,6 +213,7 @@ fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { direction: scaled(case.direction, scale), ..case }
 }
 
+/// An everyday sphere and ray, far from the world's origin.
 fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     let mut case = any_impact(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
@@ -306,6 +237,7 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { origin, ..case }
 }
 
+/// Lengths, the direction, or both so large or small that squares leave f64's range.
 fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));
@@ -315,19 +247,14 @@ fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
         2 => (scale, scale),
         _ => (scale, inverse),
     };
-    let resized = |object: Object| match object {
-        Object::Sphere { center, radius } => {
-            Object::Sphere { center: scaled(center, lengths), radius: radius * lengths }
-        }
-        plane => plane,
-    };
     RayCase {
-        objects: case.objects.into_iter().map(resized).collect(),
+        objects: case.objects.into_iter().map(|object| object.scaled(lengths)).collect(),
         origin: scaled(case.origin, lengths),
         direction: scaled(case.direction, direction),
     }
 }
 
+/// Origin, centre, radius and direction each of a size of its own.
 fn mixed_range(draw: &mut Draw, k: f64) -> RayCase {
     let (large, small) = (draw.decade(k), draw.decade(-k));
     let mut size = || draw.of_any_size(small.sqrt(), large.sqrt());

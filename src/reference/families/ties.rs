@@ -4,47 +4,31 @@
 //! same whole length n (see [`Draw::whole_frame`]). A sphere of radius k n around P + k N touches P
 //! where N is one of the three.
 
-use crate::draw::{Draw, cross, plus, scaled};
-use crate::family::{Family, Make, RayCase};
+use crate::families::draw::{Draw, Sizes, cross, plus, scaled};
+use crate::families::family::{Family, RayCase, ULPS, rays};
 use crate::object::Object;
-use crate::spheres::{Sizes, ULPS, binary_scale, sizes};
 
 pub(crate) static FAMILIES: [Family; 5] = [
-    Family {
-        name: "ties-concentric",
-        about: "Two spheres with the same centre, coincident or one ulp apart: the first listed wins.",
-        knob_name: "radius of the second, in ulps from the first's",
-        knobs: &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
-        make: Make::Ray(concentric),
-    },
-    Family {
-        name: "ties-touching-inside",
-        about: "A sphere that touches another from inside, and a ray through the contact.",
-        knob_name: "radius of the second, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Ray(touching_inside),
-    },
-    Family {
-        name: "ties-touching-outside",
-        about: "Spheres that touch from outside, and a ray through the contact from inside one or along both.",
-        knob_name: "radius of the second, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Ray(touching_outside),
-    },
-    Family {
-        name: "ties-sphere-plane",
-        about: "A plane that touches a sphere, and a ray through the contact.",
-        knob_name: "radius of the sphere, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Ray(sphere_plane),
-    },
-    Family {
-        name: "ties-planes",
-        about: "The same plane by another point and normal, or planes that cross where the ray goes.",
-        knob_name: "one coordinate of the second's point, in ulps",
-        knobs: &ULPS,
-        make: Make::Ray(planes),
-    },
+    rays(
+        "ties-concentric",
+        "radius of the second, in ulps from the first's",
+        &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
+        concentric,
+    ),
+    rays(
+        "ties-touching-inside",
+        "radius of the second, in ulps from touching",
+        &ULPS,
+        touching_inside,
+    ),
+    rays(
+        "ties-touching-outside",
+        "radius of the second, in ulps from touching",
+        &ULPS,
+        touching_outside,
+    ),
+    rays("ties-sphere-plane", "radius of the sphere, in ulps from touching", &ULPS, sphere_plane),
+    rays("ties-planes", "one coordinate of the second's point, in ulps", &ULPS, planes),
 ];
 
 /// A contact point and the vectors there, all whole.
@@ -58,7 +42,7 @@ struct Contact {
 }
 
 fn contact(draw: &mut Draw) -> Contact {
-    let Sizes { quaternion, place, steps } = sizes(draw);
+    let Sizes { quaternion, place, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
     // No coordinate is 0: each of them has a neighbour.
     let point = [0; 3].map(|_| draw.sign() * draw.whole(1, place));
@@ -97,21 +81,16 @@ fn shuffled(
     let same_kind =
         matches!(first, Object::Sphere { .. }) == matches!(second, Object::Sphere { .. });
     let objects = if same_kind && draw.once_in(2) { [second, first] } else { [first, second] };
-    let scale = binary_scale(draw);
+    let scale = draw.binary_scale();
     let stretch = draw.power_of_two(-8, 8);
-    let resized = |object| match object {
-        Object::Sphere { center, radius } => {
-            Object::Sphere { center: scaled(center, scale), radius: radius * scale }
-        }
-        Object::Plane { point, normal } => Object::Plane { point: scaled(point, scale), normal },
-    };
     RayCase {
-        objects: objects.map(resized).to_vec(),
+        objects: objects.map(|object| object.scaled(scale)).to_vec(),
         origin: scaled(origin, scale),
         direction: scaled(direction, stretch),
     }
 }
 
+/// Two spheres with the same centre, coincident or one ulp apart: the first listed wins.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
     let center = draw.given3(center);
@@ -126,6 +105,7 @@ fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [first, second], origin, direction)
 }
 
+/// A sphere that touches another from inside, and a ray through the contact.
 fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let [small, more] = [(); 2].map(|()| draw.whole(1, contact.steps / 2));
@@ -136,6 +116,7 @@ fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
 }
 
+/// Spheres that touch from outside, and a ray through the contact from inside one or along both.
 fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let other = draw.whole(1, contact.steps);
@@ -155,6 +136,7 @@ fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [around, beyond], plus(contact.point, -back, outward), outward)
 }
 
+/// A plane that touches a sphere, and a ray through the contact.
 fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let radii = draw.whole(1, contact.steps);
@@ -166,6 +148,7 @@ fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [sphere, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
 }
 
+/// The same plane by another point and normal, or planes that cross where the ray goes.
 fn planes(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let first = Object::Plane { point: contact.point, normal: contact.out };

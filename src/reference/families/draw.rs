@@ -11,6 +11,14 @@ pub(crate) struct Draw {
     pub(crate) single: bool,
 }
 
+/// Sizes of the whole numbers that a touching case is made of: those of `f32` keep within 24 bits,
+/// those of `f64` within 53, which their products do not.
+pub(crate) struct Sizes {
+    pub(crate) quaternion: i64,
+    pub(crate) place: i64,
+    pub(crate) steps: i64,
+}
+
 impl Draw {
     /// The numbers of one case.
     pub(crate) fn new(seed: u64, family: &str, knob: f64, index: usize, single: bool) -> Draw {
@@ -63,6 +71,19 @@ impl Draw {
     pub(crate) fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
         let exponent = self.whole(low, high) as i64;
         f64::from_bits(((1023 + exponent) as u64) << 52)
+    }
+
+    /// A power of two that all lengths of a case may be multiplied by.
+    pub(crate) fn binary_scale(&mut self) -> f64 {
+        self.power_of_two(-20, 20)
+    }
+
+    pub(crate) fn sizes(&mut self) -> Sizes {
+        if self.single || self.once_in(2) {
+            Sizes { quaternion: 3, place: 1 << 10, steps: 1 << 8 }
+        } else {
+            Sizes { quaternion: 100, place: 1 << 40, steps: 1 << 20 }
+        }
     }
 
     pub(crate) fn in_box(&mut self, half: f64) -> [f64; 3] {
@@ -129,11 +150,11 @@ impl Draw {
         moved
     }
 
-    /// `10^k` for a whole k, correctly rounded; in single precision a k beyond `f32`'s range is
+    /// `10^k` for a whole k, correctly rounded, subnormals included; in single precision a k beyond `f32`'s range is
     /// brought into it by the ratio of the ranges.
     pub(crate) fn decade(&self, k: f64) -> f64 {
         let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
-        decade(k)
+        format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
     }
 
     /// `x` as the case has it: rounded to `f32`, but neither to infinity nor to 0, where it has to
@@ -149,11 +170,6 @@ impl Draw {
     pub(crate) fn given3(&self, v: [f64; 3]) -> [f64; 3] {
         v.map(|x| self.given(x))
     }
-}
-
-/// `10^k` for a whole k, correctly rounded, subnormals included.
-pub(crate) fn decade(k: f64) -> f64 {
-    format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
 }
 
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use pinhole_reference::{
     Camera, Family, FrameCase, Hit, Kind, Object, Orientation, RayCase, Real, angle_between, basis,
-    distance_between, first_hit, first_object, roots,
+    distance_between, first_hit, roots,
 };
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
@@ -97,7 +97,6 @@ fn a_hit_is_on_its_object() {
             for RayCase { objects, origin, direction } in family.rays(knob, 12, 10, false) {
                 let Some(hit) = first_hit(&objects, origin, direction) else { continue };
                 assert!((length(&hit.normal) - 1.0).abs() < 1e-15, "{}", family.name());
-                assert_eq!(Some(hit.object), first_object(&objects, origin, direction));
                 match objects[hit.object] {
                     Object::Sphere { center, radius } => {
                         // A point of 440 bits cannot say where on dust at the world's end it is.
@@ -177,7 +176,7 @@ fn a_camera_along_the_axes_is_an_ordinary_ray() {
                 columns: 1,
                 rows: 1,
             };
-            let hit = camera.first_hit_of_uv(&case.objects, x, y);
+            let hit = camera.prepare(&case.objects).unwrap().first_hit_of_uv(x, y);
             assert!(is_same_hit(&hit, &ray), "{hit:?} {ray:?}");
         }
     }
@@ -268,8 +267,5 @@ fn what_is_out_of_f64s_range_is_answered_all_the_same() {
     let dust = Object::Sphere { center: [0.0, 0.0, -5e-324 * 3.0], radius: 5e-324 };
     let hit = first_hit(&[dust], [0.0; 3], [0.0, 0.0, -5e-324]).unwrap();
     assert_eq!(hit.t.ulps_from(2.0), 0.0);
-    assert_eq!(
-        roots(&dust, [1e308, 0.0, 0.0], [-1e308, 5e-324, 0.0]),
-        pinhole_reference::Roots::None
-    );
+    assert!(roots(&dust, [1e308, 0.0, 0.0], [-1e308, 5e-324, 0.0]).is_empty());
 }

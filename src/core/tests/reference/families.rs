@@ -4,9 +4,8 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use pinhole_reference::{
-    Camera, Case, Family, FrameCase, Kind, Object, Orientation, RayCase, Roots, Status,
-    angle_between, basis, first_hit, first_object, invalid_bases, invalid_cameras, invalid_rays,
-    roots,
+    BasisCase, Camera, Family, FrameCase, Kind, Object, Orientation, RayCase, Real, Status, View,
+    angle_between, basis, first_hit, invalid_bases, invalid_cameras, invalid_rays, roots,
 };
 
 const SEED: u64 = 20;
@@ -20,7 +19,41 @@ fn frames(name: &str, knob: f64, count: usize) -> Vec<FrameCase> {
     Family::named(name).unwrap().frames(knob, SEED, count, false)
 }
 
-fn object_roots(case: &RayCase) -> Roots {
+#[derive(Debug)]
+enum Case {
+    Ray(RayCase),
+    Basis(BasisCase),
+    Frame(FrameCase),
+}
+
+fn cases(family: &Family, knob: f64, count: usize, single: bool) -> Vec<Case> {
+    let rays = family.rays(knob, SEED, count, single).into_iter().map(Case::Ray);
+    let bases = family.bases(knob, SEED, count, single).into_iter().map(Case::Basis);
+    let frames = family.frames(knob, SEED, count, single).into_iter().map(Case::Frame);
+    rays.chain(bases).chain(frames).collect()
+}
+
+fn is_valid(object: &Object) -> bool {
+    let are_finite = |v: &[f64; 3]| v.iter().all(|x| x.is_finite());
+    match object {
+        Object::Sphere { center, radius } => {
+            are_finite(center) && radius.is_finite() && *radius > 0.0
+        }
+        Object::Plane { point, normal } => {
+            are_finite(point) && are_finite(normal) && *normal != [0.0; 3]
+        }
+    }
+}
+
+fn first_object(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<usize> {
+    first_hit(objects, origin, direction).map(|hit| hit.object)
+}
+
+fn object_of_pixel(view: &View, row: u32, column: u32) -> Option<usize> {
+    view.first_hit_of_pixel(row, column).map(|hit| hit.object)
+}
+
+fn object_roots(case: &RayCase) -> Vec<Real> {
     roots(&case.objects[0], case.origin, case.direction)
 }
 
@@ -62,7 +95,7 @@ fn some_of_all(mut visit: impl FnMut(&Family, f64, bool, &Case)) {
     for family in Family::all() {
         for &knob in family.knobs() {
             for single in [false, true] {
-                for case in family.cases(knob, SEED, 12, single) {
+                for case in cases(family, knob, 12, single) {
                     visit(family, knob, single, &case);
                 }
             }
@@ -77,7 +110,7 @@ fn the_table_is_complete() {
     for family in Family::all() {
         let is_kebab = |c: char| c.is_ascii_lowercase() || c == '-';
         assert!(family.name().chars().all(is_kebab), "{}", family.name());
-        assert!(family.about().ends_with(['.', '?']) && !family.knob_name().is_empty());
+        assert!(!family.knob_name().is_empty());
         assert!(family.knobs().is_sorted() && family.knobs().len() > 1, "{}", family.name());
     }
     for kind in [Kind::Rays, Kind::Bases, Kind::Frames] {
@@ -100,7 +133,7 @@ fn every_number_is_finite_and_every_object_valid() {
             Case::Basis(_) => (&[], [1.0; 3]),
         };
         assert!(direction != [0.0; 3], "{name} {knob}: {case:?}");
-        assert!(objects.iter().all(Object::is_valid), "{name} {knob}: {case:?}");
+        assert!(objects.iter().all(is_valid), "{name} {knob}: {case:?}");
         // Spheres are listed before planes.
         assert!(objects.is_sorted_by_key(|object| matches!(object, Object::Plane { .. })));
     });
@@ -124,13 +157,13 @@ fn the_same_seed_gives_the_same_cases_everywhere() {
 fn tangents_touch_exactly_and_an_ulp_decides() {
     for single in [false, true] {
         for case in rays("tangent", 0.0, single) {
-            assert!(matches!(object_roots(&case), Roots::One(_)), "{case:?}");
+            assert!(object_roots(&case).len() == 1, "{case:?}");
         }
         for case in rays("tangent", -1.0, single) {
-            assert_eq!(object_roots(&case), Roots::None, "{case:?}");
+            assert!(object_roots(&case).is_empty(), "{case:?}");
         }
         for case in rays("tangent", 1.0, single) {
-            assert!(matches!(object_roots(&case), Roots::Two(..)), "{case:?}");
+            assert!(object_roots(&case).len() == 2, "{case:?}");
         }
     }
 }
@@ -195,11 +228,11 @@ fn ties_are_exact_and_an_ulp_breaks_them() {
 fn parallel_means_parallel() {
     for single in [false, true] {
         for case in rays("parallel-plane", 0.0, single) {
-            assert_eq!(object_roots(&case), Roots::None, "{case:?}");
+            assert!(object_roots(&case).is_empty(), "{case:?}");
         }
         let meets = |knob| {
             let cases = rays("parallel-plane", knob, single);
-            cases.iter().filter(|case| object_roots(case) != Roots::None).count()
+            cases.iter().filter(|case| !object_roots(case).is_empty()).count()
         };
         assert!(meets(1.0) > COUNT / 2 && meets(-1.0) > COUNT / 2);
     }
@@ -257,7 +290,7 @@ fn outlines_go_through_pixel_centres() {
             .flat_map(|row| (0..case.camera.columns).map(move |column| (row, column)));
         let touches = |&(row, column): &(u32, u32)| {
             (0..case.objects.len())
-                .any(|object| matches!(view.roots_of_pixel(object, row, column), Roots::One(_)))
+                .any(|object| view.roots_of_pixel(object, row, column).len() == 1)
         };
         pixels.filter(touches).count()
     };
@@ -279,7 +312,7 @@ fn frames_have_a_basis_and_see_something() {
                 let view = case.camera.prepare(&case.objects).unwrap();
                 (0..rows).step_by(1 + rows as usize / 40).any(|row| {
                     let mut columns = (0..columns).step_by(1 + columns as usize / 40);
-                    columns.any(|column| view.first_object_of_pixel(row, column).is_some())
+                    columns.any(|column| object_of_pixel(&view, row, column).is_some())
                 })
             };
             assert!(cases.iter().any(sees), "{} {knob}", family.name());
@@ -293,7 +326,7 @@ fn in_frames_of_ties_the_first_listed_wins_in_every_pixel() {
         let view = case.camera.prepare(&case.objects).unwrap();
         for row in 0..case.camera.rows {
             for column in 0..case.camera.columns {
-                let object = view.first_object_of_pixel(row, column);
+                let object = object_of_pixel(&view, row, column);
                 assert!(object.is_none_or(|object| object % 2 == 0), "{row} {column}: {case:?}");
             }
         }
@@ -306,7 +339,7 @@ fn tied_pixels(camera: &Camera, [a, b]: [Object; 2]) -> usize {
     let pixels =
         (0..camera.rows).flat_map(|row| (0..camera.columns).map(move |column| (row, column)));
     let is_tied = |&(row, column): &(u32, u32)| {
-        [&one, &other].iter().all(|view| view.first_object_of_pixel(row, column) == Some(0))
+        [&one, &other].iter().all(|view| object_of_pixel(view, row, column) == Some(0))
     };
     pixels.filter(is_tied).count()
 }
@@ -343,7 +376,7 @@ fn what_is_invalid_is_at_fault_in_one_way() {
     assert!(invalid_rays().len() > 50 && invalid_bases().len() > 50);
     for (what, case) in invalid_rays() {
         let is_finite = |v: [f64; 3]| v.iter().all(|x| x.is_finite());
-        let is_valid = case.objects.iter().all(Object::is_valid)
+        let is_valid = case.objects.iter().all(is_valid)
             && is_finite(case.origin)
             && is_finite(case.direction)
             && case.direction != [0.0; 3];

@@ -1,9 +1,9 @@
 //! Pictures in which outlines touch pixel centres exactly, and objects coincide.
 
-use crate::bases::aimed;
 use crate::camera::{Camera, Orientation};
-use crate::draw::{Draw, cross, dot, plus, scaled};
-use crate::family::FrameCase;
+use crate::families::bases::aimed;
+use crate::families::draw::{Draw, cross, dot, plus, scaled};
+use crate::families::family::FrameCase;
 use crate::object::Object;
 
 /// Pixels from the middle to the edge, in a picture with a pixel in the middle.
@@ -33,30 +33,14 @@ fn camera(draw: &mut Draw, eye: [f64; 3], orientation: Orientation, distance: f6
     }
 }
 
-/// Returns the case with all lengths of the world times a power of two: t alone changes.
-fn in_other_units(draw: &mut Draw, case: FrameCase) -> FrameCase {
-    let scale = draw.power_of_two(-16, 16);
-    let objects = case.objects.into_iter().map(|object| match object {
-        Object::Sphere { center, radius } => {
-            Object::Sphere { center: scaled(center, scale), radius: radius * scale }
-        }
-        Object::Plane { point, normal } => Object::Plane { point: scaled(point, scale), normal },
-    });
-    let orientation = match case.camera.orientation {
-        Orientation::At { at, up } => Orientation::At { at: scaled(at, scale), up },
-        other => other,
-    };
-    let camera = Camera { eye: scaled(case.camera.eye, scale), orientation, ..case.camera };
-    FrameCase { camera, objects: objects.collect() }
-}
-
+/// Spheres whose outlines go exactly through pixel centres, and radii one ulp beside.
 pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     let case = if draw.once_in(2) {
         by_rational_basis(draw, ulps)
     } else {
         by_irrational_basis(draw, ulps)
     };
-    in_other_units(draw, case)
+    case.scaled(draw.power_of_two(-16, 16))
 }
 
 /// A camera whose basis is a whole frame divided by its length, so that all of its rays have rational
@@ -141,9 +125,10 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     let objects =
         if draw.once_in(2) { vec![inner, outer, plane] } else { vec![outer, inner, plane] };
     let camera = half_turned(draw, &world, eye);
-    in_other_units(draw, FrameCase { camera, objects })
+    FrameCase { camera, objects }.scaled(draw.power_of_two(-16, 16))
 }
 
+/// Coincident spheres and coincident planes: in each pixel the first listed wins.
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let center = draw.whole_vector(20);
     let radius = draw.whole(4, 12);

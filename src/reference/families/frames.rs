@@ -1,97 +1,51 @@
 //! Families of whole pictures.
 
 use crate::camera::{Camera, Orientation};
-use crate::draw::{Draw, cross, dot, plus, scaled};
-use crate::family::{Family, FrameCase, Make};
+use crate::families::draw::{Draw, cross, dot, plus, scaled};
+use crate::families::family::{
+    Family, FrameCase, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS, frames,
+};
+use crate::families::touching_frames;
 use crate::object::Object;
-use crate::spheres::{OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
-use crate::touching_frames;
 
 pub(crate) static FAMILIES: [Family; 12] = [
-    Family {
-        name: "frame-ordinary",
-        about: "An everyday camera and scene.",
-        knob_name: "number of objects",
-        knobs: &[1.0, 3.0, 8.0],
-        make: Make::Frame(ordinary),
-    },
-    Family {
-        name: "frame-tangent",
-        about: "Spheres whose outlines go exactly through pixel centres, and radii one ulp beside.",
-        knob_name: "radius, in ulps from tangent",
-        knobs: &ULPS,
-        make: Make::Frame(touching_frames::tangent),
-    },
-    Family {
-        name: "frame-ties",
-        about: "Coincident spheres and coincident planes: in each pixel the first listed wins.",
-        knob_name: "radius of the second sphere, in ulps from the first's",
-        knobs: &ULPS,
-        make: Make::Frame(touching_frames::ties),
-    },
-    Family {
-        name: "frame-touching",
-        about: "Two spheres and a plane that touch where a pixel's ray enters them.",
-        knob_name: "radius of the inner sphere, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Frame(touching_frames::touching),
-    },
-    Family {
-        name: "frame-planet",
-        about: "The horizon of a huge sphere right under the eye.",
-        knob_name: "log10 of the radius, with the eye 0.001 to 10 above",
-        knobs: &PLANETS,
-        make: Make::Frame(planet),
-    },
-    Family {
-        name: "frame-tiny-far",
-        about: "Spheres that are tiny for their distance, each about as near to a pixel's ray as it is large.",
-        knob_name: "log10 of radius / distance",
-        knobs: &SMALL,
-        make: Make::Frame(tiny_far),
-    },
-    Family {
-        name: "frame-eye-near-surface",
-        about: "The eye just above or below a sphere's surface.",
-        knob_name: "log10 of height / radius",
-        knobs: &TO_ROUNDING,
-        make: Make::Frame(eye_near_surface),
-    },
-    Family {
-        name: "frame-offset",
-        about: "An everyday camera and scene, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Frame(offset),
-    },
-    Family {
-        name: "frame-up-near-view",
-        about: "An everyday scene and a camera whose up is nearly parallel to its view.",
-        knob_name: "log10 of the angle between up and view in radians",
-        knobs: &TO_ROUNDING,
-        make: Make::Frame(up_near_view),
-    },
-    Family {
-        name: "frame-long-thin",
-        about: "A picture of one row or one column.",
-        knob_name: "log10 of its pixels",
-        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0],
-        make: Make::Frame(long_thin),
-    },
-    Family {
-        name: "viewport-extreme",
-        about: "A viewport or a distance, or both, of an extreme size.",
-        knob_name: "log10 of the size",
-        knobs: &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
-        make: Make::Frame(viewport_extreme),
-    },
-    Family {
-        name: "frame-range",
-        about: "Camera and scene so large or small that squares leave f64's range.",
-        knob_name: "log10 of the scale",
-        knobs: &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
-        make: Make::Frame(range),
-    },
+    frames("frame-ordinary", "number of objects", &[1.0, 3.0, 8.0], everyday),
+    frames("frame-tangent", "radius, in ulps from tangent", &ULPS, touching_frames::tangent),
+    frames(
+        "frame-ties",
+        "radius of the second sphere, in ulps from the first's",
+        &ULPS,
+        touching_frames::ties,
+    ),
+    frames(
+        "frame-touching",
+        "radius of the inner sphere, in ulps from touching",
+        &ULPS,
+        touching_frames::touching,
+    ),
+    frames("frame-planet", "log10 of the radius, with the eye 0.001 to 10 above", &PLANETS, planet),
+    frames("frame-tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
+    frames("frame-eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
+    frames("frame-offset", "log10 of the offset", &OFFSETS, offset),
+    frames(
+        "frame-up-near-view",
+        "log10 of the angle between up and view in radians",
+        &TO_ROUNDING,
+        up_near_view,
+    ),
+    frames("frame-long-thin", "log10 of its pixels", &[0.0, 1.0, 2.0, 3.0, 4.0], long_thin),
+    frames(
+        "viewport-extreme",
+        "log10 of the size",
+        &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
+        viewport_extreme,
+    ),
+    frames(
+        "frame-range",
+        "log10 of the scale",
+        &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
+        range,
+    ),
 ];
 
 /// A camera at `eye` that looks at a point, with an image of 16 to 24 pixels a side.
@@ -120,9 +74,10 @@ fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
     }
 }
 
-fn everyday(draw: &mut Draw, count: usize) -> FrameCase {
+/// An everyday camera and scene.
+fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
     let planes = draw.whole(0, (count as i64 + 1) / 4) as usize;
-    let mut objects: Vec<Object> = (planes..count)
+    let mut objects: Vec<Object> = (planes..count as usize)
         .map(|_| Object::Sphere { center: draw.in_box(2.0), radius: draw.between(0.3, 1.5) })
         .collect();
     objects.extend(
@@ -133,10 +88,7 @@ fn everyday(draw: &mut Draw, count: usize) -> FrameCase {
     FrameCase { camera: camera(draw, eye, at), objects }
 }
 
-fn ordinary(draw: &mut Draw, count: f64) -> FrameCase {
-    everyday(draw, count as usize)
-}
-
+/// The horizon of a huge sphere right under the eye.
 fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -168,6 +120,7 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
+/// Spheres that are tiny for their distance, each about as near to a pixel's ray as it is large.
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
@@ -186,6 +139,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects }
 }
 
+/// The eye just above or below a sphere's surface.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     let (center, radius) = (draw.in_box(4.0), draw.between(0.5, 4.0));
     let height = draw.sign() * draw.decade(k);
@@ -198,39 +152,20 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     }
 }
 
-fn changed(
-    case: FrameCase,
-    place: impl Fn([f64; 3]) -> [f64; 3],
-    size: impl Fn(f64) -> f64,
-) -> FrameCase {
-    let object = |object| match object {
-        Object::Sphere { center, radius } => {
-            Object::Sphere { center: place(center), radius: size(radius) }
-        }
-        Object::Plane { point, normal } => Object::Plane { point: place(point), normal },
-    };
-    let orientation = match case.camera.orientation {
-        Orientation::At { at, up } => Orientation::At { at: place(at), up },
-        other => other,
-    };
-    FrameCase {
-        camera: Camera { eye: place(case.camera.eye), orientation, ..case.camera },
-        objects: case.objects.into_iter().map(object).collect(),
-    }
-}
-
+/// An everyday camera and scene, far from the world's origin.
 fn offset(draw: &mut Draw, k: f64) -> FrameCase {
-    let mut case = everyday(draw, 3);
+    let mut case = everyday(draw, 3.0);
     // By a view: rounding may bring the point to the eye.
     if let Orientation::At { at, up } = case.camera.orientation {
         case.camera.orientation = Orientation::View { view: plus(at, -1.0, case.camera.eye), up };
     }
     let offset = scaled(draw.direction(), draw.decade(k));
-    changed(case, |point| plus(point, 1.0, offset), |radius| radius)
+    case.map(|point| plus(point, 1.0, offset), |radius| radius)
 }
 
+/// An everyday scene and a camera whose up is nearly parallel to its view.
 fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
-    let mut case = everyday(draw, 3);
+    let mut case = everyday(draw, 3.0);
     let angle = draw.decade(k) * draw.between(0.3, 3.0);
     let length = draw.sign() * draw.between(0.3, 2.0);
     let eye = case.camera.eye;
@@ -253,16 +188,18 @@ fn tipped(draw: &mut Draw, view: [f64; 3], angle: f64, length: f64) -> [f64; 3] 
     scaled(plus(view, angle * dot(view, view).sqrt(), draw.across(view)), length)
 }
 
+/// A picture of one row or one column.
 fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
-    let mut case = everyday(draw, 2);
+    let mut case = everyday(draw, 2.0);
     let pixels = draw.decade(k) as u32;
     let [columns, rows] = if draw.once_in(2) { [pixels, 1] } else { [1, pixels] };
     case.camera = Camera { columns, rows, ..case.camera };
     case
 }
 
+/// A viewport or a distance, or both, of an extreme size.
 fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
-    let mut case = everyday(draw, 3);
+    let mut case = everyday(draw, 3.0);
     let size = draw.decade(k);
     let (extent, distance) = match draw.whole(0, 2) as i64 {
         0 => (size, 1.0),
@@ -275,8 +212,8 @@ fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
+/// Camera and scene so large or small that squares leave f64's range.
 fn range(draw: &mut Draw, k: f64) -> FrameCase {
-    let case = everyday(draw, 3);
-    let scale = draw.decade(k);
-    changed(case, |point| scaled(point, scale), |radius| radius * scale)
+    let case = everyday(draw, 3.0);
+    case.scaled(draw.decade(k))
 }

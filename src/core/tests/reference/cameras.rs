@@ -1,6 +1,6 @@
 //! Cameras: answers that are known without a computer.
 
-use pinhole_reference::{Camera, Object, Orientation, Real, Status, angle_between, basis};
+use pinhole_reference::{Camera, Hit, Object, Orientation, Real, Status, angle_between, basis};
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
@@ -20,31 +20,35 @@ fn wall() -> Object {
     Object::Plane { point: [0.0, 0.0, -6.0], normal: [0.0, 0.0, 1.0] }
 }
 
+fn hit_of_uv(camera: &Camera, object: Object, u: f64, v: f64) -> Option<Hit> {
+    camera.prepare(&[object]).unwrap().first_hit_of_uv(u, v)
+}
+
 fn floats(v: &[Real; 3]) -> [f64; 3] {
     v.clone().map(|x| x.to_f64())
 }
 
 #[test]
 fn the_lectures_warm_up() {
-    let hit = canonical().first_hit_of_uv(&[wall()], 0.2, -0.1).unwrap();
+    let hit = hit_of_uv(&canonical(), wall(), 0.2, -0.1).unwrap();
     assert_eq!(hit.t.to_f64(), 6.0);
     assert_eq!(floats(&hit.point), [6.0 * 0.2, 6.0 * -0.1, -6.0]);
     let far = Camera { distance: 2.0, ..canonical() };
-    let hit = far.first_hit_of_uv(&[wall()], 0.2, -0.1).unwrap();
+    let hit = hit_of_uv(&far, wall(), 0.2, -0.1).unwrap();
     assert_eq!(hit.t.to_f64(), 3.0);
     let ball = Object::Sphere { center: [0.0, 0.0, -5.0], radius: 1.0 };
-    assert_eq!(canonical().first_hit_of_uv(&[ball], 0.0, 0.0).unwrap().t.to_f64(), 4.0);
-    assert_eq!(canonical().first_hit_of_uv(&[ball], 0.2, -0.1), None);
+    assert_eq!(hit_of_uv(&canonical(), ball, 0.0, 0.0).unwrap().t.to_f64(), 4.0);
+    assert_eq!(hit_of_uv(&canonical(), ball, 0.2, -0.1), None);
 }
 
 #[test]
 fn the_lectures_camera_at_45_degrees() {
     let s = 0.5_f64.sqrt();
-    let [u, v, w] = turned().basis().unwrap();
+    let [u, v, w] = basis([0.0; 3], &turned().orientation).unwrap();
     assert_eq!([floats(&u), floats(&v), floats(&w)], [[s, 0.0, -s], UP, [s, 0.0, s]]);
     // s itself is no double.
     assert!(u[0].ulps_from(s) > 0.0 && u[0].ulps_from(s) < 0.5);
-    let hit = turned().first_hit_of_uv(&[wall()], 0.2, -0.1).unwrap();
+    let hit = hit_of_uv(&turned(), wall(), 0.2, -0.1).unwrap();
     assert_eq!(hit.t.to_f64(), 50.0_f64.sqrt());
     // 0.2 as given is not 1/5: the point is only near (-4, -sqrt(2)/2, -6).
     for (x, known) in floats(&hit.point).into_iter().zip([-4.0, -s, -6.0]) {

@@ -1,45 +1,31 @@
 //! Families of any rays against one plane.
 
-use crate::draw::{Draw, dot, plus, scaled};
-use crate::family::{Family, Make, RayCase};
+use crate::families::draw::{Draw, Sizes, dot, plus, scaled};
+use crate::families::family::{Family, OFFSETS, RayCase, TO_ROUNDING, ULPS, rays};
 use crate::object::Object;
-use crate::spheres::{OFFSETS, Sizes, TO_ROUNDING, ULPS, binary_scale, sizes};
 
 pub(crate) static FAMILIES: [Family; 4] = [
-    Family {
-        name: "near-parallel-plane",
-        about: "A ray at a small angle to a plane: normal . direction nearly cancels.",
-        knob_name: "log10 of the angle to the plane in radians",
-        knobs: &TO_ROUNDING,
-        make: Make::Ray(near_parallel),
-    },
-    Family {
-        name: "parallel-plane",
-        about: "A ray exactly parallel to a plane, inside or beside it, and normals one ulp beside.",
-        knob_name: "one coordinate of the normal, in ulps from parallel",
-        knobs: &ULPS,
-        make: Make::Ray(parallel),
-    },
-    Family {
-        name: "plane-offset",
-        about: "An everyday plane and ray, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Ray(offset),
-    },
-    Family {
-        name: "plane-range",
-        about: "A normal, a direction or lengths that are so large or small that products leave f64's range.",
-        knob_name: "log10 of the scale",
-        knobs: &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0],
-        make: Make::Ray(range),
-    },
+    rays(
+        "near-parallel-plane",
+        "log10 of the angle to the plane in radians",
+        &TO_ROUNDING,
+        near_parallel,
+    ),
+    rays("parallel-plane", "one coordinate of the normal, in ulps from parallel", &ULPS, parallel),
+    rays("plane-offset", "log10 of the offset", &OFFSETS, offset),
+    rays(
+        "plane-range",
+        "log10 of the scale",
+        &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0],
+        range,
+    ),
 ];
 
 fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f64; 3]) -> RayCase {
     RayCase { objects: vec![Object::Plane { point, normal }], origin, direction }
 }
 
+/// A ray at a small angle to a plane: normal . direction nearly cancels.
 fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
     let normal = draw.direction();
     let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
@@ -49,8 +35,9 @@ fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
     one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
 }
 
+/// A ray exactly parallel to a plane, inside or beside it, and normals one ulp beside.
 fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = sizes(draw);
+    let Sizes { quaternion, place, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
     let point = [0; 3].map(|_| draw.whole(-place, place));
     let height = if draw.once_in(3) { 0.0 } else { draw.whole(-steps, steps) };
@@ -60,7 +47,7 @@ fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
     if let Some(i) = (0..3).find(|&i| normal[i] * along[i] != 0.0) {
         normal[i] = draw.moved_by_ulps(normal[i], ulps);
     }
-    let scale = binary_scale(draw);
+    let scale = draw.binary_scale();
     one_plane(scaled(point, scale), normal, scaled(origin, scale), along)
 }
 
@@ -75,32 +62,26 @@ fn everyday(draw: &mut Draw) -> RayCase {
     one_plane(point, normal, origin, scaled(direction, length))
 }
 
-fn changed(case: RayCase, change: impl Fn([f64; 3], [f64; 3]) -> ([f64; 3], [f64; 3])) -> RayCase {
-    let objects = case.objects.into_iter().map(|object| match object {
-        Object::Plane { point, normal } => {
-            let (point, normal) = change(point, normal);
-            Object::Plane { point, normal }
-        }
-        sphere => sphere,
-    });
-    RayCase { objects: objects.collect(), ..case }
-}
-
+/// An everyday plane and ray, far from the world's origin.
 fn offset(draw: &mut Draw, k: f64) -> RayCase {
-    let case = everyday(draw);
+    let RayCase { objects, origin, direction } = everyday(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
-    let origin = plus(case.origin, 1.0, offset);
-    changed(RayCase { origin, ..case }, |point, normal| (plus(point, 1.0, offset), normal))
+    let moved = |point| plus(point, 1.0, offset);
+    let objects = objects.into_iter().map(|plane| plane.map(moved, |normal| normal, |r| r));
+    RayCase { objects: objects.collect(), origin: moved(origin), direction }
 }
 
+/// A normal, a direction or lengths that are so large or small that products leave f64's range.
 fn range(draw: &mut Draw, k: f64) -> RayCase {
-    let case = everyday(draw);
+    let RayCase { objects, origin, direction } = everyday(draw);
     let scale = draw.decade(k);
     let factor = |draw: &mut Draw| if draw.once_in(2) { scale } else { 1.0 };
     let (lengths, normals, directions) = (factor(draw), factor(draw), factor(draw));
-    let origin = scaled(case.origin, lengths);
-    let direction = scaled(case.direction, directions);
-    changed(RayCase { origin, direction, ..case }, |point, normal| {
-        (scaled(point, lengths), scaled(normal, normals))
-    })
+    let length = |point| scaled(point, lengths);
+    let objects = objects.into_iter().map(|o| o.map(length, |n| scaled(n, normals), |r| r));
+    RayCase {
+        objects: objects.collect(),
+        origin: length(origin),
+        direction: scaled(direction, directions),
+    }
 }

@@ -1,7 +1,7 @@
 //! Inputs that must be refused at the door, with what is wrong about each.
 
 use crate::camera::{Camera, Orientation};
-use crate::family::{BasisCase, RayCase};
+use crate::families::family::{BasisCase, RayCase};
 use crate::object::Object;
 
 /// Numbers that are not finite.
@@ -13,14 +13,14 @@ const WALL: Object = Object::Plane { point: [0.0, 0.0, -6.0], normal: [0.0, 0.0,
 const VIEW: [f64; 3] = [0.0, 0.0, -1.0];
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
-/// Each coordinate of a vector in turn made not finite.
-fn spoilt(name: &str, v: [f64; 3]) -> Vec<(String, [f64; 3])> {
+/// Cases of a vector of which each coordinate in turn is made not finite.
+fn spoilt<T>(name: &str, v: [f64; 3], case: impl Fn([f64; 3]) -> T) -> Vec<(String, T)> {
     let mut all = Vec::new();
     for (what, value) in STRANGE {
         for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let mut spoilt = v;
             spoilt[i] = value;
-            all.push((format!("{name}.{axis} is {what}"), spoilt));
+            all.push((format!("{name}.{axis} is {what}"), case(spoilt)));
         }
     }
     all
@@ -38,29 +38,22 @@ pub fn invalid_rays() -> Vec<(String, RayCase)> {
         ("direction is 0".to_owned(), case([BALL, WALL], [0.0; 3], [0.0; 3])),
         ("direction is -0".to_owned(), case([BALL, WALL], [0.0; 3], [-0.0; 3])),
     ];
-    for (what, origin) in spoilt("origin", [0.0; 3]) {
-        all.push((what, case([BALL, WALL], origin, VIEW)));
-    }
-    for (what, direction) in spoilt("direction", VIEW) {
-        all.push((what, case([BALL, WALL], [0.0; 3], direction)));
-    }
-    for (what, center) in spoilt("center", [0.0, 0.0, -5.0]) {
-        all.push((what, with(Object::Sphere { center, radius: 1.0 }, WALL)));
-    }
+    let both = [BALL, WALL];
+    all.extend(spoilt("origin", [0.0; 3], |origin| case(both, origin, VIEW)));
+    all.extend(spoilt("direction", VIEW, |direction| case(both, [0.0; 3], direction)));
+    let ball = |center| Object::Sphere { center, radius: 1.0 };
+    all.extend(spoilt("center", [0.0, 0.0, -5.0], |center| with(ball(center), WALL)));
     let sizes = [("0", 0.0), ("-0", -0.0), ("negative", -1.0), ("negative", -f64::from_bits(1))];
     for (what, radius) in sizes.into_iter().chain(STRANGE) {
         let ball = Object::Sphere { center: [0.0, 0.0, -5.0], radius };
         all.push((format!("radius is {what}"), with(ball, WALL)));
     }
-    for (what, point) in spoilt("point", [0.0, 0.0, -6.0]) {
-        all.push((what, with(BALL, Object::Plane { point, normal: [0.0, 0.0, 1.0] })));
-    }
-    for (what, normal) in spoilt("normal", [0.0, 0.0, 1.0]) {
-        all.push((what, with(BALL, Object::Plane { point: [0.0, 0.0, -6.0], normal })));
-    }
+    let wall = |point, normal| with(BALL, Object::Plane { point, normal });
+    let (point, normal) = ([0.0, 0.0, -6.0], [0.0, 0.0, 1.0]);
+    all.extend(spoilt("point", point, |point| wall(point, normal)));
+    all.extend(spoilt("normal", normal, |normal| wall(point, normal)));
     for (what, normal) in [("0", [0.0; 3]), ("-0", [-0.0; 3])] {
-        let wall = Object::Plane { point: [0.0, 0.0, -6.0], normal };
-        all.push((format!("normal is {what}"), with(BALL, wall)));
+        all.push((format!("normal is {what}"), wall(point, normal)));
     }
     all
 }
@@ -68,32 +61,20 @@ pub fn invalid_rays() -> Vec<(String, RayCase)> {
 /// Cameras' places and orientations of which one number is not finite. Those whose numbers are
 /// finite but that have no basis are the family `no-basis`.
 pub fn invalid_bases() -> Vec<(String, BasisCase)> {
-    let mut all = Vec::new();
-    let mut add = |what, eye, orientation| all.push((what, BasisCase { eye, orientation }));
-    for (what, eye) in spoilt("eye", [0.0; 3]) {
-        add(what, eye, Orientation::At { at: VIEW, up: UP });
-    }
-    for (what, at) in spoilt("at", VIEW) {
-        add(what, [0.0; 3], Orientation::At { at, up: UP });
-    }
-    for (what, view) in spoilt("view", VIEW) {
-        add(what, [0.0; 3], Orientation::View { view, up: UP });
-    }
-    for (what, up) in spoilt("up", UP) {
-        add(what.clone(), [0.0; 3], Orientation::At { at: VIEW, up });
-        add(what, [0.0; 3], Orientation::View { view: VIEW, up });
-    }
+    let case = |eye, orientation| BasisCase { eye, orientation };
+    let at_origin = |orientation| case([0.0; 3], orientation);
     let [u, v, w] = [[1.0, 0.0, 0.0], UP, [0.0, 0.0, 1.0]];
-    for (what, u) in spoilt("basis.u", u) {
-        add(what, [0.0; 3], Orientation::Basis { u, v, w });
-    }
-    for (what, v) in spoilt("basis.v", v) {
-        add(what, [0.0; 3], Orientation::Basis { u, v, w });
-    }
-    for (what, w) in spoilt("basis.w", w) {
-        add(what, [0.0; 3], Orientation::Basis { u, v, w });
-    }
-    all
+    let all = [
+        spoilt("eye", [0.0; 3], |eye| case(eye, Orientation::At { at: VIEW, up: UP })),
+        spoilt("at", VIEW, |at| at_origin(Orientation::At { at, up: UP })),
+        spoilt("view", VIEW, |view| at_origin(Orientation::View { view, up: UP })),
+        spoilt("up", UP, |up| at_origin(Orientation::At { at: VIEW, up })),
+        spoilt("up", UP, |up| at_origin(Orientation::View { view: VIEW, up })),
+        spoilt("basis.u", u, |u| at_origin(Orientation::Basis { u, v, w })),
+        spoilt("basis.v", v, |v| at_origin(Orientation::Basis { u, v, w })),
+        spoilt("basis.w", w, |w| at_origin(Orientation::Basis { u, v, w })),
+    ];
+    all.concat()
 }
 
 /// Cameras with a basis whose viewport or image is at fault.

@@ -4,10 +4,9 @@ use std::time::Duration;
 
 use pinhole_core::*;
 use pinhole_yardstick::bvh::Bvh;
-use pinhole_yardstick::contest::{self, Limits, Method};
+use pinhole_yardstick::contest::{self, Limits};
 use pinhole_yardstick::stores::Stores;
-use pinhole_yardstick::textbook::TextbookScene;
-use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes};
+use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes, textbook};
 
 fn ladder(setting: &Setting) -> Frame<f32> {
     let camera = setting.camera(0);
@@ -27,7 +26,7 @@ fn agreement(setting: &Setting, buffers: &Buffers) -> f64 {
 fn rivals(setting: &Setting) -> [Buffers; 2] {
     let mut both = [Buffers::new(setting.image()), Buffers::new(setting.image())];
     let camera = setting.camera(0);
-    TextbookScene::new(&setting.scene).trace(&camera, &mut both[0]);
+    textbook::trace(&textbook::balls(&setting.scene), &camera, &mut both[0]);
     Bvh::new(&setting.scene).trace(&camera, &mut both[1]);
     both
 }
@@ -46,31 +45,15 @@ fn rivals_agree_with_the_ladder_on_nearly_all_pixels() {
 }
 
 #[test]
-fn rivals_see_planes() {
-    let plane = |point, normal| Plane::new(point, normal).unwrap();
-    let planes =
-        vec![plane([0.0, -1.0, 0.0], [0.0, 2.0, 0.0]), plane([0.0, 0.0, 9.0], [0.0, 0.0, 1.0])];
-    let spheres = scenes::spheres_at(10, 0.3, 1.0).scene.spheres().to_vec();
-    let camera = Camera { image: ImageSize::new(90, 90).unwrap(), ..Camera::CANONICAL };
-    let setting = Setting::new("", Scene::new(spheres, planes).unwrap(), camera).unwrap();
-    for buffers in rivals(&setting) {
-        assert!(agreement(&setting, &buffers) > 0.99);
-        assert!(buffers.object.contains(&10), "the floor is seen");
-        assert!(!buffers.object.contains(&11), "what is behind is not");
-    }
-}
-
-#[test]
 fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
     for name in ["eye-plane", "in-sphere", "planet"] {
         let setting = adversarial::all().into_iter().find(|listed| listed.name == name).unwrap();
-        let setting = setting.make().with_image(60, 40);
+        let setting = (setting.make)().with_image(60, 40);
         let [plain, tree] = rivals(&setting);
         assert!(check::alike(&plain.object, &tree.object) > 0.99, "{name}");
     }
     let same = vec![Sphere::new([0.0, 0.0, -5.0], 1.0).unwrap(); 1000];
-    let scene = Scene::new(same, vec![]).unwrap();
-    let setting = Setting::new("", scene, Camera::CANONICAL).unwrap().with_image(20, 20);
+    let setting = Setting::new(same, Camera::CANONICAL).with_image(20, 20);
     let [plain, tree] = rivals(&setting);
     assert_eq!(plain.object, tree.object);
     assert!(tree.object.contains(&0), "of equals the first listed");
@@ -81,8 +64,7 @@ fn stores_store_every_pixel() {
     let image = ImageSize::new(37, 5).unwrap();
     for mut stores in [Stores::again(image, Level::new()), Stores::to_memory(image, Level::new())] {
         for frame in 1..4 {
-            stores.run();
-            let last = stores.last();
+            let last = stores.run();
             assert_eq!(last.t, vec![frame as f32; 37 * 5]);
             assert_eq!(last.object, vec![frame; 37 * 5]);
         }
@@ -90,26 +72,20 @@ fn stores_store_every_pixel() {
 }
 
 #[test]
-fn a_contest_says_who_took_part_and_why_others_did_not() {
+fn a_contest_is_among_those_who_are_quick_enough() {
     let limits = Limits { share: Duration::from_millis(1), most: 3, ..Limits::default() };
-    let names = |count: usize, limits: &Limits| {
+    let names = |count: usize, limits: &Limits| -> Vec<&str> {
         let setting = scenes::spheres_at(count, 0.6, 1.0).with_image(40, 30);
-        let outcome = contest::run(&setting, &Method::ALL, limits);
+        let outcome = contest::run(&setting, limits);
         assert_eq!(outcome.frame.object.len(), 1200);
-        assert!(outcome.rows.iter().all(|row| row.times.count > 0 && row.times.min > 0.0));
-        let spelled =
-            |methods: Vec<Method>| methods.into_iter().map(Method::name).collect::<Vec<_>>();
-        let left_out = outcome.left_out.iter().map(|(method, _)| *method).collect();
-        (spelled(outcome.rows.iter().map(|row| row.method).collect()), spelled(left_out))
+        assert!(outcome.rows.iter().all(|(_, times)| times.count > 0 && times.min > 0.0));
+        outcome.rows.into_iter().map(|(name, _)| name).collect()
     };
-    let (took_part, left_out) = names(10, &limits);
-    assert!(took_part.contains(&"textbook") && left_out.contains(&"textbook-bvh"));
-    let (took_part, left_out) = names(1000, &limits);
-    assert!(took_part.contains(&"textbook-bvh") && left_out.contains(&"textbook"));
-    let (took_part, _) = names(100, &limits);
-    assert!(took_part.contains(&"textbook-bvh") && took_part.contains(&"textbook"));
-    let (_, left_out) = names(100, &Limits { patience: Duration::ZERO, ..limits });
-    assert!(left_out.contains(&"textbook-bvh") && left_out.contains(&"textbook"));
+    assert_eq!(names(10, &limits), ["ladder", "textbook", "stores", "stores to memory"]);
+    assert_eq!(names(1000, &limits), ["ladder", "textbook-bvh", "stores", "stores to memory"]);
+    assert_eq!(names(100, &limits)[1..3], ["textbook", "textbook-bvh"]);
+    let impatient = Limits { patience: Duration::ZERO, ..limits };
+    assert_eq!(names(100, &impatient), ["ladder", "stores", "stores to memory"]);
 }
 
 #[test]

@@ -1,63 +1,45 @@
 //! Families of camera bases.
 
 use crate::camera::Orientation;
-use crate::draw::{Draw, plus, scaled};
-use crate::family::{BasisCase, Family, Make};
-use crate::spheres::{OFFSETS, TO_ROUNDING, ULPS};
+use crate::families::draw::{Draw, plus, scaled};
+use crate::families::family::{BasisCase, Family, OFFSETS, TO_ROUNDING, ULPS, bases};
 
 pub(crate) static FAMILIES: [Family; 7] = [
-    Family {
-        name: "basis-ordinary",
-        about: "Everyday cameras.",
-        knob_name: "angle between up and view in degrees, about",
-        knobs: &[10.0, 45.0, 90.0, 135.0, 170.0],
-        make: Make::Basis(ordinary),
-    },
-    Family {
-        name: "up-near-view",
-        about: "Up and view nearly parallel: their cross product nearly cancels.",
-        knob_name: "log10 of the angle between up and view in radians",
-        knobs: &TO_ROUNDING,
-        make: Make::Basis(up_near_view),
-    },
-    Family {
-        name: "up-parallel",
-        about: "Up exactly along or against the view, where there is no basis, and one ulp beside.",
-        knob_name: "one coordinate of up, in ulps from parallel",
-        knobs: &ULPS,
-        make: Make::Basis(up_parallel),
-    },
-    Family {
-        name: "no-basis",
-        about: "Cameras without a basis.",
-        knob_name: "0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view",
-        knobs: &[0.0, 1.0, 2.0, 3.0],
-        make: Make::Basis(no_basis),
-    },
-    Family {
-        name: "view-length",
-        about: "Eye and at very close together, or very far apart.",
-        knob_name: "log10 of |at - eye|",
-        knobs: &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
-        make: Make::Basis(view_length),
-    },
-    Family {
-        name: "up-length",
-        about: "Very long and very short up vectors.",
-        knob_name: "log10 of the length of up",
-        knobs: &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
-        make: Make::Basis(up_length),
-    },
-    Family {
-        name: "camera-offset",
-        about: "An everyday camera far from the world's origin: at - eye cancels.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Basis(camera_offset),
-    },
+    bases(
+        "basis-ordinary",
+        "angle between up and view in degrees, about",
+        &[10.0, 45.0, 90.0, 135.0, 170.0],
+        ordinary,
+    ),
+    bases(
+        "up-near-view",
+        "log10 of the angle between up and view in radians",
+        &TO_ROUNDING,
+        up_near_view,
+    ),
+    bases("up-parallel", "one coordinate of up, in ulps from parallel", &ULPS, up_parallel),
+    bases(
+        "no-basis",
+        "0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view",
+        &[0.0, 1.0, 2.0, 3.0],
+        no_basis,
+    ),
+    bases(
+        "view-length",
+        "log10 of |at - eye|",
+        &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
+        view_length,
+    ),
+    bases(
+        "up-length",
+        "log10 of the length of up",
+        &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
+        up_length,
+    ),
+    bases("camera-offset", "log10 of the offset", &OFFSETS, camera_offset),
 ];
 
-/// Along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
+/// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
 /// whole numbers.
 pub(crate) fn aimed(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
     if draw.once_in(3) {
@@ -80,6 +62,7 @@ fn by_degrees(degrees: f64) -> (f64, f64) {
     (0..turns).fold((1.0, 0.0), |(x, y), _| (x * c - y * s, x * s + y * c))
 }
 
+/// Everyday cameras.
 fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.direction());
     let (along, across) = by_degrees(degrees);
@@ -89,6 +72,7 @@ fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
+/// An up nearly parallel to the view: their cross product nearly cancels.
 fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = draw.in_box(10.0);
     let eye = draw.given3(eye);
@@ -111,6 +95,7 @@ fn whole_eye_and_view(draw: &mut Draw) -> ([f64; 3], [f64; 3]) {
     (draw.whole_vector(1000), draw.whole_vector(1000))
 }
 
+/// An up exactly along or against the view, where there is no basis, and one ulp beside.
 fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let factor = draw.sign() * draw.whole(1, 1000) * draw.power_of_two(-20, 20);
@@ -124,6 +109,7 @@ fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     seen_from(draw, scaled(eye, scale), scaled(view, scale), up)
 }
 
+/// Cameras without a basis.
 fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let up = draw.whole_vector(9);
@@ -138,6 +124,7 @@ fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     BasisCase { eye, orientation }
 }
 
+/// Eye and at very close together, or very far apart.
 fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     let length = draw.decade(k);
     // An eye far larger than the view would swallow it.
@@ -147,12 +134,14 @@ fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
+/// Very long and very short up vectors.
 fn up_length(draw: &mut Draw, k: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.in_box(10.0));
     let up = scaled(draw.direction(), draw.decade(k));
     seen_from(draw, eye, view, up)
 }
 
+/// An everyday camera far from the world's origin: at - eye cancels.
 fn camera_offset(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = scaled(draw.direction(), draw.decade(k));
     let (view, up) = (draw.in_box(10.0), draw.in_box(1.0));

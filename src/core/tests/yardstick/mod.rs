@@ -1,0 +1,4 @@
+//! The bench rig: its scenes and its rivals.
+
+mod contestants;
+mod scenes;
