@@ -95,7 +95,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
 fn start_of(document: &Document, session: &Session) -> Start {
     // The ray is asked about wherever the derivation is open.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
-    Start::of(document, session, derived.inspection.as_deref())
+    Start::new(document, session, derived.inspection.as_deref())
 }
 
 fn frames_of(arguments: &FigureArguments, kind: Kind) -> Frames {

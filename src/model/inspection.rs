@@ -84,7 +84,7 @@ impl Inspection {
 
     /// Returns the concept of a root: its object, and its index among the object's roots by
     /// ascending t.
-    pub fn thing_of(&self, root: &Root) -> Concept {
+    pub fn concept_of(&self, root: &Root) -> Concept {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
         Concept::Root { object: root.object, number }

@@ -102,7 +102,7 @@ impl Example {
     pub fn lab(self) -> LinesLab {
         let [a, b, c] = self.line;
         let ray = ParametricLine { p: self.p.into(), d: self.d.into() };
-        LinesLab::of(ImplicitLine { a, b, c }, ray, 0.5)
+        LinesLab::new(ImplicitLine { a, b, c }, ray, 0.5)
     }
 }
 
@@ -119,7 +119,7 @@ impl LinesLab {
     ];
 
     /// Creates the lab with two lines and the point of the second at `t`.
-    pub fn of(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
+    pub fn new(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
         let mut lab = LinesLab {
             line,
             ray,

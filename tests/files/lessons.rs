@@ -361,10 +361,10 @@ fn every_fault_has_its_place_and_says_what_would_be_right() {
 fn an_argument_is_a_number_a_step_or_a_file() {
     let at =
         |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
-    assert_eq!(LessonArgument::of("7"), at(6, 0));
-    assert_eq!(LessonArgument::of("7.3"), at(6, 2));
-    assert_eq!(LessonArgument::of("13"), at(12, 0));
-    assert_eq!(LessonArgument::of("a/my.toml"), Ok(LessonArgument::File("a/my.toml".into())));
+    assert_eq!(LessonArgument::parse("7"), at(6, 0));
+    assert_eq!(LessonArgument::parse("7.3"), at(6, 2));
+    assert_eq!(LessonArgument::parse("13"), at(12, 0));
+    assert_eq!(LessonArgument::parse("a/my.toml"), Ok(LessonArgument::File("a/my.toml".into())));
     for (text, message) in [
         ("0", "there is no lesson 0: there are lessons 1 to 13"),
         ("14", "there is no lesson 14: there are lessons 1 to 13"),
@@ -377,7 +377,7 @@ fn an_argument_is_a_number_a_step_or_a_file() {
         ("-1", "\"-1\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
         ("basis", "\"basis\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
     ] {
-        assert_eq!(LessonArgument::of(text), Err(message.to_owned()));
+        assert_eq!(LessonArgument::parse(text), Err(message.to_owned()));
     }
 }
 

@@ -5,10 +5,10 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::Mistake;
 
 use super::lesson::{AskedExercise, Step, StepView};
-use crate::model::exercises::Exercises;
-use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
+use crate::model::practice::exercises::Exercises;
+use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::{Session, Settings};
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.

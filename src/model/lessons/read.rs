@@ -17,11 +17,11 @@ use toml_edit::Document as Toml;
 use super::lesson::{AskedExercise, Lesson, Step, StepView};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
-use crate::model::exercises::LARGEST_SEED;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
+use crate::model::practice::exercises::LARGEST_SEED;
 use crate::model::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
 
 /// The format version that this program reads.
@@ -361,5 +361,5 @@ fn lines(section: &Section) -> Result<LinesLab, FileError> {
     let ray = ParametricLine { p, d: pair(&field)? };
     ray.check().map_err(|error| field.fault(error))?;
     let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
-    Ok(LinesLab::of(line, ray, t))
+    Ok(LinesLab::new(line, ray, t))
 }

@@ -78,7 +78,7 @@ impl Observer {
     /// camera looks at from afar, small, in the distance, as on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
         let aspect = tame_aspect(aspect);
-        let subject = Subject::of(camera, scene);
+        let subject = Subject::new(camera, scene);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down: behind is the direction of right x up.
@@ -109,7 +109,7 @@ impl Observer {
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::of(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
+        Subject::new(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
     }
 
     /// Moves the observer straight back until the eyes and viewports of all these cameras are in
@@ -145,7 +145,7 @@ fn tame_aspect(aspect: f64) -> f64 {
 }
 
 impl Subject {
-    fn of(camera: &Camera, scene: &Scene) -> Subject {
+    fn new(camera: &Camera, scene: &Scene) -> Subject {
         let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
         let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
         let mut balls = Vec::new();

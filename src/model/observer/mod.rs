@@ -2,12 +2,12 @@
 //! edited camera.
 
 mod fit;
-mod seen;
+mod traced;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
 use serde::{Deserialize, Serialize};
 
-pub use seen::{enclosing, hidden, seen_scene};
+pub use traced::{enclosing, hidden, traced_scene};
 
 /// The observer as an orbit around a target; world y is up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -174,12 +174,12 @@ fn a_scene_is_seen_without_planes_and_what_encloses_the_camera() {
     let scene = Scene::new(vec![around, small], vec![wall]).expect("a scene");
     let (eye, outside, inside) = (DVec3::ZERO, DVec3::new(9.0, 0.0, 0.0), DVec3::X);
     assert_eq!(enclosing(&scene, eye, outside), [0]);
-    let seen = seen_scene(&scene, &[0]);
+    let seen = traced_scene(&scene, &[0]);
     assert_eq!(seen.planes(), []);
     assert_eq!(seen.spheres()[1], small);
     assert!(seen.spheres()[0].radius < 1e-100);
     assert!(enclosing(&scene, eye, inside).is_empty());
-    assert_eq!(seen_scene(&scene, &[]).spheres(), scene.spheres());
+    assert_eq!(traced_scene(&scene, &[]).spheres(), scene.spheres());
     assert_eq!(scene.spheres()[0], around, "the scene itself stays as it is");
 }
 

@@ -169,7 +169,7 @@ impl Still {
 
 impl Start {
     /// Creates the start from the present state. `inspection` is that of the selected ray.
-    pub fn of(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
+    pub fn new(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
         Start {
             camera: document.camera,
             selection: session.selection,

@@ -1,5 +1,7 @@
 //! How the document is looked at: what a scene file does not hold.
 
+pub mod ghost;
+pub mod hand;
 mod names;
 pub mod presenting;
 mod splits;
@@ -15,15 +17,15 @@ pub use splits::{Split, Splits};
 use crate::model::color_scheme::Scheme;
 use crate::model::concept::{Concept, Hovered};
 use crate::model::derivation_sections::DerivationSections;
-use crate::model::exercises::Exercises;
-use crate::model::ghost::Ghost;
-use crate::model::hand::Hand;
 use crate::model::lines::LinesLab;
-use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::exercises::Exercises;
+use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::practice::student_answers::StudentAnswers;
+use crate::model::session::ghost::Ghost;
+use crate::model::session::hand::Hand;
 use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
-use crate::model::student_answers::AnswersAtHand;
 use crate::model::translator::Translator;
 
 /// Everything about the window that is not the document. Changing it never marks the document as
@@ -53,7 +55,7 @@ pub struct Session {
     /// The exercise at hand, and what was answered.
     pub exercises: Exercises,
     /// A student's answers, to be graded.
-    pub answers: Option<AnswersAtHand>,
+    pub answers: Option<StudentAnswers>,
     /// Presenter mode, while it is on.
     pub presenting: Option<Presenting>,
     /// All but what is round the pointer is dimmed.
@@ -290,7 +292,7 @@ pub enum Heights {
 
 impl Heights {
     /// The height of a value; it has the value's sign.
-    pub(crate) fn of(self, y: f64) -> f64 {
+    pub(crate) fn height(self, y: f64) -> f64 {
         match self {
             Heights::Compressed if y.abs() > 1.0 => (1.0 + y.abs().ln()).copysign(y),
             _ => y,

@@ -100,7 +100,7 @@ impl App {
         });
         // Its keys stand in the table of commands with all others.
         ctx.options_mut(|options| options.zoom_with_keyboard = false);
-        theme::install(ctx, Look::of(settings, false));
+        theme::install(ctx, Look::new(settings, false));
     }
 
     /// Says what draws the window.

@@ -211,7 +211,7 @@ impl Playback {
 
 /// An animation at its start.
 fn opened(kind: Kind, scene: &mut OpenScene, seen: &Seen<'_>) -> Player {
-    let start = Start::of(&scene.open.document, &scene.session, seen.inspection);
+    let start = Start::new(&scene.open.document, &scene.session, seen.inspection);
     let mut player = Player::new(kind, start);
     player.stepped_back = step_back(kind, &start, scene, seen.aspect);
     player

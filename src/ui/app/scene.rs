@@ -8,11 +8,11 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
-use crate::model::ghost::{Beside, Ghost};
-use crate::model::hand::Hand;
 use crate::model::lessons::{self, Place, Which};
 use crate::model::observer::Observer;
 use crate::model::play::Kind;
+use crate::model::session::ghost::{Beside, Ghost};
+use crate::model::session::hand::Hand;
 use crate::model::session::{Selection, Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};

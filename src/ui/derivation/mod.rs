@@ -86,7 +86,7 @@ impl DerivationPanel {
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, derivation);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
-            let inks = Inks::of(ui);
+            let inks = Inks::from_ui(ui);
             let mut goal = goal;
             for (k, section) in derivation.sections.iter().enumerate() {
                 self.section(ui, k, section, inks, highlighted, &mut goal);

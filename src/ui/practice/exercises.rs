@@ -5,7 +5,7 @@ use egui::{
 };
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
-use crate::model::exercises::{Exercises, LARGEST_SEED, Said, Typed};
+use crate::model::practice::exercises::{Exercises, LARGEST_SEED, Said, Typed};
 use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::marked_text;

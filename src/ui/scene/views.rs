@@ -234,7 +234,7 @@ fn in_view(
     let pointer = response.hover_pos().filter(|_| response.hovered())?;
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
-    overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
+    overlay::concept_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
 }
 
 /// Returns the sphere at a position of the world view.

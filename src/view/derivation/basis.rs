@@ -18,13 +18,14 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
 }
 
 fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
-    let given = |name, value, concept| Line::of(concept, row([name, numbers.equals_vector(value)]));
+    let given =
+        |name, value, concept| Line::new(concept, row([name, numbers.equals_vector(value)]));
     let mut lines = vec![given(EYE, of.eye, Concept::Eye)];
     lines.extend(of.at.map(|at| given(AT, at, Concept::At)));
     lines.extend(of.up.map(|up| given(UP, up.vector, Concept::Up)));
     if let Some(view) = of.view {
         let found = numbers.equals_vector(view.vector);
-        lines.push(Line::of(
+        lines.push(Line::new(
             Concept::View,
             match of.at {
                 Some(at) => {
@@ -37,7 +38,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
     }
     if let Some(backwards) = of.backwards {
         let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
-        lines.push(Line::of(Concept::Backwards, formula));
+        lines.push(Line::new(Concept::Backwards, formula));
     }
     lines.extend(normalized(of, numbers));
     if let Some(cross) = &of.up_cross_w {
@@ -47,7 +48,8 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         (Some(u), Some(cross)) => {
             let formula = equation(U, normalize(times(UP, W)));
             let quotient = quotient(cross.product, cross.area, numbers);
-            lines.push(Line::of(Concept::U, followed(formula, quotient, numbers.equals_vector(u))));
+            lines
+                .push(Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))));
         }
         (None, Some(_)) => {
             let formula = equation(U, normalize(times(UP, W)));
@@ -59,7 +61,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
         let formula = equation(V, equation(times(W, U), put_in));
         let formula = row([formula, numbers.equals_vector(cross.product)]);
-        lines.push(Line::of(Concept::WCrossU, formula).also(&[Concept::V]));
+        lines.push(Line::new(Concept::WCrossU, formula).also(&[Concept::V]));
     }
     lines
 }
@@ -71,7 +73,7 @@ fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
         return Some(failed(Concept::W, formula, of.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);
-    Some(Line::of(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
+    Some(Line::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
 /// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
@@ -79,7 +81,7 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = equation(times(UP, W), put_in);
     let product = row([product, numbers.equals_vector(cross.product)]);
-    let mut lines = vec![Line::of(Concept::UpCrossW, product)];
+    let mut lines = vec![Line::new(Concept::UpCrossW, product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
@@ -87,7 +89,7 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
         let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
         let formula = equation(equation(norm(times(UP, W)), symbolic), put_in);
         let formula = row([formula, numbers.equals(cross.area)]);
-        lines.push(Line::of(Concept::UpCrossW, formula));
+        lines.push(Line::new(Concept::UpCrossW, formula));
     }
     lines
 }
@@ -110,7 +112,7 @@ fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
 /// Returns the line that fails, with the reason.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
     let why = why.map_or_else(String::new, letters::typeset_message);
-    Line { is_fault: true, ..Line::of(concept, formula).noted(why) }
+    Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
 }
 
 fn name_of(vector: BasisVector) -> (Formula, Concept) {
@@ -122,12 +124,12 @@ fn name_of(vector: BasisVector) -> (Formula, Concept) {
 }
 
 fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
-    let mut lines = vec![Line::of(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
+    let mut lines = vec![Line::new(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
     for (vector, value) in [(BasisVector::U, of.u), (BasisVector::V, of.v), (BasisVector::W, of.w)]
     {
         let (name, concept) = name_of(vector);
         lines.push(
-            Line::of(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
+            Line::new(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
         );
     }
     let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
@@ -136,17 +138,17 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     };
     for check in of.lengths.iter().flatten() {
         let (name, concept) = name_of(check.vector);
-        let line = Line::of(concept, row([norm(name), numbers.equals(check.length)]));
+        let line = Line::new(concept, row([norm(name), numbers.equals(check.length)]));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     for check in of.dots.iter().flatten() {
         let ((a, concept), (b, _)) = (name_of(check.first), name_of(check.second));
-        let line = Line::of(concept, row([dot(a, b), numbers.equals(check.dot)]));
+        let line = Line::new(concept, row([dot(a, b), numbers.equals(check.dot)]));
         lines.push(verdict(line, check.passes, "at right angles", "must be 0"));
     }
     if let Some(check) = of.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = Line::of(Concept::W, row([formula, numbers.equals(check.along_w)]));
+        let line = Line::new(Concept::W, row([formula, numbers.equals(check.along_w)]));
         lines.push(verdict(
             line,
             check.passes,
@@ -155,7 +157,7 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
         ));
     }
     if let Err(error) = of.basis {
-        let line = Line { concept: None, ..Line::of(Concept::W, word("there is no basis")) };
+        let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };
         lines.push(Line { is_fault: true, ..line.noted(letters::typeset_message(error)) });
     }
     lines

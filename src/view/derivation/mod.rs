@@ -72,7 +72,7 @@ pub struct Line {
 }
 
 impl Line {
-    fn of(concept: Concept, formula: Formula) -> Line {
+    fn new(concept: Concept, formula: Formula) -> Line {
         Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
     }
 

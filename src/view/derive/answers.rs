@@ -15,12 +15,12 @@ use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
 use super::{Derived, Shown, ViewSizes};
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::{Selection, Session};
-use crate::model::student_answers::AnswersAtHand;
 use crate::view::overlay::{Picture, Style};
 
 /// The inputs of a grade: the camera, the objects and their colours by number, and the answers.
-type Key = (Camera, u64, u64, AnswersAtHand);
+type Key = (Camera, u64, u64, StudentAnswers);
 
 /// The inputs of the map.
 type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
@@ -76,9 +76,9 @@ fn graded(
     document: &Document,
     camera: &Camera,
     world: &GoodWorld,
-    at_hand: &AnswersAtHand,
+    at_hand: &StudentAnswers,
 ) -> Grading {
-    let AnswersAtHand { file, count_from } = at_hand;
+    let StudentAnswers { file, count_from } = at_hand;
     let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
         .map_err(|error| Arc::from(error.to_string()))?;
     // The document's colours, even if the window shows others.

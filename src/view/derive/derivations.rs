@@ -26,7 +26,7 @@ struct Looked {
 
 impl Derivations {
     /// Returns the derivation, if the layout shows it.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
         document: &Document,
         session: &Session,

@@ -10,8 +10,8 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
 use super::{Derived, Shown, ViewSizes};
-use crate::model::ghost::{Beside, Ghost, resolve};
 use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::ghost::{Beside, Ghost, resolve};
 use crate::model::session::{Selection, Session};
 use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::{Picture, Style};
@@ -58,13 +58,14 @@ impl GhostPictures {
             return;
         };
         let raster = derived.subsampling[0].raster(now.image(), size);
-        let made = self.of((&document.camera, now), (ghost, &seen), world, session, raster, watch);
+        let made =
+            self.compared((&document.camera, now), (ghost, &seen), world, session, raster, watch);
         let Some((against, pictures)) = made else { return };
         let view = self.shown(&against, &pictures, ghost, session, (size, sizes), watch);
         (derived.against_ghost, derived.ghost_view) = (Some(against), Some(view));
     }
 
-    fn of(
+    fn compared(
         &mut self,
         (camera, now): (&Camera, &ResolvedCamera),
         (ghost, seen): (&Ghost, &ResolvedCamera),

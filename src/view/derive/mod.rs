@@ -177,7 +177,7 @@ impl Deriver {
             ..Derived::default()
         };
         if let (Some(resolved), Ok(Some(world))) = (derived.resolved, &world) {
-            let good = self.pictures.of(resolved, world, session, sizes, watch);
+            let good = self.pictures.get(resolved, world, session, sizes, watch);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
@@ -186,9 +186,10 @@ impl Deriver {
         let good = self.objects.good().filter(|_| derived.fault.is_none());
         self.ghosts.update(&mut derived, document, good, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
-        derived.derivation = self.derivations.of(document, session, &derived);
+        derived.derivation = self.derivations.get(document, session, &derived);
         let generation = self.objects.good().map_or(0, |good| good.generation);
-        derived.plot = self.plots.of(document, session, &derived, generation, sizes.style.scheme());
+        derived.plot =
+            self.plots.get(document, session, &derived, generation, sizes.style.scheme());
         derived
     }
 
@@ -301,7 +302,7 @@ impl Deriver {
         let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
         let subsampling = sizes.subsampling;
-        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, subsampling, watch)
+        let Some(world) = pictures.get(&mut self.objects, eye, observer_camera, subsampling, watch)
         else {
             return;
         };
@@ -356,7 +357,7 @@ impl Deriver {
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
             };
-            let backdrop = Backdrop::of(&view);
+            let backdrop = Backdrop::new(&view);
             let before = pictures.before(&world, &backdrop, watch);
             watched(watch, Work::Overlay, || {
                 let mut pixels = before.to_vec();

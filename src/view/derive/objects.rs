@@ -6,7 +6,7 @@ use pinhole_core::{Object, Rgb, Scene, SceneError};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 use crate::model::color_scheme::Scheme;
-use crate::model::observer::{hidden, seen_scene};
+use crate::model::observer::{hidden, traced_scene};
 
 /// The objects of a document in which all objects are valid.
 #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ impl Objects {
     }
 
     /// Returns the good world's scene without planes and without spheres that hide the camera: see
-    /// [`seen_scene`].
+    /// [`traced_scene`].
     pub(super) fn seen(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
         match &mut self.seen {
@@ -95,7 +95,7 @@ impl Objects {
                 *known = Arc::clone(enclosing);
             }
             _ => {
-                let seen = Arc::new(seen_scene(scene, enclosing));
+                let seen = Arc::new(traced_scene(scene, enclosing));
                 self.seen = Some((Arc::clone(enclosing), seen));
             }
         }

@@ -38,7 +38,7 @@ pub struct TooMany {
 }
 
 impl TooMany {
-    fn of(objects: usize, pixels: usize) -> Option<TooMany> {
+    fn check(objects: usize, pixels: usize) -> Option<TooMany> {
         let (objects, pixels) = (objects as u64, pixels as u64);
         let too_many = objects.saturating_mul(pixels) > MOST_QUESTIONS;
         too_many.then_some(TooMany { objects, pixels })
@@ -134,7 +134,7 @@ impl Pictures {
     }
 
     /// Returns the camera's picture; no more of it is traced than the screen shows.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
         resolved: ResolvedCamera,
         world: &GoodWorld,
@@ -152,7 +152,7 @@ impl Pictures {
         let settings = &session.settings;
         // A method that is too slow for the full picture is not used during a drag, either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
-        let too_many = TooMany::of(world.scene.len(), all);
+        let too_many = TooMany::check(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
@@ -184,7 +184,7 @@ impl Pictures {
         });
         let picture = match session.scanned_pixels {
             None => picture,
-            Some(count) => self.scanned_pixels.of(&picture, count),
+            Some(count) => self.scanned_pixels.get(&picture, count),
         };
         GoodPicture {
             loupe,

@@ -27,7 +27,7 @@ pub(super) struct Plots {
 
 impl Plots {
     /// Returns the plot, if the layout shows it and there is a ray.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
         document: &Document,
         session: &Session,

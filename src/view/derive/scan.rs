@@ -18,7 +18,7 @@ pub(super) struct ScannedPicture(Option<(Arc<Picture>, u64, Arc<Picture>)>);
 
 impl ScannedPicture {
     /// Returns the picture with only its first pixels, row by row.
-    pub(super) fn of(&mut self, whole: &Arc<Picture>, scanned_pixels: u64) -> Arc<Picture> {
+    pub(super) fn get(&mut self, whole: &Arc<Picture>, scanned_pixels: u64) -> Arc<Picture> {
         match &self.0 {
             Some((of, count, part)) if Arc::ptr_eq(of, whole) && *count == scanned_pixels => {
                 Arc::clone(part)

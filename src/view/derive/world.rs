@@ -47,7 +47,7 @@ impl WorldPictures {
 
     /// Returns the observer's picture of the good objects, without those that would hide a camera
     /// at `eye`; `None` if there have been no good objects yet.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
         objects: &mut Objects,
         eye: DVec3,

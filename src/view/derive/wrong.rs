@@ -59,7 +59,7 @@ impl WrongPictures {
     ) {
         let Some(size) = sizes.wrong else { return };
         if let Some((right, world)) = right {
-            self.last = Some(self.of(&right, world, session, size, sizes, watch));
+            self.last = Some(self.compared(&right, world, session, size, sizes, watch));
         }
         // While there is a fault, an older picture must not be shown under another mistake's name.
         self.last.take_if(|(wrong, _)| wrong.mistake != session.mistakes_view.shown());
@@ -69,7 +69,7 @@ impl WrongPictures {
         }
     }
 
-    fn of(
+    fn compared(
         &mut self,
         right: &Right<'_>,
         world: &GoodWorld,

@@ -3,7 +3,7 @@
 use pinhole_core::DVec3;
 
 use super::{Grip, Stage, grips};
-use crate::model::hand::{Along, Axis, Hand, Handle};
+use crate::model::session::hand::{Along, Axis, Hand, Handle};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
 /// Length of the axes at a hovered handle, to either side, in points.

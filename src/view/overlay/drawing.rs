@@ -99,7 +99,7 @@ impl Drawing {
 
 /// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
 /// equally near, the one drawn on top wins.
-pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
+pub fn concept_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
     let at = DVec2::new(position[0].into(), position[1].into());
     let mut nearest = (f64::from(within), None);
     for Target { concept, shape } in targets {

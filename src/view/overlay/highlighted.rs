@@ -10,8 +10,8 @@ use crate::model::concept::Concept;
 use crate::model::number::written;
 use crate::view::overlay::drawing::Drawing;
 use crate::view::overlay::labels::Request;
-use crate::view::overlay::objects::tangents;
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::space::screen::tangents;
+use crate::view::overlay::space::sketch::Pen;
 
 /// The highlighted concept, and what is needed to draw it.
 #[derive(Clone, Copy, Debug)]

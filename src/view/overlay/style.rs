@@ -9,6 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::color_scheme::Scheme;
 
+/// Text sizes in points: vectors, points, marks.
+pub(super) const VECTOR_TEXT: f32 = 21.0;
+pub(super) const POINT_TEXT: f32 = 17.0;
+pub(super) const MARK_TEXT: f32 = 14.0;
+
 /// Colours for a light or a dark window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Style {
@@ -156,7 +161,7 @@ impl Style {
     }
 
     /// Returns a scheme's style on a dark or on a light background.
-    pub fn of(scheme: Scheme, is_dark: bool) -> Style {
+    pub fn new(scheme: Scheme, is_dark: bool) -> Style {
         match (scheme, is_dark) {
             (Scheme::Standard, false) => Style::Light,
             (Scheme::Standard, true) => Style::Dark,

@@ -39,7 +39,7 @@ pub(crate) struct Inks {
 }
 
 impl Inks {
-    pub(crate) fn of(ui: &Ui) -> Inks {
+    pub(crate) fn from_ui(ui: &Ui) -> Inks {
         let style = theme::style(ui);
         let colors = style.colors();
         Inks {

@@ -3,9 +3,9 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::exercises::Exercises;
 use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
+use pinhole::model::practice::exercises::Exercises;
 use pinhole::ui::app::App;
 
 use super::{Window, at_step, key, place, press};

@@ -8,8 +8,8 @@ use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuil
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::model::mistakes_view::MistakesView;
 use crate::model::number::grouped;
+use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::Session;
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;

@@ -11,12 +11,12 @@ use pinhole_exchange::document::Document;
 
 use super::{HandInput, View, id_of, keys};
 use crate::model::concept::{HoverSource, Hovered};
-use crate::model::hand::{Along, Axis, Handle};
 use crate::model::letters::{bold, typeset_message};
 use crate::model::number::written;
 use crate::model::session::Session;
+use crate::model::session::hand::{Along, Axis, Handle};
 use crate::view::derive::Derived;
-use crate::view::handles::{Part, grips, label, value};
+use crate::view::handles::{HandleValues, grips, label, value};
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of the text, in points: of the value, and of the rest.
@@ -73,7 +73,7 @@ impl HandInput {
         session: &Session,
     ) -> Vec<String> {
         let settings = &session.settings;
-        let part = Part::of(handle, document, session.selection);
+        let part = HandleValues::read(handle, document, session.selection);
         let text = value(handle, &part, settings.digits.min(6), settings.count_from_one);
         let mut lines = vec![match handle.object() {
             Some(object) => format!("{}: {text}", document.title_of(object)),
@@ -211,7 +211,7 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
         let id = id_of(view.id, grip.handle);
         ui.interact(rect, id, Sense::focusable_noninteractive());
         ui.memory_mut(|memory| memory.set_focus_lock_filter(id, keys::filter()));
-        let part = Part::of(grip.handle, document, session.selection);
+        let part = HandleValues::read(grip.handle, document, session.selection);
         let value = value(grip.handle, &part, settings.digits, settings.count_from_one);
         ui.ctx().accesskit_node_builder(id, |node| {
             node.set_role(Role::Slider);

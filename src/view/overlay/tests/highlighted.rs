@@ -193,7 +193,7 @@ fn the_nearest_mark_is_pointed_at() {
             shape: Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] },
         },
     ];
-    let at = |x: f32, y: f32| thing_at(&targets, [x, y], 8.0);
+    let at = |x: f32, y: f32| concept_at(&targets, [x, y], 8.0);
     assert_eq!(at(50.0, 12.0), Some(Concept::U));
     assert_eq!(at(50.0, 24.0), Some(Concept::V));
     assert_eq!(at(50.0, 20.0), None, "too far from both");

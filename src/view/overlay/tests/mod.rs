@@ -16,7 +16,7 @@ use pinhole_core::{
 
 pub(super) use super::*;
 use crate::model::inspection::Inspection;
-use crate::model::observer::{Observer, enclosing, seen_scene};
+use crate::model::observer::{Observer, enclosing, traced_scene};
 pub(super) use crate::model::overlay_items::{Item, OverlayItems};
 
 /// A world view with everything in it.
@@ -60,7 +60,7 @@ impl Stage {
         let resolved = camera.resolve().ok();
         let seen_from = observer.camera(SIZE.0, SIZE.1).resolve().expect("observers have a basis");
         let enclosing = enclosing(&scene, camera.eye, seen_from.eye());
-        let seen = seen_scene(&scene, &enclosing);
+        let seen = traced_scene(&scene, &enclosing);
         let image = Raster::full(seen_from.image());
         let frame = trace_as(&seen, &seen_from, &image, Outputs::default());
         let picture = resolved.as_ref().map(|resolved| {
@@ -156,7 +156,7 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
 
 /// Paints the world view over the observer's shaded picture.
 fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let (traced, backdrop) = (dots.to_vec(), Backdrop::of(view));
+    let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view));
     backdrop.paint(view.frame, dots);
     world(view, &backdrop, &traced, dots)
 }

@@ -8,10 +8,10 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraView, Sheet, place_of};
+use crate::view::overlay::camera_view::{CameraView, Overlay, place_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
 use crate::view::overlay::picture::Picture;
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::space::sketch::Pen;
 
 /// Number of pixels shown across and down.
 const PIXELS: u32 = 9;
@@ -63,7 +63,7 @@ struct Inset {
 
 impl Inset {
     /// Places the loupe in the corner of the view farthest from the selected position.
-    fn of(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
+    fn new(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
         let pixels = f64::from(PIXELS);
         let rim = scale * RIM;
@@ -103,7 +103,7 @@ impl Inset {
     }
 }
 
-impl Sheet<'_> {
+impl Overlay<'_> {
     /// Draws the loupe over everything else.
     pub(super) fn loupe(&mut self) {
         let (Some(loupe), Some(inspection)) = (self.view.loupe, self.view.inspection) else {
@@ -115,7 +115,7 @@ impl Sheet<'_> {
         }
         let (view, colors) = (self.view, self.colors);
         let at = place_of(view.resolved, view.size, inspection.uv);
-        let inset = Inset::of(view, &place, at);
+        let inset = Inset::new(view, &place, at);
         let end = inset.from + inset.size;
         let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
         self.line(&[at, nearest(at, inset.from, end)], pen(colors.ray, 1.5));
@@ -125,13 +125,13 @@ impl Sheet<'_> {
         for pixel in place.touching(view.resolved.image()) {
             let corner =
                 |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
-            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Concept::Pixel));
+            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).about(Concept::Pixel));
         }
         let per_pixel = view.dots_per_pixel();
         let spot = inset.place(at.x / per_pixel.x, at.y / per_pixel.y);
         for axis in [DVec2::X, DVec2::Y] {
             let arm = 0.8 * inset.cell * axis;
-            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).of(Concept::Pixel));
+            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).about(Concept::Pixel));
         }
     }
 
@@ -166,7 +166,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         return;
     }
     let at = place_of(view.resolved, view.size, inspection.uv);
-    let inset = Inset::of(view, &place, at);
+    let inset = Inset::new(view, &place, at);
     let (low, high) = (inset.from, inset.from + inset.size);
     drawing.labels.retain(|label| {
         let [x, y] = label.position;

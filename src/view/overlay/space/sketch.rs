@@ -10,8 +10,8 @@ use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::labels::Request;
-use crate::view::overlay::layers::Layers;
-use crate::view::overlay::screen::{CutLine, Screen, Spot};
+use crate::view::overlay::space::layers::Layers;
+use crate::view::overlay::space::screen::{CutLine, Screen, Spot};
 use crate::view::overlay::style::Colors;
 
 /// The style of a line.
@@ -81,7 +81,7 @@ impl Pen {
     }
 
     /// Sets the concept that is hovered when the pointer is on the line.
-    pub(crate) fn of(self, concept: Concept) -> Pen {
+    pub(crate) fn about(self, concept: Concept) -> Pen {
         Pen { concept: Some(concept), ..self }
     }
 

@@ -4,10 +4,11 @@
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_in_space::{ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::drawing::{Mark, Shape, dot};
-use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::space::screen::Screen;
+use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, NORMAL_POINTS};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,8 +4,9 @@
 use pinhole_core::{DVec2, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_in_space::{ARROW_POINTS, POINT_TEXT, VECTOR_TEXT, corners};
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, corners};
 
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;

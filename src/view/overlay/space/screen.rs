@@ -187,3 +187,28 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     }
     Some((v / largest).normalize())
 }
+
+/// Returns two orthogonal unit vectors in the plane, along the world's axes if possible.
+pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
+    let least = normal.abs();
+    let axis = if least.x <= least.y && least.x <= least.z {
+        DVec3::X
+    } else if least.y <= least.z {
+        DVec3::Y
+    } else {
+        DVec3::Z
+    };
+    let a = (axis - axis.dot(normal) * normal).normalize();
+    (a, normal.cross(a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_on_level_planes_follow_the_axes() {
+        assert_eq!(tangents(DVec3::Z), (DVec3::X, DVec3::Y));
+        assert_eq!(tangents(DVec3::Y), (DVec3::X, DVec3::NEG_Z));
+    }
+}

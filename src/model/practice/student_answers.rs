@@ -18,14 +18,14 @@ pub struct AnswersFile {
 
 /// The answers that the window shows the grade of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct AnswersAtHand {
+pub struct StudentAnswers {
     /// Shared, so that it is compared by where it is.
     pub file: Arc<AnswersFile>,
     /// The first row and column of its count, 0 or 1.
     pub count_from: u32,
 }
 
-impl AnswersAtHand {
+impl StudentAnswers {
     /// The file's name.
     pub fn name(&self) -> String {
         let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());

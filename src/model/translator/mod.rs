@@ -1,5 +1,7 @@
 //! The translator: one camera in another program's terms, and what became of a camera that was pasted.
 
+pub mod conventions;
+
 use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
@@ -11,7 +13,7 @@ use pinhole_exchange::format::{
 use pinhole_exchange::programs::{FORMATS, importer_of, unknown_form};
 use pinhole_exchange::{FileError, scene_file};
 
-use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
+use crate::model::translator::conventions::{FIELD_OF_VIEW, Row, rows};
 
 /// No more objects than this are written under the drag, and shown.
 pub const MOST_OBJECTS: usize = 500;
@@ -80,8 +82,8 @@ impl Target {
                 let text = language
                     .code(subject.resolve())
                     .map_err(|error| Unsupported(error.to_string()))?;
-                let sheet = Text { text, flipped: Vec::new() };
-                Ok(Exported { files: vec![(language.file, sheet)], notes: Vec::new() })
+                let text = Text { text, flipped: Vec::new() };
+                Ok(Exported { files: vec![(language.file, text)], notes: Vec::new() })
             }
         }
     }
@@ -221,7 +223,7 @@ pub struct Translation {
 
 impl Translation {
     /// Of a document's camera, with the numbers of a pixel.
-    pub fn of(
+    pub fn new(
         document: &Document,
         target: Target,
         objects: bool,
@@ -239,23 +241,23 @@ impl Translation {
 }
 
 /// The same text with every long number cut to so many significant digits, to be read.
-pub fn shortened(sheet: &Text, digits: usize) -> Text {
+pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
-    let mut marks = sheet.flipped.iter().peekable();
+    let mut marks = text.flipped.iter().peekable();
     let mut from = 0;
-    let bytes = sheet.text.as_bytes();
+    let bytes = text.text.as_bytes();
     let is_number = |b: u8| b.is_ascii_digit() || b == b'.';
     let mut at = 0;
     let mut opened = None;
     while at <= bytes.len() {
         if marks.peek().is_some_and(|mark| mark.start == at) {
-            short.text.push_str(&sheet.text[from..at]);
+            short.text.push_str(&text.text[from..at]);
             (from, opened) = (at, Some(short.text.len()));
         }
         if let Some(start) = opened
             && marks.peek().is_some_and(|mark| mark.end == at)
         {
-            short.text.push_str(&sheet.text[from..at]);
+            short.text.push_str(&text.text[from..at]);
             short.flipped.push(start..short.text.len());
             (from, opened) = (at, None);
             marks.next();
@@ -275,17 +277,17 @@ pub fn shortened(sheet: &Text, digits: usize) -> Text {
             let count = exponent[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count();
             end += if count > 0 { 1 + sign + count } else { 0 };
         }
-        let number = &sheet.text[at..end];
+        let number = &text.text[at..end];
         let mantissa = number.split('e').next().unwrap_or_default().bytes();
         let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
         if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
-            short.text.push_str(&sheet.text[from..at]);
+            short.text.push_str(&text.text[from..at]);
             short.text.push_str(&cut(value, digits));
             from = end;
         }
         at = end;
     }
-    short.text.push_str(&sheet.text[from..]);
+    short.text.push_str(&text.text[from..]);
     short
 }
 
@@ -301,11 +303,11 @@ mod tests {
     #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
         let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
-        let sheet = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
-        let short = shortened(&sheet, 4);
+        let exact = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
+        let short = shortened(&exact, 4);
         assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
         let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();
         assert_eq!(marked, ["0.5812", "-0.8137e-20"]);
-        assert_eq!(shortened(&sheet, 17).text, text);
+        assert_eq!(shortened(&exact, 17).text, text);
     }
 }
