@@ -78,7 +78,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         .map(|from| from.following(&document.camera, &start.cameras(kind), width / height));
     let frames = frames_of(arguments, kind);
     let scene = (document, session);
-    let loops = kind.is_round();
+    let loops = kind.moves_camera();
     let animation = Animation { kind, start, loops, scene, order, frames };
     let why = |problem| CommandError::Input(format!("{}: {problem}", arguments.scene.display()));
     // What cannot move is known before anything is written.

@@ -2,44 +2,31 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A section of the derivation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[repr(u8)]
-pub enum DerivationSection {
-    /// The steps from view and up to u, v, w.
-    Basis,
-    /// The steps from a pixel to its view ray.
-    PixelToRay,
-    /// The intersection of every object with that ray.
-    Objects,
+use super::named_enum::named_enum;
+
+named_enum! {
+    /// A section of the derivation, from top to bottom, with its label and its name in files.
+    #[derive(Serialize, Deserialize)]
+    #[repr(u8)]
+    pub enum DerivationSection {
+        /// The steps from view and up to u, v, w.
+        Basis: "Basis", "basis";
+        /// The steps from a pixel to its view ray.
+        PixelToRay: "Pixel to ray", "pixel-to-ray";
+        /// The intersection of every object with that ray.
+        Objects: "Objects", "objects";
+    }
 }
 
 impl DerivationSection {
-    /// All sections, from top to bottom.
-    pub const ALL: [DerivationSection; 3] =
-        [DerivationSection::Basis, DerivationSection::PixelToRay, DerivationSection::Objects];
+    /// Returns the label of the section's checkbox.
+    pub fn label(self) -> &'static str {
+        self.texts()[0]
+    }
 
     /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "basis",
-            DerivationSection::PixelToRay => "pixel-to-ray",
-            DerivationSection::Objects => "objects",
-        }
-    }
-
-    /// Returns the section with this name.
-    pub fn from_name(name: &str) -> Option<DerivationSection> {
-        DerivationSection::ALL.into_iter().find(|section| section.name() == name)
-    }
-
-    /// Returns the label of the section's checkbox.
-    pub fn label(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "Basis",
-            DerivationSection::PixelToRay => "Pixel to ray",
-            DerivationSection::Objects => "Objects",
-        }
+        self.texts()[1]
     }
 
     fn bit(self) -> u8 {
@@ -97,9 +84,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sections_are_shown_alone_and_have_names() {
+    fn each_section_is_shown_alone() {
         for section in DerivationSection::ALL {
-            assert_eq!(DerivationSection::from_name(section.name()), Some(section));
             let only: DerivationSections = [section].into_iter().collect();
             assert!(DerivationSection::ALL.iter().all(|s| only.shows(*s) == (*s == section)));
             let mut others = DerivationSections::default();

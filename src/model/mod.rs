@@ -14,6 +14,7 @@ pub mod inspection;
 pub mod lessons;
 pub mod letters;
 pub mod lines;
+mod named_enum;
 pub mod number;
 pub mod observer;
 pub mod overlay_items;

@@ -199,7 +199,7 @@ impl Curve {
     }
 
     /// Describes the curve in words.
-    pub(crate) fn words(&self, digits: usize) -> String {
+    pub(crate) fn description(&self, digits: usize) -> String {
         let zeros: Vec<String> =
             self.derivation.roots().map(|root| number(root.t, digits)).collect();
         let zero = |k: usize| zeros.get(k).cloned().unwrap_or_else(|| "beyond f64".to_owned());

@@ -1,14 +1,14 @@
-//! The table of conventions: how a camera is given here, and in another program.
+//! The table of conventions: a camera as it is given here and in another program.
 
 use pinhole_core::{DVec3, Pixel, shortest};
 use pinhole_exchange::format::{Axis, Conventions, ExportScene, Format, PixelConvention};
 
 use crate::model::letters::{bold, italic};
 
-/// A line of the table: one thing, here and there.
+/// A row of the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Name of the thing.
+    /// Name of the convention.
     pub about: &'static str,
     /// Its form here.
     pub ours: String,
@@ -20,12 +20,12 @@ pub struct Row {
     pub differs: bool,
 }
 
-/// An axis as a bold letter with its sign.
+/// Returns an axis as a bold letter with its sign.
 fn letter(axis: Axis) -> String {
     axis.name().chars().map(bold).collect()
 }
 
-/// The rule by which pixels are counted, and which pixel (0, 0) is.
+/// Returns the rule by which pixels are counted.
 fn rule(pixels: PixelConvention) -> String {
     let (i, j) = (italic('i'), italic('j'));
     match pixels {
@@ -44,7 +44,7 @@ fn rule(pixels: PixelConvention) -> String {
     }
 }
 
-/// The centre of a pixel as it is counted of an image of W x H.
+/// Returns the centre of a pixel of an image of W x H, as it is counted.
 fn centre(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
@@ -70,11 +70,11 @@ fn flips(pixels: PixelConvention) -> bool {
     matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
 }
 
-/// Name of the line on the field of view.
+/// Name of the row on the field of view.
 pub(crate) const FIELD_OF_VIEW: &str = "field of view";
 
-/// The table for a camera: the format's conventions beside those here. The pixel is what the numbers of the
-/// line on pixels are about; numbers have that many significant digits.
+/// Returns the table for a camera: the format's conventions beside those here. The row on pixels has the
+/// numbers of `pixel`; `digits` is the number of significant digits.
 pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
     let conventions = &format.conventions;
     let image = subject.resolve().image();
@@ -151,7 +151,7 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
     table
 }
 
-/// The lines on the camera's axes, with their vectors.
+/// Returns the rows on the camera's axes, with their vectors.
 fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {

@@ -225,7 +225,7 @@ fn step_back(
     scene: &mut OpenScene,
     aspect: f64,
 ) -> Option<[Observer; 2]> {
-    let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().looks.play);
+    let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().view.play);
     let before = scene.session.observer.filter(|_| of_step != Some(kind))?;
     let after = before.following(&start.camera, &start.cameras(kind), aspect);
     scene.session.observer = Some(after);

@@ -247,7 +247,7 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     paint(ui, rect, line, place, inks);
     let hovered = response.hover_pos().filter(|_| response.hovered());
     let symbol = hovered
-        .and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+        .and_then(|at| formula::meaning_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
     if let Some(words) = symbol {
         Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));

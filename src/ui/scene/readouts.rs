@@ -9,7 +9,7 @@ use pinhole_exchange::document::Document;
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::model::letters::typeset_message;
 use crate::model::number::{grouped, written};
-use crate::model::symbols::words_of_readout;
+use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::number::vector_color;
 use crate::view::derive::Derived;
 use crate::view::typesetting::fonts;
@@ -134,7 +134,7 @@ fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
 /// Shows a line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
     let label = ui.label(name_of(ui, name, true));
-    if let Some(words) = words_of_readout(name) {
+    if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);
     }
     let response = ui.label(RichText::new(format!("= {value}")));
@@ -279,7 +279,7 @@ impl RootLines {
                 let response = ui.add(Label::new(job).extend());
                 let read = format!("{name} = {value}");
                 ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(read));
-                if let Some(words) = words_of_readout(name) {
+                if let Some(words) = meaning_of_readout(name) {
                     response.on_hover_text(words);
                 }
             }

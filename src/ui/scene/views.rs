@@ -262,7 +262,7 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
 /// Shows the name of the hovered concept beside the mouse.
 pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Document) {
     let Some(Hovered { concept, by: HoverSource::View }) = hovered else { return };
-    let words = concept.words(|object| document.title_of(object as usize));
+    let words = concept.description(|object| document.title_of(object as usize));
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
         .show(|ui| {

@@ -74,7 +74,7 @@ impl GhostPictures {
         raster: Raster,
         watch: Watch<'_>,
     ) -> Made {
-        let mode = Shade::from(session.settings.shade);
+        let mode = session.settings.shade;
         let (generation, palette) = (world.generation, world.palette);
         let key = (*camera, ghost.camera, generation, palette, raster, mode, session.selection);
         let count = &mut self.count;

@@ -157,7 +157,7 @@ impl Pictures {
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
+        let key = (beside.method, seen, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
         let compared = beside.compared.map(|compared| {
             let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {

@@ -80,7 +80,7 @@ impl WrongPictures {
     ) -> (Arc<ComparedCamera>, Option<Shown>) {
         let image = right.resolved.image();
         let raster = right.subsampling.raster(image, size);
-        let mode = Shade::from(session.settings.shade);
+        let mode = session.settings.shade;
         let mistake = session.mistakes_view.shown();
         let key = (*right.camera, world.generation, world.palette, raster, mode, mistake);
         let count = &mut self.count;

@@ -4,7 +4,7 @@ use egui::epaint::text::{LayoutJob, TextFormat};
 use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::model::letters::plain_scalars;
-use crate::model::symbols::{Kind, words};
+use crate::model::symbols::{Kind, meaning};
 use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
 use crate::view::typesetting::{fonts, theme};
 
@@ -64,7 +64,7 @@ impl Inks {
 
 /// Returns the meaning of the symbol at a position of a layout, which is relative to the start of
 /// its first baseline.
-pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
+pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&Run| {
         let [x, y] = run.at;
@@ -75,7 +75,7 @@ pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'sta
     };
     let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
     let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
-    words(kind, &plain_scalars(&run.text))
+    meaning(kind, &plain_scalars(&run.text))
 }
 
 /// Paints a layout whose first baseline begins at `origin`.

@@ -37,7 +37,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         play,
         lines,
         exercise,
-    } = step.looks.clone();
+    } = step.view.clone();
     let settings = &session.settings;
     let all_as_said = [
         ("observer", observer.is_none_or(|said| session.observer == Some(said))),

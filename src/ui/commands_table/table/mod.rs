@@ -31,7 +31,7 @@ use crate::model::lessons::{self, Lesson, Place, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::presenting::Full;
-use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
+use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about};
 use crate::model::translator::Target;
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
@@ -279,9 +279,9 @@ fn switches() -> Vec<UiCommand> {
 
 fn looks() -> Vec<UiCommand> {
     let mut verbs = Vec::new();
-    for shade in ShadeName::ALL {
-        let name = format!("shade by {}", Shade::from(shade).name());
-        verbs.push(verb(Group::Colours, name, shade.about(), LookAction::Shade(shade)));
+    for shade in Shade::ALL {
+        let name = format!("shade by {}", shade.name());
+        verbs.push(verb(Group::Colours, name, shade_about(shade), LookAction::Shade(shade)));
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";

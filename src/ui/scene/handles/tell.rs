@@ -83,7 +83,7 @@ impl HandInput {
             self.say_held(&mut lines, handle, session);
         } else {
             if let Some(Hovered { concept, by: HoverSource::View }) = session.hovered {
-                lines.push(concept.words(|object| document.title_of(object as usize)));
+                lines.push(concept.description(|object| document.title_of(object as usize)));
             }
             let rested = ui.input(|i| i.time) - self.over_since;
             if rested >= HINT {
