@@ -12,11 +12,9 @@ fn document(scene: &str) -> Document {
 fn derive(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {
     let resolved = document.camera.resolve();
     let scene = document.scene();
+    let inspection = resolved.as_ref().ok().zip(scene.as_ref().ok());
     let inspection =
-        resolved.as_ref().ok().zip(scene.as_ref().ok()).map(|(resolved, scene)| match selection {
-            Selection::Pixel(pixel) => Inspection::of_pixel(resolved, scene, pixel),
-            Selection::Uv(uv) => Inspection::of_uv(resolved, scene, uv),
-        });
+        inspection.map(|(resolved, scene)| Inspection::new(resolved, scene, selection));
     let fault = match (&resolved, &scene) {
         (Err(e), _) => Some(Fault::Camera(*e)),
         (_, Err(e)) => Some(Fault::Scene(*e)),
@@ -27,11 +25,7 @@ fn derive(document: &Document, selection: Selection, digits: usize, from_one: bo
         resolved: resolved.as_ref().ok(),
         scene: scene.as_ref().ok(),
         inspection: inspection.as_ref(),
-        fault,
-        selection,
-        sections: DerivationSections::default(),
-        digits,
-        from_one,
+        view: View { selection, sections: DerivationSections::default(), digits, from_one, fault },
     })
 }
 

@@ -151,7 +151,7 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let uv = DVec2::new(0.45, 0.4);
-    stage.inspection = Some(Inspection::of_uv(stage.resolve(), &stage.scene, uv));
+    stage.inspection = Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(uv)));
     let drawing = world_drawing(&stage, Concept::AlongU);
     for concept in [Concept::AlongU, Concept::AlongV, Concept::AlongW] {
         assert!(drawing.targets().iter().any(|target| target.concept == concept), "{concept:?}");

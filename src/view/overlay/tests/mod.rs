@@ -18,6 +18,7 @@ pub(super) use super::*;
 use crate::model::inspection::Inspection;
 use crate::model::observer::{Observer, enclosing, traced_scene};
 pub(super) use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::Selection;
 
 /// A world view with everything in it.
 struct Stage {
@@ -69,9 +70,9 @@ impl Stage {
             let pixels = shade(&frame, &scene, Shade::Lambert, color_of, opaque);
             Picture { raster, image: resolved.image(), pixels }
         });
-        let inspection = resolved
-            .as_ref()
-            .map(|resolved| Inspection::of_uv(resolved, &scene, DVec2::new(0.02, 0.01)));
+        let inspection = resolved.as_ref().map(|resolved| {
+            Inspection::new(resolved, &scene, Selection::Uv(DVec2::new(0.02, 0.01)))
+        });
         let items = OverlayItems::default();
         Stage { camera, resolved, scene, enclosing, observer, frame, picture, inspection, items }
     }
