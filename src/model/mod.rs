@@ -14,7 +14,7 @@ pub mod inspection;
 pub mod lessons;
 pub mod letters;
 pub mod lines;
-mod named_enum;
+pub(crate) mod named_enum;
 pub mod number;
 pub mod observer;
 pub mod overlay_items;

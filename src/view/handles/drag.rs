@@ -5,10 +5,10 @@
 use std::f64::consts::PI;
 
 use pinhole_core::steering::{
-    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, ViewportCorner, nice_step,
-    pixel_in_world, rounded_to, snapped,
+    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, Steered, ViewportCorner,
+    nice_step, pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
+use pinhole_core::{Camera, CameraError, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
 use super::{HandleValues, Solid};
 use crate::model::session::hand::{Along, Axis, Grasp, Handle};
@@ -94,6 +94,19 @@ fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
     (tip - base) / length
 }
 
+/// Returns the steered camera, and whether up was turned, too. A camera without a basis is replaced by
+/// the `invalid` one, whose fields then show the fault.
+fn steered(
+    result: Result<Steered, SteerError>,
+    invalid: impl FnOnce(CameraError) -> Result<Camera, String>,
+) -> Result<(Camera, bool), String> {
+    match result {
+        Ok(steered) => Ok((steered.camera, steered.up_went_along)),
+        Err(SteerError::Camera(fault)) => Ok((invalid(fault)?, false)),
+        Err(reason) => Err(reason.to_string()),
+    }
+}
+
 impl HandleDrag<'_> {
     /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
@@ -113,8 +126,7 @@ impl HandleDrag<'_> {
     /// The reason, in words, why it cannot be there.
     pub fn put(&self, point: DVec3) -> Result<Dragged, String> {
         let DragStart { before, grasp, at, .. } = *self.start;
-        let unchanged =
-            Dragged { part: before, grasp, up_went_along: false, step: None, rolled: None };
+        let unchanged = self.unchanged();
         if point == at {
             return Ok(unchanged);
         }
@@ -142,6 +154,11 @@ impl HandleDrag<'_> {
             pulled.part.selection = before.selection.in_another_viewport(old, new);
         }
         Ok(self.snapped_by(pulled))
+    }
+
+    fn unchanged(&self) -> Dragged {
+        let DragStart { before: part, grasp, .. } = *self.start;
+        Dragged { part, grasp, up_went_along: false, step: None, rolled: None }
     }
 
     fn snapped_by(&self, pulled: Dragged) -> Dragged {
@@ -228,40 +245,30 @@ impl HandleDrag<'_> {
 
     fn eye(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        match camera.with_eye_at(point, self.options.eye) {
-            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-            Err(SteerError::Camera(fault)) => {
-                let by = point - camera.eye;
-                let orientation = match (camera.orientation, self.options.eye) {
-                    (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
-                    (Orientation::View { view, up }, Keep::At) => {
-                        Orientation::View { view: view - by, up }
-                    }
-                    (Orientation::Basis(_), _) => return Err(fault.to_string()),
-                    (given, _) => given,
-                };
-                Ok((Camera { eye: point, orientation, ..camera }, false))
-            }
-            Err(reason) => Err(reason.to_string()),
-        }
+        steered(camera.with_eye_at(point, self.options.eye), |fault| {
+            let by = point - camera.eye;
+            let orientation = match (camera.orientation, self.options.eye) {
+                (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
+                (Orientation::View { view, up }, Keep::At) => {
+                    Orientation::View { view: view - by, up }
+                }
+                (Orientation::Basis(_), _) => return Err(fault.to_string()),
+                (given, _) => given,
+            };
+            Ok(Camera { eye: point, orientation, ..camera })
+        })
     }
 
     fn look_at(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        match camera.with_at(point) {
-            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-            Err(SteerError::Camera(fault)) => {
-                let orientation = match camera.orientation {
-                    Orientation::At { up, .. } => Orientation::At { at: point, up },
-                    Orientation::View { up, .. } => {
-                        Orientation::View { view: point - camera.eye, up }
-                    }
-                    Orientation::Basis(_) => return Err(fault.to_string()),
-                };
-                Ok((Camera { orientation, ..camera }, false))
-            }
-            Err(reason) => Err(reason.to_string()),
-        }
+        steered(camera.with_at(point), |fault| {
+            let orientation = match camera.orientation {
+                Orientation::At { up, .. } => Orientation::At { at: point, up },
+                Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
+                Orientation::Basis(_) => return Err(fault.to_string()),
+            };
+            Ok(Camera { orientation, ..camera })
+        })
     }
 
     /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields
@@ -369,8 +376,7 @@ impl HandleDrag<'_> {
     /// Moves or changes a sphere or a plane.
     fn solid(&self, point: DVec3) -> Result<Dragged, String> {
         let DragStart { before, grasp, at, .. } = *self.start;
-        let mut now =
-            Dragged { part: before, grasp, up_went_along: false, step: None, rolled: None };
+        let mut now = self.unchanged();
         let Some((k, solid)) = before.object else { return Ok(now) };
         let solid = match (solid, grasp.handle) {
             (Solid::Sphere(mut sphere), Handle::Radius(_)) => {

@@ -8,14 +8,13 @@
 //!
 //! - `world_view`, `camera_view`: the contents of the two views.
 //! - `highlighted`: what both share to highlight a concept, on top of everything else.
-//! - `space`: from the world to dots, and what hides what; `labels`: label placement.
+//! - `space`: from the world to dots, and what hides what.
 //! - `drawing`: marks and labels; `paint`: marks as fills and strokes, and those as pixels.
 //! - `picture`: the camera's traced picture; `style`: colours and text sizes.
 
 mod camera_view;
 mod drawing;
 mod highlighted;
-mod labels;
 mod paint;
 mod picture;
 mod space;

@@ -11,7 +11,7 @@ use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 
 use crate::view::overlay::camera_view::{Overlay, place_of};
-use crate::view::overlay::drawing::{Shape, dot};
+use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
@@ -93,9 +93,7 @@ impl Overlay<'_> {
         let scale = f64::from(self.view.scale);
         let pen = Pen { width: 2.4, ..pen };
         let radius = 9.0 * scale;
-        let ring = (0..=32)
-            .map(|k| at + radius * DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 32.0));
-        let ring: Vec<DVec2> = ring.collect();
+        let ring: Vec<DVec2> = circle(32).map(|point| at + radius * point).collect();
         self.line(&ring, pen);
         if away {
             let arm = radius * std::f64::consts::FRAC_1_SQRT_2 * DVec2::ONE;

@@ -3,8 +3,6 @@
 mod highlighted;
 pub(super) mod loupe;
 
-use std::borrow::Cow;
-
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, ResolvedCamera};
 
@@ -14,8 +12,8 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::labels::{self, Request};
 use crate::view::overlay::picture::Picture;
+use crate::view::overlay::space::labels::{self, Request};
 use crate::view::overlay::space::layers::{contrast, mix};
 use crate::view::overlay::space::sketch::Pen;
 use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
@@ -138,7 +136,8 @@ impl CameraView<'_> {
         if let Some(highlighted) = self.highlighted {
             overlay.highlight(highlighted);
         }
-        let placed = labels::place(&overlay.requests, &overlay.drawing, self.extent(), colors.halo);
+        let requests = std::mem::take(&mut overlay.requests);
+        let placed = labels::place(requests, &overlay.drawing, self.extent());
         overlay.loupe();
         let mut drawing = overlay.drawing;
         drawing.labels = placed;
@@ -171,11 +170,9 @@ struct Overlay<'a> {
 
 impl Overlay<'_> {
     fn add(&mut self, pen: Pen, shape: Shape) {
-        let Pen { item, concept, color, pattern, .. } = pen;
-        if self.items.shows(item) {
-            let halo = pen.halo.then_some(self.colors.halo);
-            let hidden = false;
-            self.drawing.marks.push(Mark { item, concept, shape, color, halo, hidden, pattern });
+        if self.items.shows(pen.item) {
+            let mark = pen.mark(shape, self.colors.halo);
+            self.drawing.marks.push(Mark { pattern: pen.pattern, ..mark });
         }
     }
 
@@ -187,16 +184,14 @@ impl Overlay<'_> {
     fn label(
         &mut self,
         pen: Pen,
-        text: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
         (size, bold): (f32, bool),
     ) {
-        let Pen { item, concept, color, .. } = pen;
-        if self.items.shows(Item::Labels) && self.items.shows(item) {
-            let text = text.into();
-            let request = Request { item, text, concept, anchor, toward, color, size, bold };
-            self.requests.push(request);
+        if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
+            let (places, font) = ((anchor, toward), (pen.color, size, bold));
+            self.requests.push(Request::new(pen, text.into(), places, font, self.colors.halo));
         }
     }
 

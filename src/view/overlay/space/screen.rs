@@ -146,6 +146,14 @@ impl Screen {
         dots.is_finite().then_some(dots)
     }
 
+    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
+    /// points on the screen; 0 where the point is not seen. A point is `scale` dots.
+    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64), scale: f64) -> f64 {
+        let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
+        let points = dots / scale;
+        points.clamp(least, most) / points
+    }
+
     /// Returns the direction of the observer's ray through a point `at` of the screen, as
     /// `at.x * across + at.y * down + corner`.
     pub(crate) fn ray_parts(&self) -> RayParts {

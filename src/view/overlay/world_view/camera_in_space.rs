@@ -1,8 +1,6 @@
 //! The edited camera drawn as lines in the world view: eye, arrows, frustum, viewport, selected
 //! ray.
 
-use std::borrow::Cow;
-
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
@@ -54,12 +52,9 @@ impl Sketch<'_> {
         self.eye_and_at(view);
     }
 
-    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
-    /// points on the screen; 0 where the point cannot be seen.
-    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
-        let Some(dots) = self.screen.dots_per_unit(at) else { return 0.0 };
-        let points = dots / self.scale();
-        points.clamp(least, most) / points
+    /// Returns one world unit at a point, limited to a range of points on the screen.
+    pub(crate) fn length_of_points(&self, at: DVec3, range: (f64, f64)) -> f64 {
+        self.screen.length_of_points(at, range, self.scale())
     }
 
     fn axes(&mut self) {
@@ -75,7 +70,7 @@ impl Sketch<'_> {
     pub(crate) fn label_tip(
         &mut self,
         pen: Pen,
-        text: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
         tip: Option<Tip>,
         font: (Color32, f32, bool),
     ) {
@@ -103,19 +98,14 @@ impl Sketch<'_> {
             self.line(ray.at(1.0), end, far);
         }
         if ends.iter().all(|(_, on_plane)| *on_plane) {
-            for k in 0..4 {
-                self.line(ends[k].0, ends[(k + 1) % 4].0, far);
-            }
+            self.sides(ends.map(|(end, _)| end), far);
         }
     }
 
     fn outline(&mut self, resolved: &ResolvedCamera) {
         let pen =
             Pen::new(Item::Viewport, self.colors.ink, 2.2).about(Concept::Viewport).on_viewport();
-        let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
-        for k in 0..4 {
-            self.line(corners[k], corners[(k + 1) % 4], pen);
-        }
+        self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
     }
 
     /// Draws a thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
@@ -215,9 +205,7 @@ impl Sketch<'_> {
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
         let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).about(Concept::Pixel).on_viewport();
-        for k in 0..4 {
-            self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
-        }
+        self.sides(corners, pen.without_halo());
     }
 
     /// Draws view and up as they are given; a basis given by hand has neither.

@@ -195,10 +195,7 @@ impl Sketch<'_> {
         let pen = self.highlighted_pen(highlighted, self.colors.ink);
         match highlighted.concept {
             Concept::Viewport => {
-                let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
-                for k in 0..4 {
-                    self.line(corners[k], corners[(k + 1) % 4], pen);
-                }
+                self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
             }
             Concept::Distance => {
                 let text =
@@ -303,19 +300,10 @@ impl Sketch<'_> {
                 let center = target - normal.dot(target - plane.point) * normal;
                 let (a, b) = tangents(normal);
                 let corner = |x: f64, y: f64| center + size * (x * a + y * b);
-                let corners =
-                    [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
-                for k in 0..4 {
-                    self.line(corners[k], corners[(k + 1) % 4], pen);
-                }
-                self.highlighted_arrow(
-                    center,
-                    center + 0.5 * size * normal,
-                    Head::Filled,
-                    pen,
-                    "n",
-                    VECTOR_TEXT,
-                );
+                let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+                self.sides(corners.map(|(x, y)| corner(x, y)), pen);
+                let tip = center + 0.5 * size * normal;
+                self.highlighted_arrow(center, tip, Head::Filled, pen, "n", VECTOR_TEXT);
             }
         }
     }

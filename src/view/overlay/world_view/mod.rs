@@ -13,11 +13,11 @@ use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_view::camera_uv_at;
-use crate::view::overlay::drawing::Drawing;
+use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::labels;
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::flat::{Flat, Grid};
+use crate::view::overlay::space::labels;
 use crate::view::overlay::space::layers::{Layers, Patch, PictureLookup, ViewportLayer};
 use crate::view::overlay::space::screen::Screen;
 use crate::view::overlay::space::sketch::Sketch;
@@ -121,7 +121,7 @@ pub fn world_apart(
 /// viewport and where an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
-    let at = DVec2::new(position[0].into(), position[1].into());
+    let at = wide(position);
     let layers = Layers::new(frame, Color32::TRANSPARENT);
     let layer = viewport_layer(resolved, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
@@ -135,7 +135,7 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
     let spot = Screen::new(observer, unit).spot(point)?;
-    Some([spot.at.x as f32, spot.at.y as f32])
+    Some(dot(spot.at))
 }
 
 /// Returns the t at which the ray's line passes nearest to the observer's line of sight at a
@@ -242,7 +242,7 @@ impl<'a> WorldView<'a> {
         }
         sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;
-        drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
+        drawing.labels = labels::place(requests, &drawing, screen.size);
         drawing
     }
 }

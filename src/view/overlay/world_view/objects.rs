@@ -6,6 +6,7 @@ use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
+use crate::view::overlay::drawing::circle;
 use crate::view::overlay::space::flat::{Flat, Grid};
 use crate::view::overlay::space::layers::{Patch, mix};
 use crate::view::overlay::space::screen::{RayParts, tangents, unit};
@@ -91,17 +92,12 @@ fn grid_step(distance: f64) -> f64 {
 impl Sketch<'_> {
     /// Draws three circles on a sphere, orthogonal to x, y and z.
     pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
-        const SIDES: usize = 72;
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen = Pen::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
-            let at = |k: usize| {
-                let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();
-                sphere.center + sphere.radius * (cos * a + sin * b)
-            };
-            for k in 0..SIDES {
-                self.line(at(k), at(k + 1), pen);
-            }
+            let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
+            let ring: Vec<DVec3> = circle(72).map(at).collect();
+            ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
         }
     }
 }
