@@ -14,7 +14,6 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::Place;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
 use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
@@ -240,7 +239,7 @@ pub enum LookAction {
     /// Begin to present, or end it.
     Present,
     /// Fill the window with this.
-    Fill(Full),
+    Fill(ViewLayout),
 }
 
 /// What can be laid over the window.

@@ -155,12 +155,9 @@ fn zooming_in_brings_the_target_nearer() {
 }
 
 #[test]
-fn stored_nonsense_is_brought_into_range() {
-    let stored = r#"{"target": [1e300, 0, 0], "azimuth": 1e300, "elevation": 9, "distance": -1}"#;
-    let mut observer: Observer = serde_json::from_str(stored).expect("an observer");
-    resolve(&observer);
-    observer.target[1] = f64::NAN;
-    observer.distance = f64::NAN;
+fn nonsense_is_brought_into_range() {
+    resolve(&Observer::new(DVec3::new(1e300, 0.0, 0.0), 1e300, 9.0, -1.0));
+    let mut observer = Observer::new(DVec3::new(0.0, f64::NAN, 0.0), 0.0, 0.0, f64::NAN);
     resolve(&observer);
     observer.orbit(f64::INFINITY, f64::NAN);
     resolve(&observer);

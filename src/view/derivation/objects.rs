@@ -47,14 +47,8 @@ pub(super) fn lines(
 }
 
 impl ObjectLines<'_> {
-    fn line(&mut self, formula: Formula) -> &mut Line {
-        self.push(Line::new(Concept::Object(self.object), formula))
-    }
-
-    fn push(&mut self, line: Line) -> &mut Line {
-        self.lines.push(line);
-        let last = self.lines.len() - 1;
-        &mut self.lines[last]
+    fn line(&mut self, formula: Formula) {
+        self.lines.push(Line::new(Concept::Object(self.object), formula));
     }
 
     fn root_concept(&self, number: usize) -> Concept {
@@ -126,7 +120,7 @@ impl ObjectLines<'_> {
         let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
         let line = Line::new(self.root_concept(k), row([formula, numbers.equals(found.t)]));
         let verdict = self.inspection.verdict(found);
-        self.push(line.noted(verdict));
+        self.lines.push(line.noted(verdict));
     }
 
     fn plane(&mut self, of: &PlaneDerivation) {
@@ -148,14 +142,14 @@ impl ObjectLines<'_> {
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
             let line = Line::new(Concept::Object(self.object), quotient);
-            self.push(line.noted(note));
+            self.lines.push(line.noted(note));
             return;
         };
         let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
         let formula = equation(quotient, put_in);
         let line = Line::new(self.root_concept(0), row([formula, numbers.equals(found.t)]));
         let verdict = self.inspection.verdict(&found);
-        self.push(line.noted(verdict));
+        self.lines.push(line.noted(verdict));
         if of.hit().is_some() {
             self.hit(T, 0, &found);
             self.normal(0, &found, fraction(N, norm(N)), None);
@@ -172,7 +166,7 @@ impl ObjectLines<'_> {
         );
         let formula = equation(equation(HIT, along(P, t, D)), put_in);
         let formula = row([formula, numbers.equals_vector(hit.point)]);
-        self.push(Line::new(self.root_concept(k), formula));
+        self.lines.push(Line::new(self.root_concept(k), formula));
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {
@@ -185,7 +179,7 @@ impl ObjectLines<'_> {
         let result = self.numbers.equals_vector(hit.normal);
         let formula = equation(normal, symbols);
         let formula = put_in.into_iter().fold(formula, equation);
-        self.push(Line::new(concept, row([formula, result])));
+        self.lines.push(Line::new(concept, row([formula, result])));
     }
 }
 

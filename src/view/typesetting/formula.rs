@@ -6,6 +6,7 @@ use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2
 use crate::model::letters::plain_scalars;
 use crate::model::symbols::{Kind, meaning};
 use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
+use crate::view::overlay::Colors;
 use crate::view::typesetting::{fonts, theme};
 
 /// Sets a formula in lines of the width of `column`, with the window's fonts.
@@ -33,31 +34,22 @@ fn font(face: Face, size: f32) -> FontId {
 #[derive(Clone, Copy)]
 pub(crate) struct Inks {
     text: Color32,
-    basis: [Color32; 3],
-    given: Color32,
-    ray: Color32,
+    colors: &'static Colors,
 }
 
 impl Inks {
     pub(crate) fn from_ui(ui: &Ui) -> Inks {
-        let style = theme::style(ui);
-        let colors = style.colors();
-        Inks {
-            text: ui.visuals().text_color(),
-            basis: colors.basis,
-            given: colors.given,
-            ray: colors.ray,
-        }
+        Inks { text: ui.visuals().text_color(), colors: theme::style(ui).colors() }
     }
 
     fn color(self, ink: Ink) -> Color32 {
         match ink {
             Ink::Text => self.text,
-            Ink::U => self.basis[0],
-            Ink::V => self.basis[1],
-            Ink::W => self.basis[2],
-            Ink::Given => self.given,
-            Ink::Ray => self.ray,
+            Ink::U => self.colors.basis[0],
+            Ink::V => self.colors.basis[1],
+            Ink::W => self.colors.basis[2],
+            Ink::Given => self.colors.given,
+            Ink::Ray => self.colors.ray,
         }
     }
 }
