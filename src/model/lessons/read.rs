@@ -22,7 +22,7 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
 use crate::model::practice::exercises::LARGEST_SEED;
-use crate::model::session::{DIGITS, Selection, Session, ViewLayout};
+use crate::model::session::{DIGITS, Selection, ViewLayout};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;
@@ -153,7 +153,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     }
     let selection = match last.filter(|_| !is_new) {
         Some(step) => step.selection,
-        None => Session::default().selection,
+        None => Selection::default(),
     };
     let image = document.camera.image;
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));

@@ -31,7 +31,7 @@ use crate::model::translator::Translator;
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Session {
     /// The selected ray.
     pub selection: Selection,
@@ -174,27 +174,10 @@ impl Settings {
     }
 }
 
-impl Default for Session {
+impl Default for Selection {
+    /// Returns the ray of the lecture's warm-up.
     fn default() -> Self {
-        Session {
-            selection: Selection::Uv(DVec2::new(0.2, -0.1)),
-            observer: None,
-            ray_point_t: None,
-            scanned_pixels: None,
-            ghost: None,
-            lines: LinesLab::default(),
-            hovered: None,
-            highlighted: None,
-            sections: DerivationSections::default(),
-            mistakes_view: MistakesView::default(),
-            exercises: Exercises::default(),
-            answers: None,
-            presenting: None,
-            spotlight: false,
-            hand: Hand::default(),
-            translator: Translator::default(),
-            settings: Settings::default(),
-        }
+        Selection::Uv(DVec2::new(0.2, -0.1))
     }
 }
 

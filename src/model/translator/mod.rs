@@ -2,6 +2,7 @@
 
 pub mod conventions;
 
+use std::ops::Range;
 use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
@@ -241,52 +242,47 @@ impl Translation {
 /// Returns the text with long numbers cut to `digits` significant digits, for reading.
 pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
-    let mut marks = text.flipped.iter().peekable();
     let mut from = 0;
-    let bytes = text.text.as_bytes();
-    let is_number = |b: u8| b.is_ascii_digit() || b == b'.';
-    let mut at = 0;
-    let mut opened = None;
-    while at <= bytes.len() {
-        if marks.peek().is_some_and(|mark| mark.start == at) {
-            short.text.push_str(&text.text[from..at]);
-            (from, opened) = (at, Some(short.text.len()));
-        }
-        if let Some(start) = opened
-            && marks.peek().is_some_and(|mark| mark.end == at)
-        {
-            short.text.push_str(&text.text[from..at]);
-            short.flipped.push(start..short.text.len());
-            (from, opened) = (at, None);
-            marks.next();
-        }
-        if at == bytes.len() {
-            break;
-        }
+    for mark in &text.flipped {
+        push_short(&mut short.text, &text.text, from..mark.start, digits);
+        let start = short.text.len();
+        push_short(&mut short.text, &text.text, mark.clone(), digits);
+        short.flipped.push(start..short.text.len());
+        from = mark.end;
+    }
+    push_short(&mut short.text, &text.text, from..text.text.len(), digits);
+    short
+}
+
+/// Adds a part of the text with its long numbers cut. A digit after a letter begins no number.
+fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
+    let bytes = &text.as_bytes()[..part.end];
+    let (mut from, mut at) = (part.start, part.start);
+    while at < part.end {
         let before = at.checked_sub(1).map_or(b' ', |k| bytes[k]);
         if !bytes[at].is_ascii_digit() || before.is_ascii_alphanumeric() || before == b'_' {
             at += 1;
             continue;
         }
-        let mut end = at + bytes[at..].iter().take_while(|b| is_number(**b)).count();
-        let exponent = &bytes[end..];
-        if exponent.first() == Some(&b'e') {
-            let sign = usize::from(exponent.get(1) == Some(&b'-'));
-            let count = exponent[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let is_number = |b: &&u8| b.is_ascii_digit() || **b == b'.';
+        let mut end = at + bytes[at..].iter().take_while(is_number).count();
+        if bytes.get(end) == Some(&b'e') {
+            let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
+            let exponent = bytes[end + 1 + sign..].iter().take_while(|b| b.is_ascii_digit());
+            let count = exponent.count();
             end += if count > 0 { 1 + sign + count } else { 0 };
         }
-        let number = &text.text[at..end];
+        let number = &text[at..end];
         let mantissa = number.split('e').next().unwrap_or_default().bytes();
         let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
         if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
-            short.text.push_str(&text.text[from..at]);
-            short.text.push_str(&cut(value, digits));
+            short.push_str(&text[from..at]);
+            short.push_str(&cut(value, digits));
             from = end;
         }
         at = end;
     }
-    short.text.push_str(&text.text[from..]);
-    short
+    short.push_str(&text[from..part.end]);
 }
 
 fn cut(value: f64, digits: usize) -> String {

@@ -59,7 +59,7 @@ impl OpenScene {
         }
         let problem = |error| Message::new("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
-        Ok(self.replace(OpenDocument::new(document, source), Session::default().selection))
+        Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }
 
     /// Opens a document from no file, with both views beside it.
@@ -68,7 +68,7 @@ impl OpenScene {
         let mut open = OpenDocument::of_step(document, title);
         // It can be got again, but what is changed in it counts.
         open.leave_lesson();
-        let opened = self.replace(open, uv.map_or(Session::default().selection, Selection::Uv));
+        let opened = self.replace(open, uv.map_or(Selection::default(), Selection::Uv));
         self.session.settings.layout = ViewLayout::Both;
         opened
     }

@@ -54,7 +54,7 @@ impl WorldPictures {
         let enclosing = self.enclosing.get((good.generation, eye, observer.eye()), |_| {
             Arc::new(enclosing(&good.scene, eye, observer.eye()))
         });
-        let scene = objects.seen(&enclosing)?;
+        let scene = objects.observed(&enclosing)?;
         let colors = (Shade::Lambert, |i: u32| good.colors[i as usize]);
         let (frame, traced) = (&mut self.frame, &mut self.traced);
         let seen = (observer, good.generation, enclosing);

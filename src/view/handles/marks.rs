@@ -22,13 +22,8 @@ pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
         at: grip.at,
         knob: knob(grip.handle),
         state: match over {
-            Some(over) if over.handle == grip.handle => {
-                if held.is_some() {
-                    KnobState::Held
-                } else {
-                    KnobState::Over
-                }
-            }
+            Some(over) if over.handle == grip.handle && held.is_some() => KnobState::Held,
+            Some(over) if over.handle == grip.handle => KnobState::Over,
             _ => KnobState::Plain,
         },
     });

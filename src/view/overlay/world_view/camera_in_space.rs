@@ -2,7 +2,7 @@
 //! ray.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
+use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
@@ -231,13 +231,8 @@ impl Sketch<'_> {
 
     fn basis(&mut self, resolved: &ResolvedCamera, arrow: f64) {
         let (eye, basis) = (resolved.eye(), resolved.basis());
-        let arrows = [
-            ("u", basis.u, Head::Filled, Concept::U),
-            ("v", basis.v, Head::Open, Concept::V),
-            ("w", basis.w, Head::Double, Concept::W),
-        ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((name, vector, head, concept), (color, pattern)) in arrows.into_iter().zip(inks) {
+        for ((concept, name, vector, head), (color, pattern)) in basis_arrows(basis).zip(inks) {
             let pen = Pen::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
             self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
@@ -259,6 +254,18 @@ impl Sketch<'_> {
             self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
         }
     }
+}
+
+/// Returns u, v and w with their concepts, names and arrowheads.
+pub(super) fn basis_arrows(
+    basis: &Basis,
+) -> impl Iterator<Item = (Concept, &'static str, DVec3, Head)> {
+    let arrows = [
+        (Concept::U, "u", basis.u, Head::Filled),
+        (Concept::V, "v", basis.v, Head::Open),
+        (Concept::W, "w", basis.w, Head::Double),
+    ];
+    arrows.into_iter()
 }
 
 /// Returns (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.

@@ -14,7 +14,7 @@ use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::camera_in_space::{
-    ARROW_POINTS, NORMAL_POINTS, UP_LENGTH, VIEW_LENGTH, corners,
+    ARROW_POINTS, NORMAL_POINTS, UP_LENGTH, VIEW_LENGTH, basis_arrows, corners,
 };
 
 impl Sketch<'_> {
@@ -179,14 +179,9 @@ impl Sketch<'_> {
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let eye = resolved.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
-        let basis = resolved.basis();
-        let vectors = [
-            (Concept::U, "u", basis.u, Head::Filled),
-            (Concept::V, "v", basis.v, Head::Open),
-            (Concept::W, "w", basis.w, Head::Double),
-        ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((concept, name, vector, head), (color, pattern)) in vectors.into_iter().zip(inks) {
+        let arrows = basis_arrows(resolved.basis());
+        for ((concept, name, vector, head), (color, pattern)) in arrows.zip(inks) {
             if concept == highlighted.concept {
                 let pen = self.highlighted_pen(highlighted, color).patterned(pattern);
                 self.highlighted_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
