@@ -37,7 +37,7 @@ impl MistakesView {
     }
 
     /// Returns true if the mistake's name may be seen.
-    pub fn is_told(&self) -> bool {
+    pub fn is_revealed(&self) -> bool {
         self.guess.is_none_or(|guess| guess.answer.is_some())
     }
 
@@ -87,7 +87,7 @@ mod tests {
         for _ in 0..60 {
             mistakes_view.ask(&visible);
             assert_ne!(Some(mistakes_view.shown()), last);
-            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_told());
+            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_revealed());
             last = Some(mistakes_view.shown());
             asked.extend(last);
         }

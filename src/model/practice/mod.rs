@@ -1,4 +1,4 @@
-//! What a student practises with: exercises, classic mistakes, and answers to be graded.
+//! The practice of a student: exercises, classic mistakes, and answers to be graded.
 
 pub mod exercises;
 pub mod mistakes_view;

@@ -25,43 +25,41 @@ fn letter(axis: Axis) -> String {
     axis.name().chars().map(bold).collect()
 }
 
-/// Returns the rule by which pixels are counted.
-fn rule(pixels: PixelConvention) -> String {
-    let (i, j) = (italic('i'), italic('j'));
-    match pixels {
-        PixelConvention::Corner => format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
-        PixelConvention::AtCentre => {
-            format!("x = {j}, y = {i}: from the centre of the first pixel")
-        }
-        PixelConvention::FromBottom => {
-            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up")
-        }
-        PixelConvention::FromOne => format!("{i} + 1, {j} + 1: counted from 1"),
-        PixelConvention::ColumnFirst => format!("get_ray({j}, {i}): the column first"),
-        PixelConvention::Device => {
-            format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up")
-        }
-    }
-}
-
-/// Returns the centre of a pixel of an image of W x H, as it is counted.
-fn centre(
+/// Returns the rule by which pixels are counted, and the centre of a pixel of an image of W x H in
+/// numbers.
+fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
     [width, height]: [u32; 2],
-) -> String {
-    let (i, j) = (f64::from(row), f64::from(column));
+) -> [String; 2] {
+    let (i, j) = (italic('i'), italic('j'));
+    let (y, x) = (f64::from(row), f64::from(column));
     let (w, h) = (f64::from(width), f64::from(height));
     let pair = |a: f64, b: f64| format!("({}, {})", shortest(a), shortest(b));
     match pixels {
-        PixelConvention::Corner => pair(j + 0.5, i + 0.5),
-        PixelConvention::AtCentre => pair(j, i),
-        PixelConvention::FromBottom => pair(j + 0.5, h - i - 0.5),
-        PixelConvention::FromOne => pair(i + 1.0, j + 1.0),
-        PixelConvention::ColumnFirst => pair(j, i),
+        PixelConvention::Corner => [
+            format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
+            pair(x + 0.5, y + 0.5),
+        ],
+        PixelConvention::AtCentre => {
+            [format!("x = {j}, y = {i}: from the centre of the first pixel"), pair(x, y)]
+        }
+        PixelConvention::FromBottom => [
+            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up"),
+            pair(x + 0.5, h - y - 0.5),
+        ],
+        PixelConvention::FromOne => {
+            [format!("{i} + 1, {j} + 1: counted from 1"), pair(y + 1.0, x + 1.0)]
+        }
+        PixelConvention::ColumnFirst => {
+            [format!("get_ray({j}, {i}): the column first"), pair(x, y)]
+        }
         PixelConvention::Device => {
             let short = |x: f64| (x * 1e4).round() / 1e4;
-            pair(short((2.0 * j + 1.0 - w) / w), short((h - 2.0 * i - 1.0) / h))
+            [
+                format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up"),
+                pair(short((2.0 * x + 1.0 - w) / w), short((h - 2.0 * y - 1.0) / h)),
+            ]
         }
     }
 }
@@ -105,21 +103,12 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
     };
     line("given by", at_or.into(), conventions.given_by.into(), false, true);
     let pixels = conventions.pixels;
-    line(
-        "centre of a pixel",
-        rule(PixelConvention::Corner),
-        rule(pixels),
-        flips(pixels),
-        pixels != PixelConvention::Corner,
-    );
-    let spoken = format!("({}, {})", pixel.row, pixel.column);
-    line(
-        "in numbers",
-        format!("row, column {spoken}, centre {}", centre(PixelConvention::Corner, pixel, size)),
-        centre(pixels, pixel, size),
-        flips(pixels),
-        pixels != PixelConvention::Corner,
-    );
+    let [our_rule, our_centre] = counted(PixelConvention::Corner, pixel, size);
+    let [their_rule, their_centre] = counted(pixels, pixel, size);
+    let (flipped, differs) = (flips(pixels), pixels != PixelConvention::Corner);
+    line("centre of a pixel", our_rule, their_rule, flipped, differs);
+    let ours = format!("row, column ({}, {}), centre {our_centre}", pixel.row, pixel.column);
+    line("in numbers", ours, their_centre, flipped, differs);
     let viewport = subject.resolve().viewport();
     line(
         FIELD_OF_VIEW,

@@ -7,7 +7,7 @@ use pinhole_core::{Counts, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
-use super::answers::Grading;
+use super::grading::Grading;
 use super::picture::{Compared, TooMany};
 use super::watch::Watch;
 use crate::model::fault::Fault;

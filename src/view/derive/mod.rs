@@ -1,11 +1,11 @@
 //! Derivation of everything shown from the document: a pure function, with caches keyed by its
 //! inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
-mod answers;
 mod beside;
 mod derivations;
 mod derived;
 mod ghost;
+mod grading;
 mod memo;
 mod objects;
 mod picture;
@@ -21,12 +21,12 @@ use egui::Color32;
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, ResolvedCamera, Rgb};
 
-use self::answers::GradedAnswers;
-pub use self::answers::Grading;
 use self::derivations::Derivations;
 use self::derived::Inputs;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
+use self::grading::GradedAnswers;
+pub use self::grading::Grading;
 use self::memo::{Memo, Same};
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};

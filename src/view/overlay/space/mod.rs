@@ -1,4 +1,4 @@
-//! From the world to the dots of a picture, and back.
+//! The way from the world to the dots of a picture, and back.
 //!
 //! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
 //! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
