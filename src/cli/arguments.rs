@@ -41,7 +41,7 @@ pub struct WindowArguments {
     #[arg(conflicts_with = "lesson")]
     pub scene: Option<PathBuf>,
     /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
-    #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::of)]
+    #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::parse)]
     pub lesson: Option<LessonArgument>,
     /// How the window is drawn; without this, whichever works best here
     #[arg(long, value_name = "wgpu|cpu")]

@@ -79,7 +79,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         .map(|from| from.following(&document.camera, &start.cameras(kind), width / height));
     let frames = frames_of(arguments, kind);
     let scene = (document, session);
-    let loops = kind.is_round();
+    let loops = kind.moves_camera();
     let animation = Animation { kind, start, loops, scene, order, frames };
     let why = |problem| CommandError::Input(format!("{}: {problem}", arguments.scene.display()));
     // What cannot move is known before anything is written.
@@ -96,7 +96,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
 fn start_of(document: &Document, session: &Session) -> Start {
     // The ray is asked about wherever the derivation is open.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
-    Start::of(document, session, derived.inspection.as_deref())
+    Start::new(document, session, derived.inspection.as_deref())
 }
 
 fn frames_of(arguments: &FigureArguments, kind: Kind) -> Frames {

@@ -11,6 +11,7 @@ use super::error::{CommandError, scene_fault};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::inspection::Inspection;
+use crate::model::session::Selection;
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {
@@ -28,7 +29,7 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let scene = document.scene().map_err(|e| at_fault(&e))?;
     let RayArguments { pixel, uv } = arguments.ray;
     let uv = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?.uv(&camera);
-    let inspection = Inspection::of_uv(&camera, &scene, uv);
+    let inspection = Inspection::new(&camera, &scene, Selection::Uv(uv));
     let readout = Readout { document: &document, camera, up_angle, inspection };
     let text = if arguments.json { to_json(&readout.json())? } else { readout.to_text() };
     to_stdout(|out| out.write_all(text.as_bytes()))

@@ -91,7 +91,7 @@ fn with_overlay(
     };
     let session = Session {
         observer: Some(Observer::frame_all(&document.camera, scene, size.aspect())),
-        settings: Settings { shade: options.shade.into(), items, ..Settings::default() },
+        settings: Settings { shade: options.shade, items, ..Settings::default() },
         ..Session::default()
     };
     // Strokes and text stay in proportion on large pictures.

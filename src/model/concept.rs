@@ -129,7 +129,7 @@ impl Concept {
 
     /// Returns the concept's description; that of an object or a root contains the object's
     /// `title`.
-    pub fn words(self, title: impl Fn(u32) -> String) -> String {
+    pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Concept::Object(object) => title(object),
             Concept::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
@@ -139,7 +139,7 @@ impl Concept {
 
     fn entry(self) -> (&'static str, &'static str) {
         let found = NAMES.iter().find(|(concept, ..)| *concept == self);
-        found.map_or(("", ""), |(_, name, words)| (name, words))
+        found.map_or(("", ""), |(_, name, description)| (name, description))
     }
 }
 
@@ -148,11 +148,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_lead_back_to_their_things() {
+    fn names_lead_back_to_their_concepts() {
         let numbered = [Concept::Object(7), Concept::Root { object: 2, number: 1 }];
         for concept in NAMES.iter().map(|(concept, ..)| *concept).chain(numbered) {
             assert_eq!(Concept::from_name(&concept.name()), Some(concept));
-            assert!(!concept.words(|k| format!("sphere {k}")).is_empty());
+            assert!(!concept.description(|k| format!("sphere {k}")).is_empty());
         }
         for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x"] {
             assert_eq!(Concept::from_name(wrong), None, "{wrong}");

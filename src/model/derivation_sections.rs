@@ -1,45 +1,29 @@
 //! The sections of the derivation, each of which can be hidden.
 
-use serde::{Deserialize, Serialize};
+use super::named_enum::named_enum;
 
-/// A section of the derivation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[repr(u8)]
-pub enum DerivationSection {
-    /// The steps from view and up to u, v, w.
-    Basis,
-    /// The steps from a pixel to its view ray.
-    PixelToRay,
-    /// The intersection of every object with that ray.
-    Objects,
+named_enum! {
+    /// A section of the derivation, from top to bottom, with its label and its name in files.
+    #[repr(u8)]
+    pub enum DerivationSection {
+        /// The steps from view and up to u, v, w.
+        Basis: "Basis", "basis";
+        /// The steps from a pixel to its view ray.
+        PixelToRay: "Pixel to ray", "pixel-to-ray";
+        /// The intersection of every object with that ray.
+        Objects: "Objects", "objects";
+    }
 }
 
 impl DerivationSection {
-    /// All sections, from top to bottom.
-    pub const ALL: [DerivationSection; 3] =
-        [DerivationSection::Basis, DerivationSection::PixelToRay, DerivationSection::Objects];
+    /// Returns the label of the section's checkbox.
+    pub fn label(self) -> &'static str {
+        self.texts()[0]
+    }
 
     /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "basis",
-            DerivationSection::PixelToRay => "pixel-to-ray",
-            DerivationSection::Objects => "objects",
-        }
-    }
-
-    /// Returns the section with this name.
-    pub fn from_name(name: &str) -> Option<DerivationSection> {
-        DerivationSection::ALL.into_iter().find(|section| section.name() == name)
-    }
-
-    /// Returns the label of the section's checkbox.
-    pub fn label(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "Basis",
-            DerivationSection::PixelToRay => "Pixel to ray",
-            DerivationSection::Objects => "Objects",
-        }
+        self.texts()[1]
     }
 
     fn bit(self) -> u8 {
@@ -48,8 +32,7 @@ impl DerivationSection {
 }
 
 /// The sections of the derivation that are shown; all of them by default.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(from = "Vec<DerivationSection>", into = "Vec<DerivationSection>")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DerivationSections(u8);
 
 impl Default for DerivationSections {
@@ -61,18 +44,6 @@ impl Default for DerivationSections {
 impl FromIterator<DerivationSection> for DerivationSections {
     fn from_iter<I: IntoIterator<Item = DerivationSection>>(sections: I) -> Self {
         DerivationSections(sections.into_iter().fold(0, |bits, section| bits | section.bit()))
-    }
-}
-
-impl From<Vec<DerivationSection>> for DerivationSections {
-    fn from(sections: Vec<DerivationSection>) -> Self {
-        sections.into_iter().collect()
-    }
-}
-
-impl From<DerivationSections> for Vec<DerivationSection> {
-    fn from(sections: DerivationSections) -> Self {
-        DerivationSection::ALL.into_iter().filter(|section| sections.shows(*section)).collect()
     }
 }
 
@@ -97,15 +68,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sections_are_shown_alone_and_have_names() {
+    fn each_section_is_shown_alone() {
         for section in DerivationSection::ALL {
-            assert_eq!(DerivationSection::from_name(section.name()), Some(section));
             let only: DerivationSections = [section].into_iter().collect();
             assert!(DerivationSection::ALL.iter().all(|s| only.shows(*s) == (*s == section)));
             let mut others = DerivationSections::default();
             others.set(section, false);
-            assert_eq!(Vec::from(others).len(), 2);
-            assert!(!others.shows(section));
+            assert!(DerivationSection::ALL.iter().all(|s| others.shows(*s) != (*s == section)));
         }
     }
 }

@@ -38,7 +38,7 @@ const FUNCTIONS: [NamedFunction; 26] = [
 const CONSTANTS: [(&str, f64); 7] =
     [("pi", PI), ("PI", PI), ("π", PI), ("e", E), ("E", E), ("tau", TAU), ("τ", TAU)];
 
-/// More brackets and signs than this within each other are refused: nobody types them.
+/// Maximum nesting of brackets and signs; nobody types more.
 const DEEPEST: usize = 64;
 
 /// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,

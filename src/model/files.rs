@@ -170,12 +170,11 @@ fn absolute(path: &Path) -> PathBuf {
 /// # Errors
 /// Returns an error if a file or the folder cannot be written.
 pub(crate) fn save_written(written: &Exported, path: &Path) -> Result<(), FileError> {
-    let save = |path: &Path, sheet: &Text| {
-        atomic::write(path, |file| file.write_all(sheet.text.as_bytes()))
-    };
-    if let [(_, sheet)] = &written.files[..] {
-        return save(path, sheet);
+    let save =
+        |path: &Path, text: &Text| atomic::write(path, |file| file.write_all(text.text.as_bytes()));
+    if let [(_, text)] = &written.files[..] {
+        return save(path, text);
     }
     fs::create_dir_all(path).map_err(|error| FileError::unwritable(path, &error))?;
-    written.files.iter().try_for_each(|(name, sheet)| save(&path.join(name), sheet))
+    written.files.iter().try_for_each(|(name, text)| save(&path.join(name), text))
 }

@@ -7,6 +7,7 @@ use pinhole_core::{
 };
 
 use crate::model::concept::Concept;
+use crate::model::session::Selection;
 
 /// Number of objects whose parts are kept: more than anybody reads.
 pub const LISTED_OBJECTS: usize = 12;
@@ -39,9 +40,10 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Inspects the view ray through a (u, v).
-    pub fn of_uv(camera: &ResolvedCamera, scene: &Scene, uv: DVec2) -> Inspection {
-        match camera.exact_ray_at(uv) {
+    /// Inspects the selected view ray. A pixel must lie inside the image.
+    pub fn new(camera: &ResolvedCamera, scene: &Scene, selection: Selection) -> Inspection {
+        let uv = selection.uv(camera);
+        match selection.exact_ray(camera) {
             Ok(exact) => Inspection::of_exact(camera, scene, uv, &exact),
             Err(_) => Inspection {
                 uv,
@@ -52,11 +54,6 @@ impl Inspection {
                 first: None,
             },
         }
-    }
-
-    /// Inspects the view ray through a pixel's centre.
-    pub fn of_pixel(camera: &ResolvedCamera, scene: &Scene, pixel: Pixel) -> Inspection {
-        Inspection::of_exact(camera, scene, camera.uv_of_pixel(pixel), &camera.exact_ray(pixel))
     }
 
     fn of_exact(camera: &ResolvedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
@@ -84,7 +81,7 @@ impl Inspection {
 
     /// Returns the concept of a root: its object, and its index among the object's roots by
     /// ascending t.
-    pub fn thing_of(&self, root: &Root) -> Concept {
+    pub fn concept_of(&self, root: &Root) -> Concept {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
         Concept::Root { object: root.object, number }

@@ -82,27 +82,8 @@ impl Handle {
 impl Default for LinesLab {
     /// Returns an example like the lecture's: the lines meet at t = 1.
     fn default() -> Self {
-        LinesLab::EXAMPLES[0].1.lab()
-    }
-}
-
-/// Two lines to begin with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Example {
-    /// The implicit line's a, b, c.
-    pub line: [f64; 3],
-    /// The parametric line's p.
-    pub p: [f64; 2],
-    /// The parametric line's d.
-    pub d: [f64; 2],
-}
-
-impl Example {
-    /// Returns the lab with this example.
-    pub fn lab(self) -> LinesLab {
-        let [a, b, c] = self.line;
-        let ray = ParametricLine { p: self.p.into(), d: self.d.into() };
-        LinesLab::of(ImplicitLine { a, b, c }, ray, 0.5)
+        let [(_, lab), ..] = LinesLab::examples();
+        lab
     }
 }
 
@@ -110,16 +91,22 @@ impl LinesLab {
     /// Grid of snapped drags: both coordinates are multiples of it.
     pub const GRID: f64 = 0.5;
 
-    /// One example for every verdict.
-    pub const EXAMPLES: [(&str, Example); 4] = [
-        ("Ray hits", Example { line: [1.0, 1.0, -2.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
-        ("Ray missed", Example { line: [2.0, -1.0, 1.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
-        ("Parallel", Example { line: [1.0, -1.0, 2.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
-        ("Coincident", Example { line: [1.0, -2.0, 2.0], p: [-2.0, 0.0], d: [2.0, 1.0] }),
-    ];
+    /// Returns one example for every verdict.
+    pub fn examples() -> [(&'static str, LinesLab); 4] {
+        let lab = |[a, b, c]: [f64; 3], p: [f64; 2], d: [f64; 2]| {
+            let ray = ParametricLine { p: p.into(), d: d.into() };
+            LinesLab::new(ImplicitLine { a, b, c }, ray, 0.5)
+        };
+        [
+            ("Ray hits", lab([1.0, 1.0, -2.0], [0.0, 0.0], [1.0, 1.0])),
+            ("Ray missed", lab([2.0, -1.0, 1.0], [0.0, 0.0], [1.0, 1.0])),
+            ("Parallel", lab([1.0, -1.0, 2.0], [0.0, 0.0], [1.0, 1.0])),
+            ("Coincident", lab([1.0, -2.0, 2.0], [-2.0, 0.0], [2.0, 1.0])),
+        ]
+    }
 
     /// Creates the lab with two lines and the point of the second at `t`.
-    pub fn of(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
+    pub fn new(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
         let mut lab = LinesLab {
             line,
             ray,
@@ -242,7 +229,7 @@ mod tests {
 
     #[test]
     fn examples_are_what_they_are_called() {
-        let meetings = LinesLab::EXAMPLES.map(|(_, example)| meeting(&example.lab()));
+        let meetings = LinesLab::examples().map(|(_, lab)| meeting(&lab));
         assert!(matches!(meetings[0], Meeting::At(at) if at.t == 1.0 && at.ray_hits));
         assert!(matches!(meetings[1], Meeting::At(at) if at.t == -1.0 && !at.ray_hits));
         assert_eq!(meetings[2..], [Meeting::Parallel, Meeting::Coincident]);
@@ -288,8 +275,8 @@ mod tests {
     #[test]
     fn arrow_keys_never_leave_t_where_it_is() {
         for snap in [false, true] {
-            for (_, example) in LinesLab::EXAMPLES {
-                let mut lab = LinesLab { snap, ..example.lab() };
+            for (_, example) in LinesLab::examples() {
+                let mut lab = LinesLab { snap, ..example };
                 let mut before = lab.t;
                 for steps in [DVec2::X, DVec2::X, DVec2::Y] {
                     lab.nudge(Handle::T, steps, 100.0);

@@ -2,112 +2,58 @@
 
 use serde::{Deserialize, Serialize};
 
-/// An item that the overlay draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum Item {
-    /// The camera's position.
-    Eye,
-    /// The point that the camera looks at, if it is given by one.
-    At,
-    /// The view and up vectors as given.
-    ViewAndUp,
-    /// The u, v, w arrows.
-    Basis,
-    /// The frustum's edges.
-    Frustum,
-    /// The viewport's outline.
-    Viewport,
-    /// The traced picture, on the viewport in space.
-    Picture,
-    /// The edges between pixels, in both views.
-    PixelGrid,
-    /// The marks on the image's top edge and at pixel (0, 0), in both views.
-    Marks,
-    /// The selected view ray, and its pixel in both views.
-    Ray,
-    /// The first hit and its normal.
-    Hit,
-    /// The x, y, z axes at the origin.
-    Axes,
-    /// The planes, as patches with a grid of world units.
-    Planes,
-    /// The lines u = 0 and v = 0 in the camera view.
-    UvAxes,
-    /// The labels of all these items.
-    Labels,
-    /// The magnified pixels around the selected place, in the camera view.
-    Loupe,
-    /// The handles in the world view.
-    Handles,
+use super::named_enum::named_enum;
+
+named_enum! {
+    /// An item that the overlay draws, with the label of its checkbox and its name in lesson files.
+    #[repr(u8)]
+    pub enum Item {
+        /// The camera's position.
+        Eye: "eye", "eye";
+        /// The point that the camera looks at, if it is given by one.
+        At: "at", "at";
+        /// The view and up vectors as given.
+        ViewAndUp: "view and up", "view-and-up";
+        /// The u, v, w arrows.
+        Basis: "u, v, w", "basis";
+        /// The frustum's edges.
+        Frustum: "frustum", "frustum";
+        /// The viewport's outline.
+        Viewport: "viewport outline", "viewport";
+        /// The traced picture, on the viewport in space.
+        Picture: "picture on the viewport", "picture";
+        /// The edges between pixels, in both views.
+        PixelGrid: "pixel grid", "pixel-grid";
+        /// The marks on the image's top edge and at pixel (0, 0), in both views.
+        Marks: "top edge and pixel (0, 0)", "marks";
+        /// The selected view ray, and its pixel in both views.
+        Ray: "selected ray", "ray";
+        /// The first hit and its normal.
+        Hit: "hit and normal", "hit";
+        /// The x, y, z axes at the origin.
+        Axes: "x, y, z axes", "axes";
+        /// The planes, as patches with a grid of world units.
+        Planes: "planes", "planes";
+        /// The lines u = 0 and v = 0 in the camera view.
+        UvAxes: "u = 0 and v = 0", "uv-axes";
+        /// The labels of all these items.
+        Labels: "labels", "labels";
+        /// The magnified pixels around the selected place, in the camera view.
+        Loupe: "loupe", "loupe";
+        /// The handles in the world view.
+        Handles: "handles", "handles";
+    }
 }
 
 impl Item {
-    /// All items, in the order of a panel.
-    pub const ALL: [Item; 17] = [
-        Item::Eye,
-        Item::At,
-        Item::ViewAndUp,
-        Item::Basis,
-        Item::Frustum,
-        Item::Viewport,
-        Item::Picture,
-        Item::PixelGrid,
-        Item::Marks,
-        Item::Ray,
-        Item::Hit,
-        Item::Axes,
-        Item::Planes,
-        Item::UvAxes,
-        Item::Labels,
-        Item::Loupe,
-        Item::Handles,
-    ];
-
     /// Returns the label of the item's checkbox.
     pub fn label(self) -> &'static str {
-        match self {
-            Item::Eye => "eye",
-            Item::At => "at",
-            Item::ViewAndUp => "view and up",
-            Item::Basis => "u, v, w",
-            Item::Frustum => "frustum",
-            Item::Viewport => "viewport outline",
-            Item::Picture => "picture on the viewport",
-            Item::PixelGrid => "pixel grid",
-            Item::Marks => "top edge and pixel (0, 0)",
-            Item::Ray => "selected ray",
-            Item::Hit => "hit and normal",
-            Item::Axes => "x, y, z axes",
-            Item::Planes => "planes",
-            Item::UvAxes => "u = 0 and v = 0",
-            Item::Labels => "labels",
-            Item::Loupe => "loupe",
-            Item::Handles => "handles",
-        }
+        self.texts()[0]
     }
 
     /// Returns the item's name in lesson files.
     pub fn name(self) -> &'static str {
-        match self {
-            Item::Eye => "eye",
-            Item::At => "at",
-            Item::ViewAndUp => "view-and-up",
-            Item::Basis => "basis",
-            Item::Frustum => "frustum",
-            Item::Viewport => "viewport",
-            Item::Picture => "picture",
-            Item::PixelGrid => "pixel-grid",
-            Item::Marks => "marks",
-            Item::Ray => "ray",
-            Item::Hit => "hit",
-            Item::Axes => "axes",
-            Item::Planes => "planes",
-            Item::UvAxes => "uv-axes",
-            Item::Labels => "labels",
-            Item::Loupe => "loupe",
-            Item::Handles => "handles",
-        }
+        self.texts()[1]
     }
 
     fn bit(self) -> u32 {

@@ -28,7 +28,7 @@ const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is th
 const UV: &str = "(𝑢, 𝑣): the place in the viewport, from its middle, in world units";
 
 /// All symbols that have a meaning of their own.
-const WORDS: [(Kind, &str, &str); 38] = [
+const MEANINGS: [(Kind, &str, &str); 38] = [
     (Kind::Vector, "eye", EYE),
     (Kind::Vector, "at", AT),
     (Kind::Vector, "view", VIEW),
@@ -70,14 +70,14 @@ const WORDS: [(Kind, &str, &str); 38] = [
 ];
 
 /// Returns the meaning of a symbol.
-pub(crate) fn words(kind: Kind, name: &str) -> Option<&'static str> {
+pub(crate) fn meaning(kind: Kind, name: &str) -> Option<&'static str> {
     let known = |(of, known, _): &&(Kind, &str, &str)| *of == kind && *known == name;
-    WORDS.iter().find(known).map(|(.., words)| *words)
+    MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
 /// Returns the meaning of a name among the readouts: of a readout, or else of a vector.
-pub(crate) fn words_of_readout(name: &str) -> Option<&'static str> {
-    words(Kind::Readout, name).or_else(|| words(Kind::Vector, name))
+pub(crate) fn meaning_of_readout(name: &str) -> Option<&'static str> {
+    meaning(Kind::Readout, name).or_else(|| meaning(Kind::Vector, name))
 }
 
 #[cfg(test)]
@@ -86,12 +86,15 @@ mod tests {
 
     #[test]
     fn every_symbol_is_there_once_and_named_first() {
-        for (k, (kind, name, text)) in WORDS.iter().enumerate() {
-            assert!(WORDS[..k].iter().all(|(of, known, _)| (of, known) != (kind, name)), "{name}");
-            assert_eq!(words(*kind, name), Some(*text));
+        for (k, (kind, name, text)) in MEANINGS.iter().enumerate() {
+            assert!(
+                MEANINGS[..k].iter().all(|(of, known, _)| (of, known) != (kind, name)),
+                "{name}"
+            );
+            assert_eq!(meaning(*kind, name), Some(*text));
             assert!(!text.ends_with('.') && text.len() < 100, "{text}");
         }
-        assert_ne!(words(Kind::Vector, "u"), words(Kind::Scalar, "u"));
-        assert_eq!(words(Kind::Scalar, "q"), None);
+        assert_ne!(meaning(Kind::Vector, "u"), meaning(Kind::Scalar, "u"));
+        assert_eq!(meaning(Kind::Scalar, "q"), None);
     }
 }

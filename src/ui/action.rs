@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pinhole_core::DVec2;
+use pinhole_core::{DVec2, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_lecture::exercises::Exercise;
@@ -14,8 +14,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::Place;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::presenting::Full;
-use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
+use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
 use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
 
@@ -220,7 +219,7 @@ pub enum LookAction {
     /// Show these views.
     Layout(ViewLayout),
     /// Colour the pictures like this.
-    Shade(ShadeName),
+    Shade(Shade),
     /// Colour the window like this.
     Theme(ThemeName),
     /// Tell things apart by these colours.
@@ -240,7 +239,7 @@ pub enum LookAction {
     /// Begin to present, or end it.
     Present,
     /// Fill the window with this.
-    Fill(Full),
+    Fill(ViewLayout),
 }
 
 /// Something that can be laid over the window.

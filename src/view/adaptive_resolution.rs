@@ -51,11 +51,11 @@ const COMFORT: f64 = 0.6;
 /// Seconds without a move after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
-/// Chooses the coarseness from the times of earlier pictures.
+/// Chooses the subsampling from the times of earlier pictures.
 #[derive(Debug)]
 pub(crate) struct AdaptiveResolution {
     budget: Duration,
-    /// The coarseness during a drag.
+    /// The subsampling during a drag.
     moving: Subsampling,
     /// Time of the last move, in seconds.
     moved_at: f64,
@@ -72,12 +72,12 @@ impl Default for AdaptiveResolution {
 }
 
 impl AdaptiveResolution {
-    /// Creates a governor with a time budget for pictures during a drag.
+    /// Creates it with a time budget for pictures during a drag.
     pub(crate) fn within(budget: Duration) -> AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
-    /// Returns the current coarseness; `moves` is true if the view is being moved right now.
+    /// Returns the current subsampling; `moves` is true if the view is being moved right now.
     pub(crate) fn now(&mut self, moves: bool, time: f64) -> Subsampling {
         if moves {
             self.moved_at = time;

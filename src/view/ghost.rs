@@ -38,10 +38,7 @@ impl AgainstGhost {
             ghost: *ghost,
             difference: now.difference_from(then)?,
             seen: ComparedPixels { pixels: now_frame.object.len(), differing },
-            inspection: match selection.inside(ghost.image()) {
-                Selection::Pixel(pixel) => Inspection::of_pixel(ghost, scene, pixel),
-                Selection::Uv(uv) => Inspection::of_uv(ghost, scene, uv),
-            },
+            inspection: Inspection::new(ghost, scene, selection.inside(ghost.image())),
         })
     }
 }

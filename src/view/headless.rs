@@ -1,53 +1,9 @@
 //! Headless drawing: draws with egui into a picture, without a window.
 
 use egui::epaint::{ClippedPrimitive, ClippedShape};
-use egui::{Color32, LayerId, RawInput, Rect, Vec2, ViewportId};
+use egui::{Color32, RawInput, Rect, Vec2, ViewportId};
 
 use super::painter::Painter;
-use crate::view::typesetting::fonts;
-
-/// Draws with egui's painter over pixels; text has the same fonts and glyphs as in the window.
-///
-/// Positions are in points from the top left corner; `pixels_per_point` pixels make up one point.
-/// `pixels` are rows of length `size[0]` from the top.
-///
-/// ```
-/// use egui::{Align2, Color32, FontId, pos2};
-/// let size = [80, 20];
-/// let mut pixels = vec![Color32::BLACK; size[0] * size[1]];
-/// pinhole::view::headless::draw_text(&mut pixels, size, 1.0, |painter| {
-///     let font = FontId::proportional(14.0);
-///     painter.text(pos2(2.0, 2.0), Align2::LEFT_TOP, "θ = 45°", font, Color32::WHITE);
-/// });
-/// assert!(pixels.contains(&Color32::WHITE));
-/// ```
-pub fn draw_text(
-    pixels: &mut [Color32],
-    size: [usize; 2],
-    pixels_per_point: f32,
-    draw: impl FnOnce(&egui::Painter),
-) {
-    let mut draw = Some(draw);
-    draw_ui(pixels, size, pixels_per_point, |ui| {
-        // A pass may run twice; what the first one drew is then dropped. Nothing here requests a
-        // second pass.
-        if let Some(draw) = draw.take() {
-            draw(&egui::Painter::new(ui.clone(), LayerId::background(), ui.max_rect()));
-        }
-    });
-}
-
-/// Draws one pass of a user interface over pixels.
-pub fn draw_ui(
-    pixels: &mut [Color32],
-    size: [usize; 2],
-    pixels_per_point: f32,
-    ui: impl FnMut(&mut egui::Ui),
-) {
-    let ctx = egui::Context::default();
-    fonts::install(&ctx);
-    UiPass::draw(&ctx, size, pixels_per_point, ui).paint(pixels, size);
-}
 
 /// One pass of a user interface: the shapes it drew, and the data to paint them into pixels.
 #[derive(Debug)]
@@ -76,7 +32,7 @@ impl UiPass {
         UiPass { shapes: output.shapes, primitives, painter, pixels_per_point }
     }
 
-    /// Dots to a point.
+    /// Returns the number of pixels per point.
     pub fn pixels_per_point(&self) -> f32 {
         self.pixels_per_point
     }
@@ -103,25 +59,4 @@ fn input(size: [usize; 2], pixels_per_point: f32) -> RawInput {
         viewport.native_pixels_per_point = Some(pixels_per_point);
     }
     input
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use egui::pos2;
-
-    #[test]
-    fn shapes_are_in_points() {
-        let size = [8, 4];
-        let mut pixels = vec![Color32::BLACK; 32];
-        draw_text(&mut pixels, size, 2.0, |painter| {
-            let rect = Rect::from_min_max(pos2(1.0, 0.0), pos2(2.0, 1.0));
-            painter.rect_filled(rect, 0.0, Color32::RED);
-        });
-        for (index, &pixel) in pixels.iter().enumerate() {
-            let inside = (2..4).contains(&(index % 8)) && index / 8 < 2;
-            let expected = if inside { Color32::RED } else { Color32::BLACK };
-            assert_eq!(pixel, expected, "at {}, {}", index % 8, index / 8);
-        }
-    }
 }

@@ -173,7 +173,7 @@ impl Curve {
 
     /// Returns the height of a value of f.
     pub(crate) fn height(&self, f: f64, heights: Heights) -> f64 {
-        heights.of(f / self.unit.value)
+        heights.height(f / self.unit.value)
     }
 
     /// Returns t and height by ascending t: evenly spaced, and denser around a parabola's vertex.
@@ -199,7 +199,7 @@ impl Curve {
     }
 
     /// Describes the curve in words.
-    pub(crate) fn words(&self, digits: usize) -> String {
+    pub(crate) fn description(&self, digits: usize) -> String {
         let zeros: Vec<String> =
             self.derivation.roots().map(|root| number(root.t, digits)).collect();
         let zero = |k: usize| zeros.get(k).cloned().unwrap_or_else(|| "beyond f64".to_owned());
@@ -266,10 +266,10 @@ mod tests {
     #[test]
     fn compression_keeps_sign_and_order() {
         let ys = [-1e9, -3.0, -1.0, -0.2, 0.0, 0.2, 1.0, 3.0, 1e9];
-        let heights = ys.map(|y| Heights::Compressed.of(y));
+        let heights = ys.map(|y| Heights::Compressed.height(y));
         assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
-        assert_eq!(Heights::Compressed.of(-0.25), -0.25);
-        assert_eq!(Heights::Compressed.of(-5.0), -Heights::Compressed.of(5.0));
-        assert_eq!(ys.map(|y| Heights::Even.of(y)), ys);
+        assert_eq!(Heights::Compressed.height(-0.25), -0.25);
+        assert_eq!(Heights::Compressed.height(-5.0), -Heights::Compressed.height(5.0));
+        assert_eq!(ys.map(|y| Heights::Even.height(y)), ys);
     }
 }

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::exercises::LARGEST_SEED;
+use pinhole::model::practice::exercises::LARGEST_SEED;
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation};

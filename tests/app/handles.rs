@@ -7,7 +7,7 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::hand::Handle;
+use pinhole::model::session::hand::Handle;
 use pinhole::model::session::{Selection, Settings};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;

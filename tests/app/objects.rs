@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole::model::observer::Observer;
-use pinhole::model::session::{Session, Settings, ShadeName};
+use pinhole::model::session::{Session, Settings};
 use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
-use pinhole_core::{Camera, DVec3, Plane, Scene, Sphere};
+use pinhole_core::{Camera, DVec3, Plane, Scene, Shade, Sphere};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
@@ -52,7 +52,7 @@ fn document() -> Document {
     }
 }
 
-fn session(shade: ShadeName) -> Session {
+fn session(shade: Shade) -> Session {
     Session {
         observer: Some(Observer::new(DVec3::new(0.0, 0.0, -3.0), 0.5, 0.3, 12.0)),
         settings: Settings { shade, ..Settings::default() },
@@ -76,7 +76,7 @@ type Edit = (&'static str, fn(&mut Document));
 
 /// Derives each edited document from the one before, and anew, and compares.
 fn follow(document: &Document, edits: &[Edit]) {
-    for shade in [ShadeName::Lambert, ShadeName::Object] {
+    for shade in [Shade::Lambert, Shade::Object] {
         let (mut document, mut deriver, session) =
             (document.clone(), Deriver::default(), session(shade));
         deriver.derive(&document, &session, &SIZES);
@@ -130,7 +130,7 @@ fn spheres_around_the_camera_are_edited_unseen_by_the_observer() {
 #[test]
 fn a_dragged_sphere_is_replaced_in_place_where_nobody_holds_the_scene() {
     let (mut document, mut deriver) = (document(), Deriver::default());
-    let session = session(ShadeName::Lambert);
+    let session = session(Shade::Lambert);
     let place = |derived: &Derived| derived.scene.as_ref().unwrap().spheres().as_ptr();
     let mut derived = deriver.derive(&document, &session, &SIZES);
     let first = place(&derived);
@@ -150,7 +150,7 @@ fn a_dragged_sphere_is_replaced_in_place_where_nobody_holds_the_scene() {
 #[test]
 fn only_what_an_edit_changes_is_done_again() {
     let (mut document, mut deriver) = (document(), Deriver::default());
-    let session = session(ShadeName::Lambert);
+    let session = session(Shade::Lambert);
     let before = deriver.derive(&document, &session, &SIZES).camera_view.unwrap().image;
     let traced = deriver.traced();
     document.spheres[0].name = Some("ball".to_owned());
@@ -168,7 +168,7 @@ fn only_what_an_edit_changes_is_done_again() {
 #[test]
 fn a_fault_among_many_keeps_the_last_good_scene() {
     let (mut document, mut deriver) = (document(), Deriver::default());
-    let session = session(ShadeName::Lambert);
+    let session = session(Shade::Lambert);
     let good = deriver.derive(&document, &session, &SIZES);
     let traced = deriver.traced();
     (document.spheres[0].shape.center.x, document.spheres[1].shape.radius) = (9.0, 0.0);

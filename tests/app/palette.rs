@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::color_scheme::Scheme;
 use pinhole::model::overlay_items::Item;
-use pinhole::model::session::{ShadeName, ViewLayout};
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::ui::commands_table;
 use pinhole_lecture::exercises::Exercise;
@@ -60,7 +60,7 @@ fn everything_is_reached_by_a_few_letters() {
     command(&mut harness, "overlay labels");
     assert!(!harness.state().session().settings.items.shows(Item::Labels));
     command(&mut harness, "shade normal");
-    assert_eq!(harness.state().session().settings.shade, ShadeName::Normal);
+    assert_eq!(harness.state().session().settings.shade, pinhole_core::Shade::Normal);
     command(&mut harness, "blind");
     assert_eq!(harness.state().session().settings.scheme, Scheme::ColourBlind);
     command(&mut harness, "reduced motion");

@@ -1,6 +1,7 @@
 //! The built-in scenes show what their notes say.
 
 use pinhole::model::inspection::Inspection;
+use pinhole::model::session::Selection;
 use pinhole_core::{Basis, DVec2, DVec3, Orientation};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::builtin;
@@ -8,7 +9,8 @@ use pinhole_exchange::scenes::builtin;
 fn inspect(name: &str, uv: [f64; 2]) -> (Document, Inspection) {
     let document = builtin::find(name).unwrap().load().unwrap();
     let camera = document.camera.resolve().unwrap();
-    let inspection = Inspection::of_uv(&camera, &document.scene().unwrap(), DVec2::from_array(uv));
+    let inspection =
+        Inspection::new(&camera, &document.scene().unwrap(), Selection::Uv(DVec2::from_array(uv)));
     (document, inspection)
 }
 

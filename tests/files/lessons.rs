@@ -18,7 +18,7 @@ fn every_lesson_is_read_and_says_how_it_begins() {
         let lesson = file.load().unwrap_or_else(|error| panic!("{error}"));
         assert!((1..=6).contains(&lesson.steps.len()), "{}", file.name);
         // Whatever was shown before, a lesson begins in the same way.
-        let looks = &lesson.steps[0].looks;
+        let looks = &lesson.steps[0].view;
         assert!(
             looks.layout.is_some()
                 && looks.items.is_some()
@@ -92,23 +92,23 @@ exercise = "lines"
     let [a, c, d] = &lesson.steps[..] else { panic!("{}", lesson.steps.len()) };
     assert_eq!(a.document.camera.viewport.distance, 2.0);
     assert_eq!(a.selection, Selection::Uv(DVec2::new(0.5, 0.0)));
-    assert_eq!(a.looks.layout, Some(ViewLayout::Derivation));
+    assert_eq!(a.view.layout, Some(ViewLayout::Derivation));
     let shown = OverlayItems::NONE.with(Item::Eye, true).with(Item::ViewAndUp, true);
-    assert_eq!(a.looks.items, Some(shown));
-    let observer = a.looks.observer.unwrap();
+    assert_eq!(a.view.items, Some(shown));
+    let observer = a.view.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
-    assert_eq!(a.looks.lines.as_ref().unwrap().ray.d, DVec2::ONE);
+    assert_eq!(a.view.lines.as_ref().unwrap().ray.d, DVec2::ONE);
     let asked = |exercise, seed| Some(AskedExercise { exercise, seed });
-    assert_eq!(a.looks.exercise, asked(Exercise::EyeAtUp, Some(3)));
-    assert_eq!(c.looks.exercise, a.looks.exercise);
-    assert_eq!(d.looks.exercise, asked(Exercise::Lines, None), "the seed was another question's");
-    assert_eq!((a.looks.shade, a.looks.digits), (None, None), "left alone");
+    assert_eq!(a.view.exercise, asked(Exercise::EyeAtUp, Some(3)));
+    assert_eq!(c.view.exercise, a.view.exercise);
+    assert_eq!(d.view.exercise, asked(Exercise::Lines, None), "the seed was another question's");
+    assert_eq!((a.view.shade, a.view.digits), (None, None), "left alone");
     assert_eq!(c.text, "Two lines.");
     assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
-    assert_eq!(c.looks.layout, Some(ViewLayout::World));
+    assert_eq!(c.view.layout, Some(ViewLayout::World));
     assert_eq!(
-        (&c.looks.derivation, c.looks.t, c.looks.observer),
-        (&a.looks.derivation, Some(2.0), a.looks.observer)
+        (&c.view.derivation, c.view.t, c.view.observer),
+        (&a.view.derivation, Some(2.0), a.view.observer)
     );
     assert_eq!(c.document.camera, a.document.camera);
     let sphere = Sphere { center: DVec3::new(0.0, 0.0, -9.0), radius: 2.0 };
@@ -116,17 +116,17 @@ exercise = "lines"
     assert_eq!(c.document.planes, a.document.planes);
     assert_eq!((a.scene_from, c.scene_from, d.scene_from), (0, 0, 2));
     assert_eq!(d.selection, Selection::Uv(DVec2::new(0.2, -0.1)), "another scene begins afresh");
-    assert_eq!((d.looks.observer, d.looks.t), (None, None));
-    assert_eq!(d.looks.layout, Some(ViewLayout::World), "how it is looked at goes on");
+    assert_eq!((d.view.observer, d.view.t), (None, None));
+    assert_eq!(d.view.layout, Some(ViewLayout::World), "how it is looked at goes on");
 }
 
 #[test]
 fn what_is_lit_goes_with_its_scene() {
-    let more = "scene = \"look-at\"\nlit = \"object 4\"\n\
-                [[step]]\ntitle = \"B\"\ntext = \"C.\"\nlit = \"root 4 0\"\n\
+    let more = "scene = \"look-at\"\nhighlight = \"object 4\"\n\
+                [[step]]\ntitle = \"B\"\ntext = \"C.\"\nhighlight = \"root 4 0\"\n\
                 [[step]]\ntitle = \"C\"\ntext = \"D.\"\nscene = \"canonical\"\n";
     let lesson = parse(&format!("{HEAD}{more}"), Path::new("lesson.toml"), None).unwrap();
-    let lit: Vec<_> = lesson.steps.iter().map(|step| step.looks.highlighted).collect();
+    let lit: Vec<_> = lesson.steps.iter().map(|step| step.view.highlighted).collect();
     let root = Concept::Root { object: 4, number: 0 };
     assert_eq!(lit, [Some(Some(Concept::Object(4))), Some(Some(root)), Some(None)]);
 }
@@ -274,8 +274,8 @@ const STEPS: Cases = &[
         "7:15: step 1.derivation[0] is \"basics\": did you mean \"basis\"?",
     ),
     (
-        "scene = \"canonical\"\nlit = \"up-cross-v\"\n",
-        "7:7: step 1.lit is \"up-cross-v\": did you mean \"up-cross-w\"?",
+        "scene = \"canonical\"\nhighlight = \"up-cross-v\"\n",
+        "7:13: step 1.highlight is \"up-cross-v\": did you mean \"up-cross-w\"?",
     ),
     (
         "scene = \"canonical\"\nshade = \"phong\"\n",
@@ -330,16 +330,16 @@ const STEPS: Cases = &[
         "7:1: step 1.camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
     ),
     (
-        "scene = \"canonical\"\nlit = \"object 99\"\n",
-        "7:7: step 1.lit is \"object 99\": the scene's objects are 0 to 2",
+        "scene = \"canonical\"\nhighlight = \"object 99\"\n",
+        "7:13: step 1.highlight is \"object 99\": the scene's objects are 0 to 2",
     ),
     (
-        "scene = \"canonical\"\nlit = \"root 3 0\"\n",
-        "7:7: step 1.lit is \"root 3 0\": the scene's objects are 0 to 2",
+        "scene = \"canonical\"\nhighlight = \"root 3 0\"\n",
+        "7:13: step 1.highlight is \"root 3 0\": the scene's objects are 0 to 2",
     ),
     (
-        "lit = \"object 0\"\n[step.camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
-        "6:7: step 1.lit is \"object 0\": the scene has no objects",
+        "highlight = \"object 0\"\n[step.camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "6:13: step 1.highlight is \"object 0\": the scene has no objects",
     ),
 ];
 
@@ -361,10 +361,10 @@ fn every_fault_has_its_place_and_says_what_would_be_right() {
 fn an_argument_is_a_number_a_step_or_a_file() {
     let at =
         |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
-    assert_eq!(LessonArgument::of("7"), at(6, 0));
-    assert_eq!(LessonArgument::of("7.3"), at(6, 2));
-    assert_eq!(LessonArgument::of("13"), at(12, 0));
-    assert_eq!(LessonArgument::of("a/my.toml"), Ok(LessonArgument::File("a/my.toml".into())));
+    assert_eq!(LessonArgument::parse("7"), at(6, 0));
+    assert_eq!(LessonArgument::parse("7.3"), at(6, 2));
+    assert_eq!(LessonArgument::parse("13"), at(12, 0));
+    assert_eq!(LessonArgument::parse("a/my.toml"), Ok(LessonArgument::File("a/my.toml".into())));
     for (text, message) in [
         ("0", "there is no lesson 0: there are lessons 1 to 13"),
         ("14", "there is no lesson 14: there are lessons 1 to 13"),
@@ -377,6 +377,6 @@ fn an_argument_is_a_number_a_step_or_a_file() {
         ("-1", "\"-1\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
         ("basis", "\"basis\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
     ] {
-        assert_eq!(LessonArgument::of(text), Err(message.to_owned()));
+        assert_eq!(LessonArgument::parse(text), Err(message.to_owned()));
     }
 }

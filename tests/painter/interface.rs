@@ -1,7 +1,7 @@
 //! The painter drawing what egui makes of a user interface.
 
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
-use pinhole::view::headless;
+use pinhole::view::headless::UiPass;
 use pinhole::view::painter::Painter;
 use pinhole::view::typesetting::fonts;
 
@@ -101,10 +101,14 @@ fn text_is_drawn_over_a_picture() {
     let size = [120, 40];
     let ground = Color32::from_rgb(20, 40, 80);
     let mut pixels = vec![ground; size[0] * size[1]];
-    headless::draw_text(&mut pixels, size, 2.0, |painter| {
+    let ctx = egui::Context::default();
+    fonts::install(&ctx);
+    let pass = UiPass::draw(&ctx, size, 2.0, |ui| {
         let font = egui::FontId::proportional(12.0);
+        let painter = ui.painter();
         painter.text(pos2(4.0, 2.0), egui::Align2::LEFT_TOP, "θ = 45°", font, Color32::WHITE);
     });
+    pass.paint(&mut pixels, size);
     assert!(pixels.iter().all(|pixel| pixel.a() == 255));
     let changed = pixels.iter().filter(|&&pixel| pixel != ground).count();
     assert!((100..2000).contains(&changed), "{changed} pixels");

@@ -119,81 +119,59 @@ fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
 
 /// Returns the name of a change of the objects; `None` if there is none.
 fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
-    if before.spheres == after.spheres
-        && before.planes == after.planes
-        && before.csv_spheres == after.csv_spheres
-    {
-        return None;
-    }
-    let whole = |text: String| Some(StepName { text, gradual: false });
-    let spheres = added_or_removed(&before.spheres, &after.spheres);
-    let planes = added_or_removed(&before.planes, &after.planes);
-    match (spheres, planes) {
-        (Some(Count::Added(k)), None) => return whole(format!("add {}", after.title_of(k))),
-        (Some(Count::Removed(k)), None) => return whole(format!("remove {}", before.title_of(k))),
-        (None, Some(Count::Added(k))) => {
-            return whole(format!("add {}", after.title_of(after.sphere_count() + k)));
-        }
-        (None, Some(Count::Removed(k))) => {
-            return whole(format!("remove {}", before.title_of(before.sphere_count() + k)));
-        }
-        _ => {}
-    }
-    let spheres = only_other(&before.spheres, &after.spheres);
-    let planes = only_other(&before.planes, &after.planes);
-    let text = match (spheres, planes) {
-        (Some(k), None) => {
-            let title = before.title_of(k);
-            item_name(&before.spheres[k], &after.spheres[k], &title, sphere_name)
-        }
-        (None, Some(k)) => {
-            let title = before.title_of(before.sphere_count() + k);
-            item_name(&before.planes[k], &after.planes[k], &title, plane_name)
-        }
-        _ => return whole("change the scene".to_owned()),
+    let spheres = change(&before.spheres, &after.spheres, sphere_name);
+    let planes = change(&before.planes, &after.planes, plane_name);
+    let is_same_file = before.csv_spheres == after.csv_spheres;
+    let (change, counts) = match (spheres, planes) {
+        (Change::None, Change::None) if is_same_file => return None,
+        (change, Change::None) if is_same_file => (change, [0, 0]),
+        (Change::None, change) => (change, [before.sphere_count(), after.sphere_count()]),
+        _ => (Change::Many, [0, 0]),
     };
-    Some(StepName { text, gradual: true })
+    let text = match change {
+        Change::Added(k) => format!("add {}", after.title_of(counts[1] + k)),
+        Change::Removed(k) => format!("remove {}", before.title_of(counts[0] + k)),
+        Change::Edited(k, what) => {
+            let text = format!("{what} {}", before.title_of(counts[0] + k));
+            return Some(StepName { text, gradual: true });
+        }
+        Change::None | Change::Many => "change the scene".to_owned(),
+    };
+    Some(StepName { text, gradual: false })
 }
 
-/// An object that was added or removed, with its index.
-enum Count {
+/// The change of a list of objects.
+enum Change {
+    None,
+    /// The object with this index was added.
     Added(usize),
+    /// The object with this index was removed.
     Removed(usize),
+    /// Only the object with this index was edited, in this way.
+    Edited(usize, &'static str),
+    /// Several objects changed.
+    Many,
 }
 
-fn added_or_removed<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Option<Count> {
-    let place = before.iter().zip(after).take_while(|(a, b)| a == b).count();
-    match after.len().checked_sub(before.len()) {
-        Some(1) => Some(Count::Added(place)),
-        None if before.len() - after.len() == 1 => Some(Count::Removed(place)),
-        _ => None,
-    }
-}
-
-/// Returns the index of the only object that changed; `None` if there is not exactly one.
-fn only_other<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Option<usize> {
-    if before.len() != after.len() {
-        return None;
-    }
-    let mut others = (0..before.len()).filter(|k| before[*k] != after[*k]);
-    let first = others.next()?;
-    others.next().is_none().then_some(first)
-}
-
-fn item_name<S: PartialEq>(
-    before: &Item<S>,
-    after: &Item<S>,
-    title: &str,
+fn change<S: PartialEq>(
+    before: &[Item<S>],
+    after: &[Item<S>],
     shape: impl Fn(&S, &S) -> &'static str,
-) -> String {
-    let what = if before.shape != after.shape {
-        shape(&before.shape, &after.shape)
-    } else if before.name != after.name {
-        "rename"
-    } else {
-        "colour"
-    };
-    format!("{what} {title}")
+) -> Change {
+    let pairs = || before.iter().zip(after);
+    let first = pairs().take_while(|(a, b)| a == b).count();
+    match (before.len(), after.len()) {
+        (old, new) if new == old + 1 => Change::Added(first),
+        (old, new) if old == new + 1 => Change::Removed(first),
+        (old, new) if old != new => Change::Many,
+        _ => match pairs().filter(|(a, b)| a != b).collect::<Vec<_>>()[..] {
+            [] => Change::None,
+            [(a, b)] if a.shape != b.shape => Change::Edited(first, shape(&a.shape, &b.shape)),
+            [(a, b)] if a.name != b.name => Change::Edited(first, "rename"),
+            [_] => Change::Edited(first, "colour"),
+            _ => Change::Many,
+        },
+    }
 }
 
 fn sphere_name(before: &Sphere, after: &Sphere) -> &'static str {

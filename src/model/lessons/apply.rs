@@ -2,14 +2,13 @@
 //! become the window's state.
 
 use pinhole_exchange::document::Document;
-use pinhole_lecture::mistakes::Mistake;
 
-use super::lesson::{AskedExercise, Step, StepView};
-use crate::model::exercises::Exercises;
-use crate::model::mistakes_view::MistakesView;
+use super::lesson::Step;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
-use crate::model::session::{Session, Settings};
+use crate::model::practice::exercises::Exercises;
+use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::session::Session;
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
 ///
@@ -21,53 +20,48 @@ pub fn apply(
     session: &mut Session,
 ) {
     document.clone_from(&step.document);
-    look(step, seen_from, session);
+    set_view(step, seen_from, session);
 }
 
 /// Clears the answers to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
-    if let Some(asked) = step.looks.exercise {
-        session.exercises = opened(asked);
+    if let Some(asked) = step.view.exercise {
+        session.exercises = Exercises::open(asked.exercise, asked.seed);
     }
 }
 
 /// Sets the view of the step: selection, observer, settings.
-fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
+fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
-    let looks = &step.looks;
-    session.observer = looks.observer.or(seen_from).or(session.observer);
-    set(&mut session.sections, looks.derivation);
-    set(&mut session.highlighted, looks.highlighted);
-    session.ray_point_t = looks.t;
-    set(&mut session.lines, looks.lines.clone());
-    if let Some(chosen) = looks.mistake {
-        session.mistakes_view = mistakes_view(chosen);
+    let view = &step.view;
+    session.observer = view.observer.or(seen_from).or(session.observer);
+    set(&mut session.sections, view.derivation);
+    set(&mut session.highlighted, view.highlighted);
+    session.ray_point_t = view.t;
+    set(&mut session.lines, view.lines.clone());
+    if let Some(chosen) = view.mistake {
+        session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
-    if let Some(asked) = looks.exercise {
+    if let Some(asked) = view.exercise {
         session.exercises.show(asked.exercise, asked.seed);
     }
-    session.settings = settings_said(looks, session.settings);
-}
-
-/// The settings as a step says them.
-fn settings_said(looks: &StepView, mut settings: Settings) -> Settings {
-    set(&mut settings.layout, looks.layout);
-    if let Some(items) = looks.items {
+    let settings = &mut session.settings;
+    set(&mut settings.layout, view.layout);
+    if let Some(items) = view.items {
         // The pictures of steps can be dragged; the user decides about handles.
         let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
         settings.items = items.with(Item::Handles, handles);
     }
-    set(&mut settings.shade, looks.shade);
-    set(&mut settings.count_from_one, looks.count_from_one);
-    set(&mut settings.digits, looks.digits);
-    set(&mut settings.keep_picture, looks.keep_picture);
-    set(&mut settings.teaching, looks.teaching);
-    settings
+    set(&mut settings.shade, view.shade);
+    set(&mut settings.count_from_one, view.count_from_one);
+    set(&mut settings.digits, view.digits);
+    set(&mut settings.keep_picture, view.keep_picture);
+    set(&mut settings.teaching, view.teaching);
 }
 
 /// Restores what lessons set: the window as it was before the first lesson. Selection and observer
 /// stay with the step's scene, which stays open.
-pub fn give_back(before: &Session, session: &mut Session) {
+pub fn restore(before: &Session, session: &mut Session) {
     session.sections = before.sections;
     session.highlighted = before.highlighted;
     session.ray_point_t = before.ray_point_t;
@@ -91,30 +85,14 @@ pub fn differs(
     document: &Document,
     session: &Session,
 ) -> bool {
-    let looks = &step.looks;
-    let is_as_said = step.document == *document
-        && step.selection == session.selection
-        && looks.observer.or(seen_from).is_none_or(|said| session.observer == Some(said))
-        && looks.derivation.is_none_or(|said| session.sections == said)
-        && looks.highlighted.is_none_or(|said| session.highlighted == said)
-        && looks.t == session.ray_point_t
-        && looks.lines.as_ref().is_none_or(|said| session.lines == *said)
-        && looks.mistake.is_none_or(|said| session.mistakes_view == mistakes_view(said))
-        && looks.exercise.is_none_or(|said| session.exercises == opened(said))
-        && settings_said(looks, session.settings) == session.settings;
-    !is_as_said
+    let mut as_step = session.clone();
+    set_view(step, seen_from, &mut as_step);
+    clear_answers(step, &mut as_step);
+    step.document != *document || as_step != *session
 }
 
-fn mistakes_view(chosen: Mistake) -> MistakesView {
-    MistakesView { chosen, ..MistakesView::default() }
-}
-
-fn opened(asked: AskedExercise) -> Exercises {
-    Exercises::open(asked.exercise, asked.seed)
-}
-
-fn set<T>(value: &mut T, said: Option<T>) {
-    if let Some(said) = said {
-        *value = said;
+fn set<T>(value: &mut T, chosen: Option<T>) {
+    if let Some(chosen) = chosen {
+        *value = chosen;
     }
 }

@@ -23,7 +23,7 @@ impl LessonArgument {
     ///
     /// # Errors
     /// Returns an error if there is no such lesson or step; the message lists those that there are.
-    pub fn of(text: &str) -> Result<LessonArgument, String> {
+    pub fn parse(text: &str) -> Result<LessonArgument, String> {
         let whole = |text: &str| {
             let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
             // A number that overflows usize is no lesson's number either.

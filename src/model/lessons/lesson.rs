@@ -1,5 +1,6 @@
 //! The contents of a lesson file.
 
+use pinhole_core::Shade;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
@@ -10,7 +11,7 @@ use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::play::Kind;
-use crate::model::session::{Selection, ShadeName, ViewLayout};
+use crate::model::session::{Selection, ViewLayout};
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +38,7 @@ pub struct Step {
     /// The selected ray.
     pub selection: Selection,
     /// The rest of the step's view.
-    pub looks: StepView,
+    pub view: StepView,
 }
 
 /// A question: the lecture's own question of its kind, or one with random numbers from a seed.
@@ -59,7 +60,7 @@ pub struct StepView {
     /// The items of the overlay.
     pub items: Option<OverlayItems>,
     /// The shading of the pictures.
-    pub shade: Option<ShadeName>,
+    pub shade: Option<Shade>,
     /// True if rows and columns are counted from 1.
     pub count_from_one: Option<bool>,
     /// Number of significant digits.

@@ -17,12 +17,12 @@ use toml_edit::Document as Toml;
 use super::lesson::{AskedExercise, Lesson, Step, StepView};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
-use crate::model::exercises::LARGEST_SEED;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
-use crate::model::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
+use crate::model::practice::exercises::LARGEST_SEED;
+use crate::model::session::{DIGITS, Selection, ViewLayout};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;
@@ -46,7 +46,7 @@ const STEP: [&str; 21] = [
     "keep_picture",
     "teaching",
     "derivation",
-    "lit",
+    "highlight",
     "mistake",
     "t",
     "play",
@@ -146,25 +146,25 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     // The step's own text replaces the scene's note.
     document.note.clear();
     tables(section, &mut document)?;
-    let mut looks = last.map(|step| step.looks.clone()).unwrap_or_default();
+    let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
     if is_new {
         // Observer and t have a meaning in one scene only.
-        (looks.observer, looks.t) = (None, None);
+        (view.observer, view.t) = (None, None);
     }
     let selection = match last.filter(|_| !is_new) {
         Some(step) => step.selection,
-        None => Session::default().selection,
+        None => Selection::default(),
     };
     let image = document.camera.image;
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
     let objects = document.object_count();
-    if !is_in_scene(looks.highlighted.flatten(), objects) {
+    if !is_in_scene(view.highlighted.flatten(), objects) {
         // It referred to an object of the previous step's scene.
-        looks.highlighted = Some(None);
+        view.highlighted = Some(None);
     }
-    read_looks(section, &mut looks, objects)?;
+    read_view(section, &mut view, objects)?;
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
-    Ok(Step { title, text, document, scene_from, selection, looks })
+    Ok(Step { title, text, document, scene_from, selection, view })
 }
 
 fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
@@ -213,7 +213,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
     Ok(Some(Selection::Pixel(Pixel { row: row as u32, column: column as u32 })))
 }
 
-fn read_looks(section: &Section, looks: &mut StepView, objects: usize) -> Result<(), FileError> {
+fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(), FileError> {
     /// Replaces the value of the previous step if the field is there.
     fn say<'a, T>(
         section: &Section<'a>,
@@ -226,39 +226,35 @@ fn read_looks(section: &Section, looks: &mut StepView, objects: usize) -> Result
         }
         Ok(())
     }
-    say(section, "observer", &mut looks.observer, |field| observer(&field.section()?))?;
-    say(section, "layout", &mut looks.layout, |field| {
-        let layouts = ViewLayout::ALL;
-        let names: Vec<&str> = layouts.iter().filter_map(|layout| layout.name()).collect();
-        let name = field.one_of(&names)?;
-        let layout = layouts.iter().copied().find(|layout| layout.name() == Some(name));
-        Ok(layout.unwrap_or(ViewLayout::Both))
+    say(section, "observer", &mut view.observer, |field| observer(&field.section()?))?;
+    say(section, "layout", &mut view.layout, |field| {
+        let layouts = ViewLayout::ALL.into_iter().filter_map(|one| Some((one.name()?, one)));
+        choice(field, layouts)
     })?;
-    say(section, "show", &mut looks.items, items)?;
-    say(section, "shade", &mut looks.shade, shade)?;
-    say(section, "count_from_one", &mut looks.count_from_one, Field::boolean)?;
-    say(section, "digits", &mut looks.digits, |field| {
+    say(section, "show", &mut view.items, items)?;
+    say(section, "shade", &mut view.shade, |field| {
+        choice(field, Shade::ALL.map(|one| (one.name(), one)))
+    })?;
+    say(section, "count_from_one", &mut view.count_from_one, Field::boolean)?;
+    say(section, "digits", &mut view.digits, |field| {
         let range = DIGITS.0 as i64..=DIGITS.1 as i64;
         Ok(field.whole(range, "a number of significant digits")? as usize)
     })?;
-    say(section, "keep_picture", &mut looks.keep_picture, Field::boolean)?;
-    say(section, "teaching", &mut looks.teaching, Field::boolean)?;
-    say(section, "derivation", &mut looks.derivation, derivation)?;
-    say(section, "lit", &mut looks.highlighted, |field| highlighted(field, objects))?;
-    say(section, "mistake", &mut looks.mistake, |field| {
-        let ids: Vec<_> = Mistake::GALLERY.iter().map(|mistake| mistake.id()).collect();
-        let id = field.one_of(&ids)?;
-        Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
+    say(section, "keep_picture", &mut view.keep_picture, Field::boolean)?;
+    say(section, "teaching", &mut view.teaching, Field::boolean)?;
+    say(section, "derivation", &mut view.derivation, derivation)?;
+    say(section, "highlight", &mut view.highlighted, |field| highlighted(field, objects))?;
+    say(section, "mistake", &mut view.mistake, |field| {
+        choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
     })?;
-    say(section, "t", &mut looks.t, Field::number)?;
+    say(section, "t", &mut view.t, Field::number)?;
     // The camera is another one, so no animation is taken over from the previous step.
-    looks.play = None;
-    say(section, "play", &mut looks.play, |field| {
-        let name = field.one_of(&Kind::ALL.map(Kind::name))?;
-        Kind::from_name(name).ok_or_else(|| field.error("it must be something that plays"))
+    view.play = None;
+    say(section, "play", &mut view.play, |field| {
+        choice(field, Kind::ALL.map(|one| (one.name(), one)))
     })?;
-    say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))?;
-    looks.exercise = exercise(section)?.or(looks.exercise);
+    say(section, "lines", &mut view.lines, |field| lines(&field.section()?))?;
+    view.exercise = exercise(section)?.or(view.exercise);
     Ok(())
 }
 
@@ -272,10 +268,7 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
             None => Ok(None),
         };
     };
-    let ids: Vec<_> = Exercise::ALL.iter().map(|exercise| exercise.id()).collect();
-    let id = field.one_of(&ids)?;
-    let exercise = Exercise::from_id(id)
-        .ok_or_else(|| field.error("it must be an exercise of the exercises layout"))?;
+    let exercise = choice(&field, Exercise::ALL.iter().map(|one| (one.id(), *one)))?;
     let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);
     let seed = seed.map(|seed| seed.whole(0..=largest, "a whole number")).transpose()?;
     Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))
@@ -292,19 +285,22 @@ fn observer(section: &Section) -> Result<Observer, FileError> {
     ))
 }
 
-fn items(field: &Field) -> Result<OverlayItems, FileError> {
-    let known = Item::ALL.map(Item::name);
-    let mut shown = OverlayItems::NONE;
-    for element in elements(field, "[\"eye\", \"basis\", \"ray\"]")? {
-        let name = element.one_of(&known)?;
-        Item::ALL.into_iter().filter(|item| item.name() == name).for_each(|i| shown.set(i, true));
-    }
-    Ok(shown)
+/// Reads one of the `known` values by its name.
+fn choice<T>(
+    field: &Field,
+    known: impl IntoIterator<Item = (&'static str, T)>,
+) -> Result<T, FileError> {
+    let (names, mut values): (Vec<&str>, Vec<T>) = known.into_iter().unzip();
+    let name = field.one_of(&names)?;
+    let index = names.iter().position(|known| *known == name);
+    index.map(|k| values.swap_remove(k)).ok_or_else(|| field.error("it has no such value"))
 }
 
-fn shade(field: &Field) -> Result<ShadeName, FileError> {
-    let name = field.one_of(&Shade::ALL.map(Shade::name))?;
-    Ok(Shade::ALL.into_iter().find(|shade| shade.name() == name).unwrap_or_default().into())
+fn items(field: &Field) -> Result<OverlayItems, FileError> {
+    let elements = elements(field, "[\"eye\", \"basis\", \"ray\"]")?;
+    elements.iter().try_fold(OverlayItems::NONE, |shown, element| {
+        Ok(shown.with(choice(element, Item::ALL.map(|item| (item.name(), item)))?, true))
+    })
 }
 
 fn elements<'a>(field: &Field<'a>, such_as: &str) -> Result<Vec<Field<'a>>, FileError> {
@@ -312,11 +308,8 @@ fn elements<'a>(field: &Field<'a>, such_as: &str) -> Result<Vec<Field<'a>>, File
 }
 
 fn derivation(field: &Field) -> Result<DerivationSections, FileError> {
-    let known = DerivationSection::ALL.map(DerivationSection::name);
-    let section = |element: &Field| Ok(DerivationSection::from_name(element.one_of(&known)?));
-    let sections: Result<Vec<_>, FileError> =
-        elements(field, "[\"basis\"]")?.iter().map(section).collect();
-    Ok(sections?.into_iter().flatten().collect())
+    let known = DerivationSection::ALL.map(|section| (section.name(), section));
+    elements(field, "[\"basis\"]")?.iter().map(|element| choice(element, known)).collect()
 }
 
 /// Returns true if the concept exists in a scene with this number of objects.
@@ -361,5 +354,5 @@ fn lines(section: &Section) -> Result<LinesLab, FileError> {
     let ray = ParametricLine { p, d: pair(&field)? };
     ray.check().map_err(|error| field.fault(error))?;
     let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
-    Ok(LinesLab::of(line, ray, t))
+    Ok(LinesLab::new(line, ray, t))
 }

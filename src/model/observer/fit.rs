@@ -78,7 +78,7 @@ impl Observer {
     /// camera looks at from afar, small, in the distance, as on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
         let aspect = tame_aspect(aspect);
-        let subject = Subject::of(camera, scene);
+        let subject = Subject::new(camera, scene);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down: behind is the direction of right x up.
@@ -109,17 +109,18 @@ impl Observer {
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::of(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
+        Subject::new(&alone, &Scene::default()).fit(self, tame_aspect(aspect))
     }
 
     /// Moves the observer straight back until the eyes and viewports of all these cameras are in
     /// sight. The observer stays if they are already, or if those of `camera` are not.
     pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
-        let own = self.in_range();
-        let needed = own.distance_for(camera, tame_aspect(aspect));
-        let all = others.iter().map(|other| own.distance_for(other, tame_aspect(aspect)));
-        let farthest = all.fold(own.distance, f64::max);
-        if needed <= own.distance { Observer { distance: farthest, ..own }.in_range() } else { own }
+        let needed = |camera: &Camera| self.distance_for(camera, tame_aspect(aspect));
+        if needed(camera) > self.distance {
+            return *self;
+        }
+        let distance = others.iter().map(needed).fold(self.distance, f64::max);
+        Observer { distance, ..*self }.in_range()
     }
 
     /// Returns the distance from which a camera's eye and viewport are in sight, with a small
@@ -145,7 +146,7 @@ fn tame_aspect(aspect: f64) -> f64 {
 }
 
 impl Subject {
-    fn of(camera: &Camera, scene: &Scene) -> Subject {
+    fn new(camera: &Camera, scene: &Scene) -> Subject {
         let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
         let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
         let mut balls = Vec::new();
@@ -212,7 +213,7 @@ impl Subject {
         let stand = self.eye + x * right + y * up + z_across.max(z_upwards) * back;
         let distance = (stand - self.middle).dot(back).max(0.5 * self.near_size);
         let target = stand - distance * back;
-        Observer { target: target.to_array(), distance, ..*direction }.in_range()
+        Observer { target, distance, ..*direction }.in_range()
     }
 
     /// Returns the score of an observer. It is better if the camera is large enough, its view is

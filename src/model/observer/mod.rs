@@ -2,18 +2,17 @@
 //! edited camera.
 
 mod fit;
-mod seen;
+mod traced;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
-use serde::{Deserialize, Serialize};
 
-pub use seen::{enclosing, hidden, seen_scene};
+pub use traced::{enclosing, hidden, traced_scene};
 
 /// The observer as an orbit around a target; world y is up.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
     /// The point that the observer looks at and turns around.
-    target: [f64; 3],
+    target: DVec3,
     /// Angle from +z towards +x, in radians.
     azimuth: f64,
     /// Angle above the target's level, in radians; always less than straight up or down.
@@ -45,20 +44,20 @@ impl Default for Observer {
 impl Observer {
     /// Creates an observer at `distance` from `target`. Clamps values that are out of range.
     pub fn new(target: DVec3, azimuth: f64, elevation: f64, distance: f64) -> Observer {
-        Observer { target: target.to_array(), azimuth, elevation, distance }.in_range()
+        Observer { target, azimuth, elevation, distance }.in_range()
     }
 
     /// Returns the point that the observer looks at and turns around.
     pub fn target(&self) -> DVec3 {
-        DVec3::from_array(self.in_range().target)
+        self.target
     }
 
     /// Returns the distance of the observer from the target.
     pub fn distance(&self) -> f64 {
-        self.in_range().distance
+        self.distance
     }
 
-    /// Clamps all values, because stored values come from files, too.
+    /// Clamps all values.
     fn in_range(&self) -> Observer {
         let finite = |x: f64, otherwise: f64| if x.is_finite() { x } else { otherwise };
         Observer {
@@ -85,13 +84,12 @@ impl Observer {
 
     /// Returns the observer as a camera, for a picture of this size in pixels.
     pub fn camera(&self, width: u32, height: u32) -> Camera {
-        let own = self.in_range();
         let size = |x: u32| x.clamp(1, ImageSize::MAX);
         let image = ImageSize::new(size(width), size(height)).unwrap_or(Camera::CANONICAL.image);
         let extent = extent_of_fov(FOV, 1.0);
         let viewport = Viewport { width: extent * image.aspect(), height: extent, distance: 1.0 };
-        let back = own.back();
-        let eye = own.target() + own.distance * back;
+        let back = self.back();
+        let eye = self.target + self.distance * back;
         Camera {
             eye,
             orientation: Orientation::View { view: -back, up: DVec3::Y },
@@ -110,11 +108,10 @@ impl Observer {
     /// Moves sideways, as a hand drags the picture: the target moves by these shares of the
     /// picture's height to the right and down.
     pub fn pan(&mut self, right: f64, down: f64) {
-        let own = self.in_range();
-        let per_height = extent_of_fov(FOV, own.distance);
-        let (to_right, to_up) = own.right_and_up();
-        let target = own.target() + per_height * (down * to_up - right * to_right);
-        *self = Observer { target: target.to_array(), ..own }.in_range();
+        let per_height = extent_of_fov(FOV, self.distance);
+        let (to_right, to_up) = self.right_and_up();
+        self.target += per_height * (down * to_up - right * to_right);
+        *self = self.in_range();
     }
 
     /// Moves towards the target (factor above 1) or away from it.

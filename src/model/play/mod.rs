@@ -3,28 +3,28 @@
 
 mod player;
 
-use std::fmt;
-
 use pinhole_core::steering::SteerError;
 use pinhole_core::{Camera, Pixel};
 
 pub use player::Player;
 
 use crate::model::inspection::Inspection;
+use crate::model::named_enum::named_enum;
 use crate::model::session::{Selection, Session};
 use pinhole_exchange::document::Document;
 
-/// The kind of an animation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Up turns once about the view direction.
-    SwingUp,
-    /// The eye moves once around at.
-    Orbit,
-    /// A point runs along the selected ray, from the eye to what the ray hits.
-    Walk,
-    /// The rays go out one after another, as a renderer sends them, and the picture appears.
-    Scan,
+named_enum! {
+    /// The kind of an animation, with its label, its name, and the name of its step in the history.
+    pub enum Kind {
+        /// Up turns once about the view direction.
+        SwingUp: "Swing up round the view", "swing-up", "swing up round the view";
+        /// The eye moves once around at.
+        Orbit: "Orbit the camera round at", "orbit", "orbit round at";
+        /// A point runs along the selected ray, from the eye to what the ray hits.
+        Walk: "Run t along the ray", "walk", "run along the ray";
+        /// The rays go out one after another, as a renderer sends them, and the picture appears.
+        Scan: "Scan the pixels row by row", "scan", "scan the pixels";
+    }
 }
 
 /// The t at which [`Kind::Walk`] ends if the ray hits nothing.
@@ -34,27 +34,14 @@ const WALK_TO: f64 = 10.0;
 const STEPS: u64 = 24;
 
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Kind; 4] = [Kind::SwingUp, Kind::Orbit, Kind::Walk, Kind::Scan];
-
     /// Returns the kind's label in a menu.
     pub fn label(self) -> &'static str {
-        match self {
-            Kind::SwingUp => "Swing up round the view",
-            Kind::Orbit => "Orbit the camera round at",
-            Kind::Walk => "Run t along the ray",
-            Kind::Scan => "Scan the pixels row by row",
-        }
+        self.texts()[0]
     }
 
     /// Returns the kind's name on the command line and in lesson files, a single word.
     pub fn name(self) -> &'static str {
-        match self {
-            Kind::SwingUp => "swing-up",
-            Kind::Orbit => "orbit",
-            Kind::Walk => "walk",
-            Kind::Scan => "scan",
-        }
+        self.texts()[1]
     }
 
     /// Returns the kind with this [name](Kind::name).
@@ -65,12 +52,7 @@ impl Kind {
     /// Returns the name of the step in the history that keeps the state where the animation
     /// stopped.
     pub fn step_name(self) -> &'static str {
-        match self {
-            Kind::SwingUp => "swing up round the view",
-            Kind::Orbit => "orbit round at",
-            Kind::Walk => "run along the ray",
-            Kind::Scan => "scan the pixels",
-        }
+        self.texts()[2]
     }
 
     /// Returns the duration at speed 1, in seconds.
@@ -82,14 +64,10 @@ impl Kind {
         }
     }
 
-    /// Returns true if the animation ends where it began.
-    pub fn is_round(self) -> bool {
-        matches!(self, Kind::SwingUp | Kind::Orbit)
-    }
-
-    /// Returns true if the animation changes the camera, which is a part of the document.
+    /// Returns true if the animation moves the camera, which is a part of the document. It then ends
+    /// where it began.
     pub fn moves_camera(self) -> bool {
-        self.is_round()
+        matches!(self, Kind::SwingUp | Kind::Orbit)
     }
 
     /// Returns the number of single steps of the whole animation.
@@ -100,7 +78,7 @@ impl Kind {
     /// Returns the phase of frame `k` of `n`: the last frame of a turn is one step before the
     /// first, the last frame of the others is the end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
-        let intervals = if self.is_round() { n } else { n.saturating_sub(1) };
+        let intervals = if self.moves_camera() { n } else { n.saturating_sub(1) };
         f64::from(k) / f64::from(intervals.max(1))
     }
 }
@@ -131,26 +109,6 @@ pub struct Still {
     pub scanned_pixels: Option<u64>,
 }
 
-/// A reason why an animation cannot move.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PlayError {
-    /// Up cannot be swung.
-    Swing(SteerError),
-    /// The camera cannot orbit.
-    Orbit(SteerError),
-}
-
-impl fmt::Display for PlayError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            PlayError::Swing(error) => error.fmt(f),
-            PlayError::Orbit(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for PlayError {}
-
 impl Still {
     /// Sets all that an animation of this kind moves, and nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
@@ -169,7 +127,7 @@ impl Still {
 
 impl Start {
     /// Creates the start from the present state. `inspection` is that of the selected ray.
-    pub fn of(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
+    pub fn new(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
         Start {
             camera: document.camera,
             selection: session.selection,
@@ -201,18 +159,15 @@ impl Start {
     /// # Errors
     /// Returns an error if the camera cannot be moved in this way, for example because it has no
     /// basis.
-    pub fn at(&self, kind: Kind, phase: f64) -> Result<Still, PlayError> {
+    pub fn at(&self, kind: Kind, phase: f64) -> Result<Still, SteerError> {
         let still = self.still();
         // A full turn ends exactly at the start, bit for bit.
         let turn = if phase >= 1.0 { 0.0 } else { phase };
         Ok(match kind {
-            Kind::SwingUp => {
-                let camera = self.camera.swung(360.0 * turn).map_err(PlayError::Swing)?;
-                Still { camera, ..still }
-            }
+            Kind::SwingUp => Still { camera: self.camera.swung(360.0 * turn)?, ..still },
             Kind::Orbit => {
                 let yaw = std::f64::consts::TAU * turn;
-                Still { camera: self.camera.orbited(yaw, 0.0).map_err(PlayError::Orbit)?, ..still }
+                Still { camera: self.camera.orbited(yaw, 0.0)?, ..still }
             }
             Kind::Walk => Still { ray_point_t: Some(phase * self.end), ..still },
             Kind::Scan => {

@@ -1,8 +1,9 @@
 //! The player of an animation: its phase, speed and whether it is running.
 
 use pinhole_core::Camera;
+use pinhole_core::steering::SteerError;
 
-use super::{Kind, PlayError, Start, Still};
+use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
 
 /// Maximum time between two frames that counts, in seconds: after the window was hidden, the
@@ -35,7 +36,7 @@ pub struct Player {
     /// True if only whole steps are shown, two a second.
     pub reduced: bool,
     /// The reason why it does not move.
-    pub fault: Option<PlayError>,
+    pub fault: Option<SteerError>,
     /// The camera that it showed last; if the document has another one, the camera was edited.
     pub(crate) shown: Camera,
     /// The observer before it moved back to see the whole animation, and after.
@@ -57,7 +58,7 @@ impl Player {
             begun: false,
             running: false,
             speed: 1.0,
-            loops: kind.is_round(),
+            loops: kind.moves_camera(),
             reduced: false,
             fault: None,
             shown: start.camera,

@@ -1,124 +1,129 @@
-//! How the document is looked at: what a scene file does not hold.
+//! The state of the views of a document, which a scene file does not hold.
 
+pub mod ghost;
+pub mod hand;
 mod names;
 pub mod presenting;
 mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
-use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Viewport};
+use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport};
 use serde::{Deserialize, Serialize};
 
-pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
+use names::StoredShade;
+pub use names::{EyeKeeps, MethodName, ThemeName, ViewLayout, shade_about};
 pub use splits::{Split, Splits};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::concept::{Concept, Hovered};
 use crate::model::derivation_sections::DerivationSections;
-use crate::model::exercises::Exercises;
-use crate::model::ghost::Ghost;
-use crate::model::hand::Hand;
 use crate::model::lines::LinesLab;
-use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::exercises::Exercises;
+use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::practice::student_answers::StudentAnswers;
+use crate::model::session::ghost::Ghost;
+use crate::model::session::hand::Hand;
 use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
-use crate::model::student_answers::AnswersAtHand;
 use crate::model::translator::Translator;
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Session {
-    /// The ray that is looked at closely.
+    /// The selected ray.
     pub selection: Selection,
-    /// Who looks at the world view; `None` until it is framed for the first time.
+    /// The observer of the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
-    /// The t of the point p + t d that walks along the selected ray; `None` where none does.
+    /// The t of the point p + t d that moves along the selected ray; `None` if there is none.
     pub ray_point_t: Option<f64>,
-    /// How many pixels the camera's picture shows so far, row by row; all of them without a number.
+    /// Number of pixels that the camera's picture shows so far, row by row; `None` shows all.
     pub scanned_pixels: Option<u64>,
     /// The camera to compare with.
     pub ghost: Option<Ghost>,
     /// The lab of lines in two dimensions.
     pub lines: LinesLab,
-    /// What the mouse or the keyboard points at just now.
+    /// The concept that the mouse or the keyboard points at.
     pub hovered: Option<Hovered>,
-    /// What is lit while nothing is pointed at.
+    /// The concept that is highlighted while none is hovered.
     pub highlighted: Option<Concept>,
-    /// Which sections of the derivation are shown.
+    /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
     /// The wrong camera beside the right one.
     pub mistakes_view: MistakesView,
-    /// The exercise at hand, and what was answered.
+    /// The open exercise and its answers.
     pub exercises: Exercises,
     /// A student's answers, to be graded.
-    pub answers: Option<AnswersAtHand>,
+    pub answers: Option<StudentAnswers>,
     /// Presenter mode, while it is on.
     pub presenting: Option<Presenting>,
-    /// All but what is round the pointer is dimmed.
+    /// True if everything but the pointer's surroundings is dimmed.
     pub spotlight: bool,
-    /// What is taken in the hand, or could be.
+    /// The state of the handles.
     pub hand: Hand,
-    /// What is chosen in the translator.
+    /// The choices in the translator.
     pub translator: Translator,
-    /// What is remembered across runs as it is.
+    /// The settings, which are kept across runs.
     pub settings: Settings,
 }
 
 /// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Selection {
-    /// Through a pixel's centre.
+    /// The ray through a pixel's centre.
     Pixel(Pixel),
-    /// Through a position in the viewport.
+    /// The ray through a position in the viewport.
     Uv(DVec2),
 }
 
-/// How many significant digits the readouts can have.
+/// Minimum and maximum number of significant digits of the readouts.
 pub(crate) const DIGITS: (usize, usize) = (2, 17);
 
-/// Zoom of the window, at least and at most.
+/// Minimum and maximum zoom of the window.
 pub(crate) const ZOOM: (f32, f32) = (0.5, 4.0);
 
 /// Preferences, kept across runs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
-    /// Which views are shown.
+    /// The layout of the views.
     pub layout: ViewLayout,
-    /// How the pictures are coloured.
-    pub shade: ShadeName,
-    /// What is drawn over the pictures.
+    /// The shading of the pictures.
+    #[serde(with = "StoredShade")]
+    pub shade: Shade,
+    /// The items of the overlay.
     pub items: OverlayItems,
     /// Significant digits of the readouts.
     pub digits: usize,
-    /// Rows and columns are shown counted from 1, as the course does.
+    /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// Changing the viewport or image keeps the pixels' shape.
+    /// True if a change of viewport or image keeps the pixels' shape.
     pub keep_pixel_shape: bool,
-    /// Changing distance, width or height takes the other two along: the picture stays.
+    /// True if distance, width and height change together: the picture stays.
     pub keep_picture: bool,
-    /// What stays when the eye is moved in the world view.
+    /// The quantity that stays when the eye is moved in the world view.
     pub eye_keeps: EyeKeeps,
-    /// The camera panel's part for teaching is unfolded.
+    /// True if the camera panel's part for teaching is unfolded.
     pub teaching: bool,
-    /// Where the boundaries between the window's areas are.
+    /// The boundaries between the window's areas.
     pub splits: Splits,
-    /// In the plot of f(p + t d), values beyond 1 unit are compressed.
+    /// True if the plot of f(p + t d) compresses values beyond 1 unit.
     pub plot_compressed: bool,
-    /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
+    /// The method that draws the camera's picture: the ladder, unless another one's errors are to be
+    /// seen.
     pub method: MethodName,
     /// The method of the error map.
     pub compared: MethodName,
-    /// Dark, light, or what the system says.
+    /// Dark, light, or the system's choice.
     pub theme: ThemeName,
-    /// The colours that things are told apart by.
+    /// The colour scheme.
     pub scheme: Scheme,
-    /// Nothing moves by itself: no transitions, and what plays goes in steps.
+    /// True if nothing moves by itself: no transitions, and animations advance in steps.
     pub reduced_motion: bool,
-    /// No text is smaller than this while presenting, in points of a window of 1024 × 768; in a
-    /// larger one it is larger in proportion.
+    /// Least size of text while presenting, in points of a window of 1024 × 768; larger in proportion
+    /// in a larger one.
     pub smallest_text: f32,
     /// Zoom of the whole window.
     pub zoom: f32,
@@ -128,7 +133,7 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             layout: ViewLayout::Both,
-            shade: ShadeName::Lambert,
+            shade: Shade::Lambert,
             items: OverlayItems::default(),
             digits: 5,
             count_from_one: false,
@@ -150,13 +155,13 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// How the plot of f(p + t d) shows values.
+    /// Returns the scale of values in the plot of f(p + t d).
     pub fn plot_heights(&self) -> Heights {
         if self.plot_compressed { Heights::Compressed } else { Heights::Even }
     }
 
-    /// The same with every value in the range that the window works with; what is remembered comes
-    /// from a file that anyone may have edited.
+    /// Returns the settings with every value clamped to its range: they come from a file that anyone
+    /// may have edited.
     #[must_use]
     pub fn in_range(mut self) -> Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
@@ -169,39 +174,22 @@ impl Settings {
     }
 }
 
-impl Default for Session {
+impl Default for Selection {
+    /// Returns the ray of the lecture's warm-up.
     fn default() -> Self {
-        Session {
-            selection: Selection::Uv(DVec2::new(0.2, -0.1)),
-            observer: None,
-            ray_point_t: None,
-            scanned_pixels: None,
-            ghost: None,
-            lines: LinesLab::default(),
-            hovered: None,
-            highlighted: None,
-            sections: DerivationSections::default(),
-            mistakes_view: MistakesView::default(),
-            exercises: Exercises::default(),
-            answers: None,
-            presenting: None,
-            spotlight: false,
-            hand: Hand::default(),
-            translator: Translator::default(),
-            settings: Settings::default(),
-        }
+        Selection::Uv(DVec2::new(0.2, -0.1))
     }
 }
 
 impl Session {
-    /// What both views and the derivation show lit.
+    /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
     }
 }
 
 impl Selection {
-    /// Where the selected ray passes through the viewport.
+    /// Returns the position where the selected ray passes through the viewport.
     pub fn uv(self, camera: &ResolvedCamera) -> DVec2 {
         match self {
             Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
@@ -209,11 +197,11 @@ impl Selection {
         }
     }
 
-    /// The selected view ray, with nothing of it rounded. A pixel must lie
-    /// [inside](Selection::inside) the image.
+    /// Returns the selected view ray without rounding. A pixel must lie [inside](Selection::inside)
+    /// the image.
     ///
     /// # Errors
-    /// As [`ResolvedCamera::exact_ray_at`].
+    /// Returns the errors of [`ResolvedCamera::exact_ray_at`].
     pub fn exact_ray(self, camera: &ResolvedCamera) -> Result<ExactRay<'_>, RayError> {
         match self {
             Selection::Pixel(pixel) => Ok(camera.exact_ray(pixel)),
@@ -221,7 +209,7 @@ impl Selection {
         }
     }
 
-    /// The selection with a pixel moved back into an image that may have shrunk.
+    /// Returns the selection with a pixel moved back into an image that may have shrunk.
     pub fn inside(self, image: ImageSize) -> Selection {
         match self {
             Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
@@ -232,7 +220,7 @@ impl Selection {
         }
     }
 
-    /// The selection after the image has got another size: the pixel at the same place.
+    /// Returns the selection after a change of the image's size: the pixel at the same position.
     pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
         let place = |k: u32, before: u32, now: u32| {
             let share = (f64::from(k) + 0.5) / f64::from(before);
@@ -247,7 +235,7 @@ impl Selection {
         }
     }
 
-    /// The selection after the viewport was scaled: the same share of its width and height.
+    /// Returns the selection after the viewport was scaled: the same share of its width and height.
     pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
         match self {
             Selection::Uv(uv) if before != now => {
@@ -259,8 +247,8 @@ impl Selection {
         }
     }
 
-    /// The neighbouring pixel that many rows down and columns right, as the arrow keys go; from a
-    /// (u, v), the pixel it falls into first.
+    /// Returns the pixel that many rows down and columns right, for the arrow keys; from a (u, v), first
+    /// the pixel that contains it.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
         let Pixel { row, column } = match self {
             Selection::Pixel(pixel) => pixel,
@@ -279,18 +267,19 @@ impl Selection {
     }
 }
 
-/// How a value of f, in its curve's unit, becomes a height.
+/// A scale that turns a value of f, in its curve's unit, into a height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heights {
-    /// As it is: a plane's line is straight, a sphere's parabola is one.
+    /// The value itself: a plane's line is straight, a sphere's parabola is one.
     Even,
-    /// As it is up to 1, compressed beyond: 1 more is 2.7 times as much. What is far is in sight, too.
+    /// The value up to 1, compressed beyond: 1 more is e times as much, so that far values are in
+    /// sight, too.
     Compressed,
 }
 
 impl Heights {
-    /// The height of a value; it has the value's sign.
-    pub(crate) fn of(self, y: f64) -> f64 {
+    /// Returns the height of a value; it has the value's sign.
+    pub(crate) fn height(self, y: f64) -> f64 {
         match self {
             Heights::Compressed if y.abs() > 1.0 => (1.0 + y.abs().ln()).copysign(y),
             _ => y,

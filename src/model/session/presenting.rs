@@ -2,31 +2,6 @@
 
 use crate::model::session::ViewLayout;
 
-/// The views that fill the window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Full {
-    /// The derivation.
-    Derivation,
-    /// The world view.
-    World,
-    /// The camera view.
-    Camera,
-    /// The world view and the camera view.
-    Both,
-}
-
-impl Full {
-    /// Returns the layout that shows these views.
-    pub fn layout(self) -> ViewLayout {
-        match self {
-            Full::Derivation => ViewLayout::DerivationAlone,
-            Full::World => ViewLayout::World,
-            Full::Camera => ViewLayout::Camera,
-            Full::Both => ViewLayout::Both,
-        }
-    }
-}
-
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
@@ -42,11 +17,10 @@ impl Presenting {
         Presenting { replaced: None, spotlight }
     }
 
-    /// Fills the window with some views.
-    pub fn fill(&mut self, full: Full, layout: &mut ViewLayout) {
-        let before = self.before(*layout);
-        *layout = full.layout();
-        self.replaced = Some((*layout, before));
+    /// Fills the window with the views of the layout `full`.
+    pub fn fill(&mut self, full: ViewLayout, layout: &mut ViewLayout) {
+        self.replaced = Some((full, self.before(*layout)));
+        *layout = full;
     }
 
     /// Returns the layout to return to. One that a lesson's step has set in the meantime stays.
@@ -100,13 +74,13 @@ mod tests {
     fn the_layout_from_before_comes_back_unless_another_one_was_set() {
         let mut presenting = Presenting::begin(false);
         let mut layout = ViewLayout::Plot;
-        presenting.fill(Full::Camera, &mut layout);
-        presenting.fill(Full::Derivation, &mut layout);
+        presenting.fill(ViewLayout::Camera, &mut layout);
+        presenting.fill(ViewLayout::DerivationAlone, &mut layout);
         assert_eq!(layout, ViewLayout::DerivationAlone);
         assert_eq!(presenting.before(layout), ViewLayout::Plot);
         assert_eq!(presenting.before(ViewLayout::Mistakes), ViewLayout::Mistakes);
         layout = ViewLayout::Mistakes;
-        presenting.fill(Full::World, &mut layout);
+        presenting.fill(ViewLayout::World, &mut layout);
         assert_eq!(presenting.before(layout), ViewLayout::Mistakes);
     }
 

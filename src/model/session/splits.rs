@@ -1,4 +1,4 @@
-//! The boundaries between the window's areas, where they were dragged to.
+//! The boundaries between the window's areas.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -17,26 +17,26 @@ pub enum Split {
     CompareViews,
     /// The views' share of the width, beside the derivation or the translator.
     Derivation,
-    /// The readouts' height, in points, like all that follow.
+    /// The readouts' height, in points. All that follow are heights, too.
     Readouts,
-    /// That of plot and table in the accuracy view.
+    /// Plot and table in the accuracy view.
     Accuracy,
-    /// That of the counts in the frame view.
+    /// The counts in the frame view.
     Frame,
-    /// That of the plot of f(p + t d).
+    /// The plot of f(p + t d).
     Plot,
-    /// That of the words about a wrong camera.
+    /// The text about a wrong camera.
     Mistakes,
-    /// That of both cameras in numbers.
+    /// Both cameras in numbers.
     Compare,
-    /// That of the words about a student's answers.
+    /// The text about a student's answers.
     Answers,
 }
 
 const SHARE: RangeInclusive<f32> = 0.0..=1.0;
 const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
-/// Where each is at first, and how far it can be dragged; in the enum's order.
+/// Default and range of each boundary, in the enum's order.
 const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
     (Split::Views, 0.54, SHARE),
     (Split::Stack, 0.55, SHARE),
@@ -51,18 +51,18 @@ const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
     (Split::Answers, 230.0, HEIGHT),
 ];
 
-/// Where all boundaries are, each within its range.
+/// The positions of all boundaries, each within its range.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(from = "BTreeMap<Split, f32>", into = "BTreeMap<Split, f32>")]
 pub struct Splits([f32; TABLE.len()]);
 
 impl Splits {
-    /// Where a boundary is.
+    /// Returns the position of a boundary.
     pub fn get(&self, split: Split) -> f32 {
         self.0[split as usize]
     }
 
-    /// Puts a boundary somewhere, as near as its range lets it; no number is where it is at first.
+    /// Moves a boundary, clamped to its range; to its default if `to` is not finite.
     pub fn set(&mut self, split: Split, to: f32) {
         let (_, first, range) = &TABLE[split as usize];
         let to = if to.is_finite() { to } else { *first };

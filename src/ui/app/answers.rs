@@ -9,8 +9,8 @@ use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, answers};
 
 use super::scene::OpenScene;
+use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
-use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::{Action, AnswersAction, Leave};
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 
@@ -70,7 +70,7 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
     let count_from = known.map_or(0, |known| known.count_from);
     let kind = answers::kind_of(&bytes);
     let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
-    session.answers = Some(AnswersAtHand { file, count_from });
+    session.answers = Some(StudentAnswers { file, count_from });
     session.settings.layout = ViewLayout::Answers;
     Ok(())
 }

@@ -38,7 +38,7 @@ impl Screen<'_> {
         let first = workspace(settings.layout).figure;
         let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
         subjects.sort_by_key(|shown| shown.subject != first);
-        let style = Style::of(settings.scheme, self.is_dark());
+        let style = Style::new(settings.scheme, self.is_dark());
         Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, style))
     }
 

@@ -37,7 +37,7 @@ impl Lessons {
     pub(super) fn settings_without(&self, session: &Session) -> Settings {
         let mut session = session.clone();
         if let Some(before) = &self.before {
-            apply::give_back(before, &mut session);
+            apply::restore(before, &mut session);
         }
         session.settings
     }
@@ -78,7 +78,7 @@ impl OpenScene {
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         lessons.seen_from = self.session.observer;
-        let play = next.step().looks.play;
+        let play = next.step().view.play;
         lessons.open = Some(next);
         Some(Opened { is_another: !same_scene, play })
     }
@@ -97,7 +97,7 @@ impl OpenScene {
         let seen_from = self.lessons.seen_from;
         apply::clear_answers(open.step(), &mut self.session);
         let opened = self.open_lesson(open.place(), None).unwrap_or_default();
-        self.session.observer = open.step().looks.observer.or(seen_from);
+        self.session.observer = open.step().view.observer.or(seen_from);
         self.lessons.seen_from = seen_from;
         opened
     }
@@ -106,7 +106,7 @@ impl OpenScene {
     pub(super) fn close_lesson(&mut self) {
         self.lessons.open = None;
         if let Some(before) = self.lessons.before.take() {
-            apply::give_back(&before, &mut self.session);
+            apply::restore(&before, &mut self.session);
         }
         self.open.leave_lesson();
     }

@@ -3,7 +3,7 @@
 
 use egui::{Context, ThemePreference};
 
-use crate::model::mistakes_view::MistakesView;
+use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::LookAction;
@@ -75,7 +75,7 @@ pub(super) fn follow(ctx: &Context, session: &Session) {
         ThemeName::Light => ThemePreference::Light,
     });
     let presenting = session.presenting.is_some();
-    theme::install(ctx, Look::of(settings, presenting));
+    theme::install(ctx, Look::new(settings, presenting));
     let zoom = if presenting {
         presenting::zoom(window_size(ctx), settings.smallest_text)
     } else {

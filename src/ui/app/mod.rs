@@ -70,7 +70,7 @@ impl App {
             window.remember(&path);
         }
         let session = Session {
-            selection: remembered.selection.map_or(Session::default().selection, Into::into),
+            selection: remembered.selection.map_or_else(Default::default, Into::into),
             settings: remembered.settings.in_range(),
             ..Session::default()
         };
@@ -100,7 +100,7 @@ impl App {
         });
         // Its keys stand in the table of commands with all others.
         ctx.options_mut(|options| options.zoom_with_keyboard = false);
-        theme::install(ctx, Look::of(settings, false));
+        theme::install(ctx, Look::new(settings, false));
     }
 
     /// Says what draws the window.

@@ -203,7 +203,7 @@ impl Playback {
 
 /// An animation at its start.
 fn opened(kind: Kind, scene: &mut OpenScene, seen: &Seen<'_>) -> Player {
-    let start = Start::of(&scene.open.document, &scene.session, seen.inspection);
+    let start = Start::new(&scene.open.document, &scene.session, seen.inspection);
     let mut player = Player::new(kind, start);
     player.stepped_back = step_back(kind, &start, scene, seen.aspect);
     player
@@ -217,7 +217,7 @@ fn step_back(
     scene: &mut OpenScene,
     aspect: f64,
 ) -> Option<[Observer; 2]> {
-    let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().looks.play);
+    let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().view.play);
     let before = scene.session.observer.filter(|_| of_step != Some(kind))?;
     let after = before.following(&start.camera, &start.cameras(kind), aspect);
     scene.session.observer = Some(after);

@@ -8,11 +8,11 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
-use crate::model::ghost::{Beside, Ghost};
-use crate::model::hand::Hand;
 use crate::model::lessons::{self, Place, Which};
 use crate::model::observer::Observer;
 use crate::model::play::Kind;
+use crate::model::session::ghost::{Beside, Ghost};
+use crate::model::session::hand::Hand;
 use crate::model::session::{Selection, Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};
@@ -59,7 +59,7 @@ impl OpenScene {
         }
         let problem = |error| Message::new("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
-        Ok(self.replace(OpenDocument::new(document, source), Session::default().selection))
+        Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }
 
     /// Opens a document from no file, with both views beside it.
@@ -68,7 +68,7 @@ impl OpenScene {
         let mut open = OpenDocument::of_step(document, title);
         // It can be got again, but what is changed in it counts.
         open.leave_lesson();
-        let opened = self.replace(open, uv.map_or(Session::default().selection, Selection::Uv));
+        let opened = self.replace(open, uv.map_or(Selection::default(), Selection::Uv));
         self.session.settings.layout = ViewLayout::Both;
         opened
     }

@@ -87,7 +87,7 @@ impl DerivationPanel {
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, derivation);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
-            let inks = Inks::of(ui);
+            let inks = Inks::from_ui(ui);
             let mut goal = goal;
             for (k, section) in derivation.sections.iter().enumerate() {
                 self.section(ui, k, section, inks, highlighted, &mut goal);
@@ -234,7 +234,7 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     paint(ui, rect, line, place, inks);
     let hovered = response.hover_pos().filter(|_| response.hovered());
     let symbol = hovered
-        .and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+        .and_then(|at| formula::meaning_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
     if let Some(words) = symbol {
         Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));

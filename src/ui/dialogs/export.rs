@@ -168,15 +168,15 @@ impl ExportForm {
         ui.label("colours");
         ui.horizontal(|ui| {
             let scheme = self.style.scheme();
-            ui.radio_value(&mut self.style, Style::of(scheme, false), "light");
-            ui.radio_value(&mut self.style, Style::of(scheme, true), "dark");
+            ui.radio_value(&mut self.style, Style::new(scheme, false), "light");
+            ui.radio_value(&mut self.style, Style::new(scheme, true), "dark");
         });
         ui.end_row();
         ui.label("");
         ui.horizontal_wrapped(|ui| {
             let dark = self.style.is_dark();
             for scheme in Scheme::ALL {
-                ui.radio_value(&mut self.style, Style::of(scheme, dark), scheme.label());
+                ui.radio_value(&mut self.style, Style::new(scheme, dark), scheme.label());
             }
         });
         ui.end_row();

@@ -8,7 +8,7 @@ use pinhole_core::{
 use super::teaching;
 use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
-use crate::model::symbols::{Kind, words};
+use crate::model::symbols::{Kind, meaning};
 use crate::ui::changed::Changed;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
@@ -76,7 +76,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         let color = vector_color(ui, name);
         let color = color.unwrap_or(ui.visuals().text_color());
         let label = ui.label(RichText::new(name).strong().color(color));
-        if let Some(words) = words(Kind::Vector, name) {
+        if let Some(words) = meaning(Kind::Vector, name) {
             label.on_hover_text(words);
         }
         ui.vertical(|ui| {

@@ -7,8 +7,8 @@ use egui::{
 use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::letters::typeset_message;
+use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::{Selection, Session};
-use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::views;
@@ -42,7 +42,7 @@ fn why_not(derived: &Derived) -> &'static str {
 }
 
 /// Shows the title above the map: the name of the answers.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, has_map: bool) {
     strip_above(ui, area, |ui| {
         let title = match answers {
             Some(answers) if area.width() < NARROW => answers.name(),

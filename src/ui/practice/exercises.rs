@@ -5,7 +5,7 @@ use egui::{
 };
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
-use crate::model::exercises::{Exercises, LARGEST_SEED, Said, Typed};
+use crate::model::practice::exercises::{Exercises, Feedback, LARGEST_SEED, TypedAnswer};
 use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::marked_text;
@@ -150,7 +150,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 }
 
 /// Shows the fields of one part. Returns true if Enter was pressed in one.
-fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
+fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal_wrapped(|ui| {
@@ -168,7 +168,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
         if part.count() == 0 {
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
-                    (typed.yes, typed.said) = (Some(yes), None);
+                    (typed.yes, typed.feedback) = (Some(yes), None);
                 }
             }
             return;
@@ -189,7 +189,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         }
         if changed {
-            typed.said = None;
+            typed.feedback = None;
         }
         // Only when the field loses focus: a vector may also be typed with its brackets.
         if left {
@@ -209,14 +209,14 @@ fn solution(ui: &mut Ui, part: &QuestionPart, style: NumberStyle) {
 }
 
 /// Shows the verdict on a part once it was checked.
-fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &Typed) {
-    let Some(said) = &typed.said else { return };
+fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
+    let Some(said) = &typed.feedback else { return };
     let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
-    let is_wrong = !said.is_good() && !matches!(said, Said::NotAnswered | Said::Missing);
+    let is_wrong = !said.is_good() && !matches!(said, Feedback::NotAnswered | Feedback::Missing);
     let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
-        if let Said::Judged(_) | Said::Follows(_) = said {
+        if let Feedback::Judged(_) | Feedback::Follows(_) = said {
             sign(ui, said.is_good());
         }
         let spoken = format!("{}: {}", part.asked.id(), said.sentence(part));

@@ -8,7 +8,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::model::number::{grouped, written};
-use crate::model::symbols::words_of_readout;
+use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -132,7 +132,7 @@ fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
 /// Shows a line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
     let label = ui.label(name_of(ui, name, true));
-    if let Some(words) = words_of_readout(name) {
+    if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);
     }
     ui.label(RichText::new(format!("= {value}"))).spoken(format!("{name} = {value}"));
@@ -271,7 +271,7 @@ impl RootLines {
                 job.append(&format!(" = {value}"), 0.0, format);
                 let response = ui.add(Label::new(job).extend());
                 let response = response.spoken(format!("{name} = {value}"));
-                if let Some(words) = words_of_readout(name) {
+                if let Some(words) = meaning_of_readout(name) {
                     response.on_hover_text(words);
                 }
             }

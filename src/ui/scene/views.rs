@@ -228,7 +228,7 @@ fn in_view(
     let pointer = response.hover_pos().filter(|_| response.hovered())?;
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
-    overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
+    overlay::concept_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
 }
 
 /// Returns the object at a position of the camera view.
@@ -246,7 +246,7 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
 /// Shows the name of the hovered concept beside the mouse.
 pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Document) {
     let Some(Hovered { concept, by: HoverSource::View }) = hovered else { return };
-    let words = concept.words(|object| document.title_of(object as usize));
+    let words = concept.description(|object| document.title_of(object as usize));
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
         .show(|ui| {

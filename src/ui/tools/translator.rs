@@ -10,9 +10,9 @@ use pinhole_core::Pixel;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Text;
 
-use crate::model::conventions::Row;
 use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
+use crate::model::translator::conventions::Row;
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
 use crate::ui::widgets::asking::Asking as _;
@@ -106,7 +106,7 @@ impl TranslatorPanel {
         }
         let make = || {
             let key = Key { document: document.clone(), target, objects, pixel, digits };
-            let made = Translation::of(document, choice.chosen(), objects, pixel, digits);
+            let made = Translation::new(document, choice.chosen(), objects, pixel, digits);
             (key, made)
         };
         &self.known.get_or_insert_with(make).1

@@ -18,13 +18,14 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
 }
 
 fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
-    let given = |name, value, concept| Line::of(concept, row([name, numbers.equals_vector(value)]));
+    let given =
+        |name, value, concept| Line::new(concept, row([name, numbers.equals_vector(value)]));
     let mut lines = vec![given(EYE, of.eye, Concept::Eye)];
     lines.extend(of.at.map(|at| given(AT, at, Concept::At)));
     lines.extend(of.up.map(|up| given(UP, up.vector, Concept::Up)));
     if let Some(view) = of.view {
         let found = numbers.equals_vector(view.vector);
-        lines.push(Line::of(
+        lines.push(Line::new(
             Concept::View,
             match of.at {
                 Some(at) => {
@@ -37,7 +38,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
     }
     if let Some(backwards) = of.backwards {
         let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
-        lines.push(Line::of(Concept::Backwards, formula));
+        lines.push(Line::new(Concept::Backwards, formula));
     }
     lines.extend(normalized(of, numbers));
     if let Some(cross) = &of.up_cross_w {
@@ -47,7 +48,8 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         (Some(u), Some(cross)) => {
             let formula = equation(U, normalize(times(UP, W)));
             let quotient = quotient(cross.product, cross.area, numbers);
-            lines.push(Line::of(Concept::U, followed(formula, quotient, numbers.equals_vector(u))));
+            lines
+                .push(Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))));
         }
         (None, Some(_)) => {
             let formula = equation(U, normalize(times(UP, W)));
@@ -59,7 +61,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
         let formula = equation(V, equation(times(W, U), put_in));
         let formula = row([formula, numbers.equals_vector(cross.product)]);
-        lines.push(Line::of(Concept::WCrossU, formula).also(&[Concept::V]));
+        lines.push(Line::new(Concept::WCrossU, formula).also(&[Concept::V]));
     }
     lines
 }
@@ -71,7 +73,7 @@ fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
         return Some(failed(Concept::W, formula, of.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);
-    Some(Line::of(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
+    Some(Line::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
 /// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
@@ -79,7 +81,7 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = equation(times(UP, W), put_in);
     let product = row([product, numbers.equals_vector(cross.product)]);
-    let mut lines = vec![Line::of(Concept::UpCrossW, product)];
+    let mut lines = vec![Line::new(Concept::UpCrossW, product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
@@ -87,7 +89,7 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
         let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
         let formula = equation(equation(norm(times(UP, W)), symbolic), put_in);
         let formula = row([formula, numbers.equals(cross.area)]);
-        lines.push(Line::of(Concept::UpCrossW, formula));
+        lines.push(Line::new(Concept::UpCrossW, formula));
     }
     lines
 }
@@ -110,15 +112,15 @@ fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
 /// Returns the line that fails, with the reason.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
     let why = why.map_or_else(String::new, letters::typeset_message);
-    Line { is_fault: true, ..Line::of(concept, formula).noted(why) }
+    Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
 }
 
 fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
-    let mut lines = vec![Line::of(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
+    let mut lines = vec![Line::new(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
     let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
     for ((name, concept), value) in names().zip([of.u, of.v, of.w]) {
         lines.push(
-            Line::of(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
+            Line::new(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
         );
     }
     let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
@@ -127,18 +129,18 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     };
     for ((name, concept), check) in names().zip(of.lengths) {
         let Some(check) = check else { continue };
-        let line = Line::of(concept, row([norm(name), numbers.equals(check.value)]));
+        let line = Line::new(concept, row([norm(name), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
     for ((a, b, concept), check) in pairs.into_iter().zip(of.dots) {
         let Some(check) = check else { continue };
-        let line = Line::of(concept, row([dot(a, b), numbers.equals(check.value)]));
+        let line = Line::new(concept, row([dot(a, b), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "at right angles", "must be 0"));
     }
     if let Some(check) = of.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = Line::of(Concept::W, row([formula, numbers.equals(check.value)]));
+        let line = Line::new(Concept::W, row([formula, numbers.equals(check.value)]));
         lines.push(verdict(
             line,
             check.passes,
@@ -147,7 +149,7 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
         ));
     }
     if let Err(error) = of.basis {
-        let line = Line { concept: None, ..Line::of(Concept::W, word("there is no basis")) };
+        let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };
         lines.push(Line { is_fault: true, ..line.noted(letters::typeset_message(error)) });
     }
     lines

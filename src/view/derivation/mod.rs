@@ -72,7 +72,7 @@ pub struct Line {
 }
 
 impl Line {
-    fn of(concept: Concept, formula: Formula) -> Line {
+    fn new(concept: Concept, formula: Formula) -> Line {
         Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
     }
 
@@ -135,8 +135,13 @@ pub struct Sources<'a> {
     pub scene: Option<&'a Scene>,
     /// The selected ray.
     pub inspection: Option<&'a Inspection>,
-    /// The reason why there is no new picture, if there is none.
-    pub fault: Option<Fault>,
+    /// The settings of the view.
+    pub view: View,
+}
+
+/// The settings of the derivation's view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
     /// The selected pixel or position.
     pub selection: Selection,
     /// The sections to show.
@@ -145,24 +150,26 @@ pub struct Sources<'a> {
     pub digits: usize,
     /// True if rows and columns are counted from 1.
     pub from_one: bool,
+    /// The reason why there is no new picture, if there is none.
+    pub fault: Option<Fault>,
 }
 
 /// Computes the derivation.
 pub fn derivation(of: &Sources) -> Derivation {
-    let numbers = Numbers { digits: of.digits, from_one: of.from_one };
+    let numbers = Numbers { digits: of.view.digits, from_one: of.view.from_one };
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<Line>| {
         let title = section.label().to_owned();
         derivation.sections.push(Section { section, object: None, title, lines });
     };
-    if of.sections.shows(DerivationSection::Basis) {
+    if of.view.sections.shows(DerivationSection::Basis) {
         add(DerivationSection::Basis, basis::lines(&of.document.camera, numbers));
     }
-    let exact = of.resolved.and_then(|resolved| exact_ray(resolved, of.selection));
+    let exact = of.resolved.and_then(|resolved| exact_ray(resolved, of.view.selection));
     let derived =
         exact.as_ref().and_then(|(_, derived)| Some((of.resolved?, derived, of.inspection?)));
-    if of.sections.shows(DerivationSection::PixelToRay) {
-        let lines = match (derived, of.fault) {
+    if of.view.sections.shows(DerivationSection::PixelToRay) {
+        let lines = match (derived, of.view.fault) {
             (Some((resolved, derived, inspection)), _) => {
                 ray::lines(resolved, derived, inspection, numbers)
             }
@@ -171,8 +178,8 @@ pub fn derivation(of: &Sources) -> Derivation {
         };
         add(DerivationSection::PixelToRay, lines);
     }
-    if of.sections.shows(DerivationSection::Objects) {
-        match (exact, of.scene, of.inspection, of.fault) {
+    if of.view.sections.shows(DerivationSection::Objects) {
+        match (exact, of.scene, of.inspection, of.view.fault) {
             (Some((exact, derived)), Some(scene), Some(inspection), _) => {
                 add_objects(&mut derivation, of, (&exact, &derived), (scene, inspection), numbers);
             }

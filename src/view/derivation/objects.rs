@@ -23,7 +23,7 @@ const R: Formula = Formula::Scalar("r");
 const DISCRIMINANT: Formula = Formula::Scalar("D");
 
 /// The lines of one object while they are built.
-struct Sheet<'a> {
+struct ObjectLines<'a> {
     object: u32,
     ray: Ray,
     inspection: &'a Inspection,
@@ -38,26 +38,20 @@ pub(super) fn lines(
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
-    let mut sheet = Sheet { object, ray, inspection, numbers, lines: Vec::new() };
+    let mut lines = ObjectLines { object, ray, inspection, numbers, lines: Vec::new() };
     match derivation {
-        ObjectDerivation::Sphere(sphere) => sheet.sphere(sphere),
-        ObjectDerivation::Plane(plane) => sheet.plane(plane),
+        ObjectDerivation::Sphere(sphere) => lines.sphere(sphere),
+        ObjectDerivation::Plane(plane) => lines.plane(plane),
     }
-    sheet.lines
+    lines.lines
 }
 
-impl Sheet<'_> {
-    fn line(&mut self, formula: Formula) -> &mut Line {
-        self.push(Line::of(Concept::Object(self.object), formula))
+impl ObjectLines<'_> {
+    fn line(&mut self, formula: Formula) {
+        self.lines.push(Line::new(Concept::Object(self.object), formula));
     }
 
-    fn push(&mut self, line: Line) -> &mut Line {
-        self.lines.push(line);
-        let last = self.lines.len() - 1;
-        &mut self.lines[last]
-    }
-
-    fn root_thing(&self, number: usize) -> Concept {
+    fn root_concept(&self, number: usize) -> Concept {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
@@ -124,9 +118,9 @@ impl Sheet<'_> {
         let of_d = root(numbers.scalar(quadratic.discriminant));
         let put_in = row([minus_b, sign.into(), of_d]);
         let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
-        let line = Line::of(self.root_thing(k), row([formula, numbers.equals(found.t)]));
+        let line = Line::new(self.root_concept(k), row([formula, numbers.equals(found.t)]));
         let verdict = self.inspection.verdict(found);
-        self.push(line.noted(verdict));
+        self.lines.push(line.noted(verdict));
     }
 
     fn plane(&mut self, of: &PlaneDerivation) {
@@ -147,15 +141,15 @@ impl Sheet<'_> {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
-            let line = Line::of(Concept::Object(self.object), quotient);
-            self.push(line.noted(note));
+            let line = Line::new(Concept::Object(self.object), quotient);
+            self.lines.push(line.noted(note));
             return;
         };
         let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
         let formula = equation(quotient, put_in);
-        let line = Line::of(self.root_thing(0), row([formula, numbers.equals(found.t)]));
+        let line = Line::new(self.root_concept(0), row([formula, numbers.equals(found.t)]));
         let verdict = self.inspection.verdict(&found);
-        self.push(line.noted(verdict));
+        self.lines.push(line.noted(verdict));
         if of.hit().is_some() {
             self.hit(T, 0, &found);
             self.normal(0, &found, fraction(N, norm(N)), None);
@@ -172,7 +166,7 @@ impl Sheet<'_> {
         );
         let formula = equation(equation(HIT, along(P, t, D)), put_in);
         let formula = row([formula, numbers.equals_vector(hit.point)]);
-        self.push(Line::of(self.root_thing(k), formula));
+        self.lines.push(Line::new(self.root_concept(k), formula));
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {
@@ -180,12 +174,12 @@ impl Sheet<'_> {
             .inspection
             .first_hit()
             .is_some_and(|first| first.object == hit.object && first.t == hit.t);
-        let concept = if is_first { Concept::Normal } else { self.root_thing(k) };
+        let concept = if is_first { Concept::Normal } else { self.root_concept(k) };
         let normal = Formula::Vector("normal", crate::view::formula::Ink::Text);
         let result = self.numbers.equals_vector(hit.normal);
         let formula = equation(normal, symbols);
         let formula = put_in.into_iter().fold(formula, equation);
-        self.push(Line::of(concept, row([formula, result])));
+        self.lines.push(Line::new(concept, row([formula, result])));
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn lines(
     for (concept, scalar, vector, factor, value, product) in parts {
         let put_in = row([numbers.scalar(factor), numbers.vector(value)]);
         let formula = equation(row([scalar, vector]), put_in);
-        let line = Line::of(concept, row([formula, numbers.equals_vector(product)]));
+        let line = Line::new(concept, row([formula, numbers.equals_vector(product)]));
         lines.push(match concept {
             Concept::AlongW => line.also(&[Concept::Distance]),
             _ => line,
@@ -45,12 +45,12 @@ pub(super) fn lines(
     let put_in = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
     let formula = equation(equation(D, sum(symbols, Operator::Minus)), sum(put_in, Operator::Plus));
     let direction = row([formula, numbers.equals_vector(ray.direction)]);
-    lines.push(Line::of(Concept::Direction, direction));
+    lines.push(Line::new(Concept::Direction, direction));
     let length = row([norm(D), numbers.equals(ray.length)]);
-    lines.push(Line::of(Concept::Direction, length).noted("how long a step of 𝑡 = 1 is"));
+    lines.push(Line::new(Concept::Direction, length).noted("how long a step of 𝑡 = 1 is"));
     let put_in = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
     let formula = equation(along(P, T, D), put_in);
-    lines.push(Line::of(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
+    lines.push(Line::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines
 }
 
@@ -84,12 +84,12 @@ fn of_pixel(
         let symbols = row([Formula::Scalar(extent), symbols]);
         let put_in = row([numbers.scalar(size), put_in]);
         let formula = equation(equation(Formula::Scalar(name), symbols), put_in);
-        Line::of(Concept::Pixel, row([formula, numbers.equals(value)]))
+        Line::new(Concept::Pixel, row([formula, numbers.equals(value)]))
     };
     let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
     let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));
     vec![
-        Line::of(Concept::Pixel, pixel).noted(counted),
+        Line::new(Concept::Pixel, pixel).noted(counted),
         line(
             "u",
             "width",
@@ -129,5 +129,5 @@ fn of_uv(
         }
         Some(_) => "on an edge between pixels".to_owned(),
     };
-    Line::of(Concept::Pixel, equation(symbols, values)).noted(note)
+    Line::new(Concept::Pixel, equation(symbols, values)).noted(note)
 }

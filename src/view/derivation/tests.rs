@@ -9,14 +9,12 @@ fn document(scene: &str) -> Document {
     SceneSource::from_argument(scene.as_ref()).expect("a scene").load().expect("a document")
 }
 
-fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {
+fn derive(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {
     let resolved = document.camera.resolve();
     let scene = document.scene();
+    let inspection = resolved.as_ref().ok().zip(scene.as_ref().ok());
     let inspection =
-        resolved.as_ref().ok().zip(scene.as_ref().ok()).map(|(resolved, scene)| match selection {
-            Selection::Pixel(pixel) => Inspection::of_pixel(resolved, scene, pixel),
-            Selection::Uv(uv) => Inspection::of_uv(resolved, scene, uv),
-        });
+        inspection.map(|(resolved, scene)| Inspection::new(resolved, scene, selection));
     let fault = match (&resolved, &scene) {
         (Err(e), _) => Some(Fault::Camera(*e)),
         (_, Err(e)) => Some(Fault::Scene(*e)),
@@ -27,18 +25,14 @@ fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) 
         resolved: resolved.as_ref().ok(),
         scene: scene.as_ref().ok(),
         inspection: inspection.as_ref(),
-        fault,
-        selection,
-        sections: DerivationSections::default(),
-        digits,
-        from_one,
+        view: View { selection, sections: DerivationSections::default(), digits, from_one, fault },
     })
 }
 
 const WARM_UP: Selection = Selection::Uv(DVec2::new(0.2, -0.1));
 
 fn check(document: &Document, selection: Selection, expected: Expect) {
-    expected.assert_eq(&of(document, selection, 5, false).to_string());
+    expected.assert_eq(&derive(document, selection, 5, false).to_string());
 }
 
 #[test]
@@ -223,7 +217,7 @@ fn the_lectures_forty_five_degrees() {
 #[test]
 fn rows_and_columns_counted_from_one() {
     let pixel = Selection::Pixel(Pixel { row: 99, column: 199 });
-    let derivation = of(&document("canonical"), pixel, 5, true);
+    let derivation = derive(&document("canonical"), pixel, 5, true);
     let lines = derivation.sections[1].lines.iter().take(3).map(|line| format!("{line}\n"));
     expect![[r#"
         row i = 100, column j = 200   (counted from 1)
@@ -242,7 +236,7 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
         (DVec3::new(0.0, 0.0, -1.0), DVec3::new(0.0, 0.0, 2.0)),
     ] {
         document.camera.orientation = Orientation::At { at, up };
-        let derivation = of(&document, WARM_UP, 5, false);
+        let derivation = derive(&document, WARM_UP, 5, false);
         let last = derivation.sections[0].lines.last().expect("lines");
         assert!(last.is_fault && !last.note.is_empty(), "{derivation}");
         assert!(derivation.sections[1].lines.iter().all(|line| line.is_fault));
@@ -261,7 +255,7 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
 
         Pixel to ray
           no ray   (up (0, 0, 2) is parallel to the view direction (0, 0, −1): turn one of them)
-    "#]].assert_eq(&of(&document, WARM_UP, 5, false).to_string());
+    "#]].assert_eq(&derive(&document, WARM_UP, 5, false).to_string());
 }
 
 #[test]
@@ -269,7 +263,7 @@ fn nothing_is_no_number() {
     for scene in pinhole_exchange::scenes::builtin::all() {
         let document = document(scene.name);
         for selection in [WARM_UP, Selection::Pixel(Pixel { row: 0, column: 0 })] {
-            let text = of(&document, selection, 17, false).to_string();
+            let text = derive(&document, selection, 17, false).to_string();
             assert!(!text.contains("NaN") && !text.contains("inf"), "{}: {text}", scene.name);
         }
     }
@@ -280,7 +274,7 @@ fn digits_follow_the_setting() {
     let mut document = document("canonical");
     document.camera.orientation =
         Orientation::View { view: DVec3::new(0.3, -0.77, -1.9), up: DVec3::new(0.1, 1.0, 0.2) };
-    let text = |digits| of(&document, WARM_UP, digits, false).to_string();
+    let text = |digits| derive(&document, WARM_UP, digits, false).to_string();
     assert!(text(3).contains("≈") && text(3).len() < text(9).len());
     expect![[r#"
         Basis
@@ -308,7 +302,7 @@ fn is_balanced(latex: &str) -> bool {
 
 #[test]
 fn as_latex_and_as_markdown() {
-    let derivation = of(&document("forty-five"), WARM_UP, 5, false);
+    let derivation = derive(&document("forty-five"), WARM_UP, 5, false);
     let sections =
         derivation.sections.iter().filter(|s| s.section != DerivationSection::Objects).cloned();
     let derivation = Derivation { sections: sections.collect(), left_out: 1 };
@@ -372,7 +366,7 @@ fn as_latex_and_as_markdown() {
 #[test]
 fn every_derivation_is_balanced_and_has_all_its_lines() {
     for scene in ["canonical", "look-at", "almost-parallel-up", "inside", "tiny-far", "grazing"] {
-        let derivation = of(&document(scene), WARM_UP, 17, true);
+        let derivation = derive(&document(scene), WARM_UP, 17, true);
         let lines: usize = derivation.sections.iter().map(|section| section.lines.len()).sum();
         let latex = derivation.written_in(Markup::Latex);
         assert!(is_balanced(&latex), "{scene}: {latex}");

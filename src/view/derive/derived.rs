@@ -4,17 +4,29 @@ use std::sync::Arc;
 
 use egui::ColorImage;
 use pinhole_core::{Counts, Frame, ResolvedCamera, Scene, Steps, UpAngle};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
-use super::answers::Grading;
+use super::grading::Grading;
 use super::picture::{Compared, TooMany};
+use super::watch::Watch;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
+use crate::model::session::Session;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
 use crate::view::ghost::AgainstGhost;
 use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
+
+/// The inputs of a derivation.
+#[derive(Clone, Copy)]
+pub(super) struct Inputs<'a> {
+    pub(super) document: &'a Document,
+    pub(super) session: &'a Session,
+    pub(super) sizes: &'a ViewSizes,
+    pub(super) watch: Watch<'a>,
+}
 
 /// Sizes of the views in physical pixels (`None` for views that are not shown), and other view
 /// settings.
@@ -38,7 +50,7 @@ pub struct ViewSizes {
     pub style: Style,
     /// The purpose of the pictures.
     pub purpose: Purpose,
-    /// The coarseness of new pictures of the scene.
+    /// The resolution of new pictures of the scene.
     pub subsampling: Subsampling,
     /// True if something is being dragged: slow work that can wait is put off.
     pub under_hand: bool,
@@ -86,7 +98,7 @@ pub struct Derived {
     pub steps: Option<Steps>,
     /// Counts of the objects that the camera's picture dropped and looked at.
     pub counts: Option<Counts>,
-    /// The coarseness of the camera's and of the observer's picture.
+    /// The resolution of the camera's and of the observer's picture.
     pub subsampling: [Subsampling; 2],
     /// The reason why only the ladder drew the scene, if another method should have.
     pub too_many: Option<TooMany>,

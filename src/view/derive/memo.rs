@@ -18,21 +18,19 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
     /// Returns the value made from `key`; it is made again only if the key differs from the last
     /// one.
     pub(super) fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
-        match &self.0 {
-            Some((known, value)) if *known == key => value.clone(),
-            _ => {
-                let value = make(&key);
-                self.0 = Some((key, value.clone()));
-                value
-            }
+        if let Some(value) = self.known(|known| *known == key) {
+            return value.clone();
         }
+        let value = make(&key);
+        self.0 = Some((key, value.clone()));
+        value
     }
 }
 
-impl<K: PartialEq, V> Memo<K, V> {
-    /// Returns true if the cached value was made from `key`.
-    pub(super) fn knows(&self, key: &K) -> bool {
-        self.0.as_ref().is_some_and(|(known, _)| known == key)
+impl<K, V> Memo<K, V> {
+    /// Returns the cached value if it was made from a key that `is_same`.
+    pub(super) fn known(&self, is_same: impl FnOnce(&K) -> bool) -> Option<&V> {
+        self.0.as_ref().filter(|(key, _)| is_same(key)).map(|(_, value)| value)
     }
 }
 
@@ -57,7 +55,7 @@ impl<K> Default for Fineness<K> {
 }
 
 impl<K: PartialEq> Fineness<K> {
-    /// Returns the coarseness to use: the wanted one, or a finer one if there already was one.
+    /// Returns the resolution to use: the wanted one, or a finer one if there already was one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let known = self.0.as_ref().filter(|(known, _)| *known == key);
         let subsampling = known.map_or(wanted, |(_, known)| wanted.min(*known));

@@ -1,11 +1,11 @@
 //! Derivation of everything shown from the document: a pure function, with caches keyed by its
 //! inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
-mod answers;
 mod beside;
 mod derivations;
 mod derived;
 mod ghost;
+mod grading;
 mod memo;
 mod objects;
 mod picture;
@@ -19,13 +19,14 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::methods::Method;
-use pinhole_core::{Camera, ResolvedCamera, Rgb, Scene};
+use pinhole_core::{Camera, ResolvedCamera, Rgb};
 
-use self::answers::GradedAnswers;
-pub use self::answers::Grading;
 use self::derivations::Derivations;
+use self::derived::Inputs;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
+use self::grading::GradedAnswers;
+pub use self::grading::Grading;
 use self::memo::{Memo, Same};
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
@@ -34,7 +35,7 @@ use self::plots::Plots;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::{WorldPicture, WorldPictures};
-use self::wrong::{Right, WrongPictures};
+use self::wrong::WrongPictures;
 use crate::model::concept::Concept;
 use crate::model::fault::Fault;
 use crate::model::observer::Observer;
@@ -42,9 +43,8 @@ use crate::model::overlay_items::OverlayItems;
 use crate::model::session::{Selection, Session};
 use crate::view::accuracy;
 use crate::view::handles::{self, Stage};
-use crate::view::overlay;
 use crate::view::overlay::{
-    Backdrop, CameraView, Handles, Highlighted, Loupe, Picture, Style, WorldView,
+    self, Backdrop, CameraView, Handles, Highlighted, Loupe, Picture, Style, WorldView,
 };
 use pinhole_exchange::document::Document;
 
@@ -100,35 +100,10 @@ struct WorldViewKey {
     purpose: Purpose,
 }
 
-impl CameraViewKey {
-    /// Returns the camera view of this key.
-    fn view<'a>(
-        &'a self,
-        picture: &'a Picture,
-        good: &'a GoodPicture,
-        highlighted: Option<Highlighted<'a>>,
-    ) -> CameraView<'a> {
-        CameraView {
-            picture,
-            resolved: &good.resolved,
-            inspection: Some(&good.inspection),
-            items: self.items,
-            size: self.size.map(|n| n as usize),
-            scale: self.scale,
-            style: self.style,
-            highlighted,
-            loupe: self.loupe.as_deref(),
-        }
-    }
-}
-
 impl Deriver {
     /// Returns the number of pictures traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced()
-            + self.world_pictures.traced()
-            + self.wrong.count()
-            + self.ghosts.count()
+        self.pictures.traced + self.world_pictures.traced + self.wrong.count + self.ghosts.count
     }
 
     /// Derives everything to show of a document.
@@ -147,66 +122,59 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
+        let inputs = Inputs { document, session, sizes, watch };
         // Runs on one of rayon's threads from the start: on another thread, each parallel step
         // would have to wake them and wait.
-        rayon::join(|| self.derived(document, session, sizes, watch), || ()).0
+        rayon::join(|| self.derived(inputs), || ()).0
     }
 
-    fn derived(
-        &mut self,
-        document: &Document,
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
-    ) -> Derived {
-        let world = self
-            .objects
-            .update(document, sizes.style.scheme())
-            .map(|()| self.objects.good().cloned());
-        let resolved = document.camera.resolve();
-        let fault = match (&resolved, &world) {
+    fn derived(&mut self, inputs: Inputs<'_>) -> Derived {
+        let camera = &inputs.document.camera;
+        let updated = self.objects.update(inputs.document, inputs.sizes.style.scheme());
+        let world = self.objects.good().filter(|_| updated.is_ok()).cloned();
+        let resolved = camera.resolve();
+        let fault = match (&resolved, updated) {
             (Err(e), _) => Some(Fault::Camera(*e)),
-            (_, Err(e)) => Some(Fault::Scene(*e)),
+            (_, Err(e)) => Some(Fault::Scene(e)),
             _ => None,
         };
         let mut derived = Derived {
             resolved: resolved.ok(),
-            up_angle: document.camera.up_angle().ok(),
-            scene: world.as_ref().ok().and_then(|world| Some(Arc::clone(&world.as_ref()?.scene))),
+            up_angle: camera.up_angle().ok(),
+            scene: world.as_ref().map(|world| Arc::clone(&world.scene)),
             fault,
             ..Derived::default()
         };
-        if let (Some(resolved), Ok(Some(world))) = (derived.resolved, &world) {
-            let good = self.pictures.of(resolved, world, session, sizes, watch);
+        if let (Some(resolved), Some(world)) = (derived.resolved, &world) {
+            let good = self.pictures.get(inputs, resolved, world);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
-        self.camera_views(&mut derived, document, session, sizes, watch);
-        self.wrong_view(&mut derived, document, session, sizes, watch);
-        let good = self.objects.good().filter(|_| derived.fault.is_none());
-        self.ghosts.update(&mut derived, document, good, session, sizes, watch);
-        self.world_view(&mut derived, document, session, sizes, watch);
-        derived.derivation = self.derivations.of(document, session, &derived);
+        drop(world);
+        self.camera_views(&mut derived, inputs);
+        let world = self.objects.good().filter(|_| derived.fault.is_none());
+        let good = self.last_good.as_ref().zip(world);
+        if let Some(good) = good {
+            self.answers.update(&mut derived, inputs, good);
+        }
+        self.wrong.update(&mut derived, inputs, good);
+        self.ghosts.update(&mut derived, inputs, world);
+        self.world_view(&mut derived, inputs);
+        derived.derivation = self.derivations.get(inputs, &derived);
         let generation = self.objects.good().map_or(0, |good| good.generation);
-        derived.plot = self.plots.of(document, session, &derived, generation, sizes.style.scheme());
+        derived.plot = self.plots.get(inputs, &derived, generation);
         derived
     }
 
     /// Derives the camera view and the error map beside it.
-    fn camera_views(
-        &mut self,
-        derived: &mut Derived,
-        document: &Document,
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
-    ) {
+    fn camera_views(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
+        let Inputs { document, session, sizes, watch } = inputs;
         let Some(good) = self.last_good.clone() else { return };
         // A highlighted concept belongs to the current document; an older picture does not show it.
         let highlighted = highlight_key(session).filter(|_| derived.fault.is_none());
         let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
-            picture: self.pictures.made(),
+            picture: self.pictures.made,
             scanned_pixels: session.scanned_pixels,
             resolved: good.resolved,
             size,
@@ -219,10 +187,19 @@ impl Deriver {
             purpose: sizes.purpose,
         };
         let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
-            let highlighted = scene
-                .zip(key.highlighted)
-                .map(|(scene, highlighted)| highlighted_from(highlighted, document, scene));
-            let view = key.view(picture, &good, highlighted);
+            let view = CameraView {
+                picture,
+                resolved: &good.resolved,
+                inspection: Some(&good.inspection),
+                items: key.items,
+                size: key.size.map(|n| n as usize),
+                scale: key.scale,
+                style: key.style,
+                highlighted: scene.zip(key.highlighted).map(|(scene, (concept, digits))| {
+                    Highlighted { concept, camera: &document.camera, scene, digits }
+                }),
+                loupe: key.loupe.as_deref(),
+            };
             match key.purpose {
                 Purpose::Window => overlay::camera(&view, pixels),
                 Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
@@ -257,40 +234,8 @@ impl Deriver {
         derived.truth = good.truth;
     }
 
-    /// Derives the wrong camera's picture beside the right one.
-    fn wrong_view(
-        &mut self,
-        derived: &mut Derived,
-        document: &Document,
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
-    ) {
-        let good = self.last_good.as_ref().filter(|_| derived.fault.is_none());
-        let right = good.zip(self.objects.good()).map(|(good, world)| {
-            let right = Right {
-                camera: &document.camera,
-                resolved: &good.resolved,
-                inspection: &good.inspection,
-                selection: good.selection,
-                subsampling: good.subsampling,
-            };
-            (right, world)
-        });
-        if let Some((right, world)) = &right {
-            self.answers.update(derived, document, (right, world), session, sizes, watch);
-        }
-        self.wrong.update(derived, right, session, sizes, watch);
-    }
-
-    fn world_view(
-        &mut self,
-        derived: &mut Derived,
-        document: &Document,
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
-    ) {
+    fn world_view(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
+        let Inputs { document, session, sizes, watch } = inputs;
         let (Some(size), Some(good), Some(observer)) =
             (sizes.world, self.objects.good().cloned(), session.observer)
         else {
@@ -298,16 +243,10 @@ impl Deriver {
         };
         let Ok(observer_camera) = observer.camera(size[0], size[1]).resolve() else { return };
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
-        let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
-        let subsampling = sizes.subsampling;
-        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, subsampling, watch)
-        else {
-            return;
-        };
+        let Some(world) = pictures.get(inputs, &mut self.objects, observer_camera) else { return };
         derived.subsampling[1] = world.subsampling;
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
-        let highlighted = highlight_key(session);
         let stage = Stage {
             document,
             resolved: derived.resolved.as_ref(),
@@ -321,11 +260,11 @@ impl Deriver {
             camera: document.camera,
             observer,
             size,
-            picture: seen.map(|_| self.pictures.made()),
+            picture: seen.map(|_| self.pictures.made),
             scanned_pixels: session.scanned_pixels,
             selection: session.selection,
             items: session.settings.items,
-            highlighted,
+            highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
             handles: handles::drawn(&stage, &session.hand),
             ghost: derived.ghost,
@@ -348,15 +287,18 @@ impl Deriver {
                 items: key.items,
                 scale: key.scale,
                 style: key.style,
-                highlighted: key
-                    .highlighted
-                    .map(|highlighted| highlighted_from(highlighted, document, &good.scene)),
+                highlighted: key.highlighted.map(|(concept, digits)| Highlighted {
+                    concept,
+                    camera: &document.camera,
+                    scene: &good.scene,
+                    digits,
+                }),
                 ray_point_t: key.ray_point_t,
                 handles: &key.handles,
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
             };
-            let backdrop = Backdrop::of(&view);
+            let backdrop = Backdrop::new(&view);
             let before = pictures.before(&world, &backdrop, watch);
             watched(watch, Work::Overlay, || {
                 let mut pixels = before.to_vec();
@@ -385,12 +327,4 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
 /// Returns the highlighted concept and the number of digits of its labels.
 fn highlight_key(session: &Session) -> Option<(Concept, usize)> {
     Some((session.highlighted()?, session.settings.digits))
-}
-
-fn highlighted_from<'a>(
-    (concept, digits): (Concept, usize),
-    document: &'a Document,
-    scene: &'a Scene,
-) -> Highlighted<'a> {
-    Highlighted { concept, camera: &document.camera, scene, digits }
 }

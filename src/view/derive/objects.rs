@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Object, Rgb, Scene, SceneError};
+use pinhole_core::{Object, Rgb, Scene, SceneError, Sphere};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 use crate::model::color_scheme::Scheme;
-use crate::model::observer::{hidden, seen_scene};
+use crate::model::observer::{hidden, traced_scene};
 
 /// The objects of a document in which all objects are valid.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub(super) struct Objects {
     /// The colour scheme of the good world.
     scheme: Scheme,
     /// The good world's scene as the observer sees it, without the given enclosing spheres.
-    seen: Option<(Enclosing, Arc<Scene>)>,
+    observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
 /// Maximum number of changed objects that are replaced; if there are more, the scene is made again.
@@ -60,8 +60,8 @@ impl Objects {
             (Some(good), Some(changed)) => {
                 if !changed.is_empty() {
                     // The observer's scene shares the spheres unless some are hidden.
-                    self.seen.take_if(|(hidden, _)| hidden.is_empty());
-                    replace(good, self.seen.as_mut(), &changed)?;
+                    self.observed.take_if(|(hidden, _)| hidden.is_empty());
+                    replace(good, self.observed.as_mut(), &changed)?;
                 }
                 if is_same_scheme {
                     recolor(good, document, scheme);
@@ -77,29 +77,27 @@ impl Objects {
     }
 
     /// Returns the good world's scene without planes and without spheres that hide the camera: see
-    /// [`seen_scene`].
-    pub(super) fn seen(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
+    /// [`traced_scene`].
+    pub(super) fn observed(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
-        match &mut self.seen {
+        match &mut self.observed {
             Some((known, _)) if known == enclosing => (),
             // The observer's scene has spheres of its own.
-            Some((known, seen)) if !known.is_empty() && !enclosing.is_empty() => {
-                let seen = Arc::make_mut(seen);
+            Some((known, observed)) if !known.is_empty() && !enclosing.is_empty() => {
+                let observed = Arc::make_mut(observed);
                 for &index in known.iter().chain(&**enclosing) {
                     let sphere = scene.spheres()[index as usize];
-                    let is_hidden = enclosing.binary_search(&index).is_ok();
-                    let sphere = if is_hidden { hidden(&sphere) } else { sphere };
                     // The spheres were checked, so they are valid.
-                    seen.replace_sphere(index, sphere).ok()?;
+                    observed.replace_sphere(index, as_observed(sphere, index, enclosing)).ok()?;
                 }
                 *known = Arc::clone(enclosing);
             }
             _ => {
-                let seen = Arc::new(seen_scene(scene, enclosing));
-                self.seen = Some((Arc::clone(enclosing), seen));
+                let observed = Arc::new(traced_scene(scene, enclosing));
+                self.observed = Some((Arc::clone(enclosing), observed));
             }
         }
-        self.seen.as_ref().map(|(_, seen)| Arc::clone(seen))
+        self.observed.as_ref().map(|(_, observed)| Arc::clone(observed))
     }
 
     /// Returns the objects whose shape changed; `None` if the scene has to be made again.
@@ -124,7 +122,7 @@ impl Objects {
         let next = |number: fn(&GoodWorld) -> u64| self.good.as_ref().map_or(0, number) + 1;
         let (generation, palette) = (next(|good| good.generation), next(|good| good.palette));
         self.good = Some(GoodWorld { scene, colors: Arc::new(colors), generation, palette });
-        self.seen = None;
+        self.observed = None;
         Ok(())
     }
 }
@@ -161,7 +159,7 @@ fn different<'a, S: Copy + PartialEq>(
 /// Replaces objects by checked ones, also in the observer's scene.
 fn replace(
     good: &mut GoodWorld,
-    seen: Option<&mut (Enclosing, Arc<Scene>)>,
+    observed: Option<&mut (Enclosing, Arc<Scene>)>,
     changed: &[(u32, Object)],
 ) -> Result<(), SceneError> {
     let scene = Arc::make_mut(&mut good.scene);
@@ -172,15 +170,19 @@ fn replace(
         }
     }
     good.generation += 1;
-    let Some((enclosing, seen)) = seen else { return Ok(()) };
-    let seen = Arc::make_mut(seen);
+    let Some((enclosing, observed)) = observed else { return Ok(()) };
+    let observed = Arc::make_mut(observed);
     for &(index, object) in changed {
         if let Object::Sphere(sphere) = object {
-            let is_hidden = enclosing.binary_search(&index).is_ok();
-            seen.replace_sphere(index, if is_hidden { hidden(&sphere) } else { sphere })?;
+            observed.replace_sphere(index, as_observed(sphere, index, enclosing))?;
         }
     }
     Ok(())
+}
+
+/// Returns a sphere as the observer's scene has it.
+fn as_observed(sphere: Sphere, index: u32, enclosing: &Enclosing) -> Sphere {
+    if enclosing.binary_search(&index).is_ok() { hidden(&sphere) } else { sphere }
 }
 
 /// Updates the colours of the objects that can be edited.

@@ -10,15 +10,15 @@ use pinhole_core::{
     Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Shade, Steps,
 };
 
-use super::ViewSizes;
-use super::memo::{Fineness, Memo};
+use super::derived::Inputs;
+use super::memo::{Fineness, Memo, Same};
 use super::objects::GoodWorld;
-use super::scan::{ScannedPicture, first_pixels};
+use super::scan::first_pixels;
 use super::watch::{self, Watch, Work};
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;
 use crate::model::overlay_items::Item;
-use crate::model::session::{Selection, Session, Settings};
+use crate::model::session::{Selection, Settings};
 use crate::view::accuracy::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::overlay::{Loupe, Picture, loupe_window};
@@ -38,7 +38,7 @@ pub struct TooMany {
 }
 
 impl TooMany {
-    fn of(objects: usize, pixels: usize) -> Option<TooMany> {
+    fn check(objects: usize, pixels: usize) -> Option<TooMany> {
         let (objects, pixels) = (objects as u64, pixels as u64);
         let too_many = objects.saturating_mul(pixels) > MOST_QUESTIONS;
         too_many.then_some(TooMany { objects, pixels })
@@ -76,7 +76,7 @@ pub(super) struct GoodPicture {
     pub(super) inspection: Arc<Inspection>,
     /// Number of decisions at each step of the ladder.
     pub(super) steps: Steps,
-    /// The picture's coarseness.
+    /// The picture's resolution.
     pub(super) subsampling: Subsampling,
     /// Counts of the objects that the picture dropped and looked at.
     pub(super) counts: Counts,
@@ -93,11 +93,11 @@ pub(super) struct GoodPicture {
 }
 
 /// The inputs of a trace: a camera, the generation of the objects, and the pixels.
-type Seen = (ResolvedCamera, u64, Raster);
+type TraceKey = (ResolvedCamera, u64, Raster);
 
 /// The inputs of a picture's colours: the method, the trace, the shading, the number of the
 /// palette, and true if the picture is transparent where nothing is hit.
-type PictureKey = (Method, Seen, Shade, u64, bool);
+type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
 /// A picture, its decisions at each step of the ladder, and its counts of objects.
 type Made = (Arc<Picture>, Steps, Counts);
@@ -105,42 +105,30 @@ type Made = (Arc<Picture>, Steps, Counts);
 /// A cache of the camera's pictures.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
-    truth: Memo<Seen, Arc<Frame>>,
+    truth: Memo<TraceKey, Arc<Frame>>,
     /// Frames that can be recoloured without a trace: objects, and `t` if the shading reads it.
-    rough: Memo<(Seen, bool), Arc<Frame<f32>>>,
+    rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
     /// Frames by the picture's method, and by the map's method if it differs.
-    by: [Memo<(Method, Seen), Arc<Compared>>; 2],
+    by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, Made>,
-    map: Memo<(Method, Seen), Arc<Picture>>,
+    map: Memo<(Method, TraceKey), Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
-    scanned_pixels: ScannedPicture,
+    scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
     fineness: Fineness<(ResolvedCamera, u64, [u32; 2])>,
     /// Number of pictures made so far, which distinguishes one from the next.
-    made: u64,
+    pub(super) made: u64,
     /// Number of pictures traced for that.
-    traced: u64,
+    pub(super) traced: u64,
 }
 
 impl Pictures {
-    /// Returns the number of pictures made so far.
-    pub(super) fn made(&self) -> u64 {
-        self.made
-    }
-
-    /// Returns how many times the camera's view was traced so far.
-    pub(super) fn traced(&self) -> u64 {
-        self.traced
-    }
-
     /// Returns the camera's picture; no more of it is traced than the screen shows.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
+        Inputs { session, sizes, watch, .. }: Inputs<'_>,
         resolved: ResolvedCamera,
         world: &GoodWorld,
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
     ) -> GoodPicture {
         let selection = session.selection.inside(resolved.image());
         let inspection = self.inspected(resolved, world, selection);
@@ -152,12 +140,12 @@ impl Pictures {
         let settings = &session.settings;
         // A method that is too slow for the full picture is not used during a drag, either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
-        let too_many = TooMany::of(world.scene.len(), all);
+        let too_many = TooMany::check(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
+        let key = (beside.method, seen, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
         let compared = beside.compared.map(|compared| {
             let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
@@ -184,7 +172,9 @@ impl Pictures {
         });
         let picture = match session.scanned_pixels {
             None => picture,
-            Some(count) => self.scanned_pixels.of(&picture, count),
+            Some(count) => self.scanned.get((Same(picture), count), |(whole, count)| {
+                Arc::new(first_pixels(&whole.0, *count))
+            }),
         };
         GoodPicture {
             loupe,
@@ -210,10 +200,7 @@ impl Pictures {
         selection: Selection,
     ) -> Arc<Inspection> {
         self.inspection.get((resolved, world.generation, selection), |_| {
-            Arc::new(match selection {
-                Selection::Pixel(pixel) => Inspection::of_pixel(&resolved, &world.scene, pixel),
-                Selection::Uv(uv) => Inspection::of_uv(&resolved, &world.scene, uv),
-            })
+            Arc::new(Inspection::new(&resolved, &world.scene, selection))
         })
     }
 
@@ -221,13 +208,13 @@ impl Pictures {
     /// ladder's.
     fn beside(
         &mut self,
-        seen: &Seen,
+        seen: &TraceKey,
         world: &GoodWorld,
         settings: &Settings,
         with_map: bool,
         too_many: Option<TooMany>,
         watch: Watch<'_>,
-    ) -> Beside {
+    ) -> OtherMethods {
         let other = settings.compared.0;
         let is_compared = settings.method.0 != Method::Ladder || with_map;
         let too_many = too_many.filter(|_| is_compared);
@@ -247,7 +234,7 @@ impl Pictures {
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = if with_map { compare(usize::from(other != method), other) } else { None };
-        Beside { method, too_many, truth, drawn_by, compared }
+        OtherMethods { method, too_many, truth, drawn_by, compared }
     }
 
     /// Returns the camera's picture, by the ladder or by the other method.
@@ -255,7 +242,7 @@ impl Pictures {
         &mut self,
         key: &PictureKey,
         world: &GoodWorld,
-        beside: &Beside,
+        beside: &OtherMethods,
         watch: Watch<'_>,
     ) -> Made {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
@@ -282,7 +269,7 @@ impl Pictures {
 }
 
 /// The method that draws the picture, and the answers compared with the ladder's.
-struct Beside {
+struct OtherMethods {
     method: Method,
     too_many: Option<TooMany>,
     truth: Option<Arc<Frame>>,
@@ -315,9 +302,9 @@ fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe
 }
 
 fn compare(
-    memo: &mut Memo<(Method, Seen), Arc<Compared>>,
+    memo: &mut Memo<(Method, TraceKey), Arc<Compared>>,
     method: Method,
-    seen: &Seen,
+    seen: &TraceKey,
     world: &GoodWorld,
     truth: &Frame,
 ) -> Arc<Compared> {

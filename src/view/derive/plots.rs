@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use pinhole_core::ResolvedCamera;
-use pinhole_exchange::document::Document;
 
 use super::Derived;
+use super::derived::Inputs;
 use super::memo::Memo;
-use crate::model::color_scheme::Scheme;
-use crate::model::session::{Heights, Selection, Session, ViewLayout};
+use crate::model::session::{Heights, Selection, ViewLayout};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
 /// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
@@ -27,17 +26,16 @@ pub(super) struct Plots {
 
 impl Plots {
     /// Returns the plot, if the layout shows it and there is a ray.
-    pub(super) fn of(
+    pub(super) fn get(
         &mut self,
-        document: &Document,
-        session: &Session,
+        Inputs { document, session, sizes, .. }: Inputs<'_>,
         derived: &Derived,
         generation: u64,
-        scheme: Scheme,
     ) -> Option<Plot> {
         if session.settings.layout != ViewLayout::Plot {
             return None;
         }
+        let scheme = sizes.style.scheme();
         let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
         let inspection = derived.inspection.as_deref()?;
         let selection = session.selection.inside(resolved.image());

@@ -1,7 +1,5 @@
 //! A picture of which a renderer has finished only a part so far.
 
-use std::sync::Arc;
-
 use egui::Color32;
 
 use crate::view::overlay::Picture;
@@ -12,28 +10,7 @@ const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 /// Number of squares along a picture's shorter side.
 const SQUARES: usize = 16;
 
-/// A cache of the last partial picture.
-#[derive(Debug, Default)]
-pub(super) struct ScannedPicture(Option<(Arc<Picture>, u64, Arc<Picture>)>);
-
-impl ScannedPicture {
-    /// Returns the picture with only its first pixels, row by row.
-    pub(super) fn of(&mut self, whole: &Arc<Picture>, scanned_pixels: u64) -> Arc<Picture> {
-        match &self.0 {
-            Some((of, count, part)) if Arc::ptr_eq(of, whole) && *count == scanned_pixels => {
-                Arc::clone(part)
-            }
-            _ => {
-                let part = Arc::new(first_pixels(whole, scanned_pixels));
-                self.0 = Some((Arc::clone(whole), scanned_pixels, Arc::clone(&part)));
-                part
-            }
-        }
-    }
-}
-
-/// Returns the picture with only the first `scanned_pixels` pixels of the image; the others are not there
-/// yet.
+/// Returns the picture with only the first `scanned_pixels` pixels of the image, row by row.
 pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());

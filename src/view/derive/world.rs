@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{DVec3, Frame, Outputs, ResolvedCamera, Shade};
 
+use super::derived::Inputs;
 use super::memo::{Fineness, Memo, Same};
 use super::objects::{Enclosing, Objects};
 use super::watch::{Watch, Work, picture, repainted, watched};
@@ -19,51 +20,45 @@ pub(super) struct WorldPicture {
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
     pub(super) enclosing: Enclosing,
-    /// The picture's coarseness.
+    /// The picture's resolution.
     pub(super) subsampling: Subsampling,
 }
 
 /// The inputs of a trace: the observer, the generation of the objects, and the hidden spheres.
-type Seen = (ResolvedCamera, u64, Enclosing);
+type TraceKey = (ResolvedCamera, u64, Enclosing);
 
 /// A cache of the observer's pictures.
 #[derive(Debug, Default)]
 pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    fineness: Fineness<Seen>,
+    fineness: Fineness<TraceKey>,
     /// Frames that can be recoloured without a trace.
-    frame: Memo<(Seen, Subsampling), Arc<Frame<f32>>>,
+    frame: Memo<(TraceKey, Subsampling), Arc<Frame<f32>>>,
     /// The picture; the last part of the key is the palette's number.
-    picture: Memo<(Seen, Subsampling, u64), Arc<WorldPicture>>,
+    picture: Memo<(TraceKey, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
-    traced: u64,
+    /// Number of times the observer's view was traced.
+    pub(super) traced: u64,
 }
 
 impl WorldPictures {
-    /// Returns how many times the observer's view was traced so far.
-    pub(super) fn traced(&self) -> u64 {
-        self.traced
-    }
-
-    /// Returns the observer's picture of the good objects, without those that would hide a camera
-    /// at `eye`; `None` if there have been no good objects yet.
-    pub(super) fn of(
+    /// Returns the observer's picture of the good objects, without those that would hide the camera;
+    /// `None` if there have been no good objects yet.
+    pub(super) fn get(
         &mut self,
+        Inputs { document, sizes, watch, .. }: Inputs<'_>,
         objects: &mut Objects,
-        eye: DVec3,
         observer: ResolvedCamera,
-        wanted: Subsampling,
-        watch: Watch<'_>,
     ) -> Option<Arc<WorldPicture>> {
-        let good = objects.good()?.clone();
+        let (good, eye) = (objects.good()?.clone(), document.camera.eye);
         let enclosing = self.enclosing.get((good.generation, eye, observer.eye()), |_| {
             Arc::new(enclosing(&good.scene, eye, observer.eye()))
         });
-        let scene = objects.seen(&enclosing)?;
+        let scene = objects.observed(&enclosing)?;
         let colors = (Shade::Lambert, |i: u32| good.colors[i as usize]);
         let (frame, traced) = (&mut self.frame, &mut self.traced);
         let seen = (observer, good.generation, enclosing);
-        let subsampling = self.fineness.at_most(seen.clone(), wanted);
+        let subsampling = self.fineness.at_most(seen.clone(), sizes.subsampling);
         Some(self.picture.get((seen, subsampling, good.palette), |(seen, ..)| {
             let mut fresh = None;
             let frame = frame.get((seen.clone(), subsampling), |_| {

@@ -3,7 +3,7 @@
 use pinhole_core::DVec2;
 
 use super::Grip;
-use crate::model::hand::Handle;
+use crate::model::session::hand::Handle;
 
 /// The result of a hit test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

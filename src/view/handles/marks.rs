@@ -3,7 +3,7 @@
 use pinhole_core::DVec3;
 
 use super::{Grip, Stage, grips};
-use crate::model::hand::{Along, Axis, Hand, Handle};
+use crate::model::session::hand::{Along, Axis, Hand, Handle};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
 /// Length of the axes at a hovered handle, to either side, in points.
@@ -22,13 +22,8 @@ pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
         at: grip.at,
         knob: knob(grip.handle),
         state: match over {
-            Some(over) if over.handle == grip.handle => {
-                if held.is_some() {
-                    KnobState::Held
-                } else {
-                    KnobState::Over
-                }
-            }
+            Some(over) if over.handle == grip.handle && held.is_some() => KnobState::Held,
+            Some(over) if over.handle == grip.handle => KnobState::Over,
             _ => KnobState::Plain,
         },
     });

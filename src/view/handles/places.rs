@@ -4,9 +4,9 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
-use crate::model::hand::{Grasp, Hand, Handle};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::Selection;
+use crate::model::session::hand::{Grasp, Hand, Handle};
 use crate::view::overlay;
 
 /// Least size of the viewport on the screen, in points; on a smaller one handles would overlap.

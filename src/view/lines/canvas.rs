@@ -7,7 +7,7 @@ use pinhole_lecture::lines::ImplicitLine;
 use crate::model::lines::Window;
 
 /// A part of the plane shown in a rectangle, y upwards, both axes with the same scale.
-pub(crate) struct Sheet {
+pub(crate) struct Canvas {
     pub(crate) painter: Painter,
     pub(crate) rect: Rect,
     window: Window,
@@ -17,10 +17,10 @@ pub(crate) struct Sheet {
     pub(crate) halo: Color32,
 }
 
-impl Sheet {
-    pub(crate) fn new(painter: Painter, rect: Rect, window: Window, halo: Color32) -> Sheet {
+impl Canvas {
+    pub(crate) fn new(painter: Painter, rect: Rect, window: Window, halo: Color32) -> Canvas {
         let scale = 0.5 * f64::from(rect.size().min_elem()) / window.half_extent;
-        Sheet { painter, rect, window, scale, halo }
+        Canvas { painter, rect, window, scale, halo }
     }
 
     pub(crate) fn place(&self, point: DVec2) -> Pos2 {

@@ -8,7 +8,7 @@ use pinhole_lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution
 
 use super::handles;
 use crate::model::lines::{Handle, LinesLab};
-use crate::view::lines::canvas::{Sheet, round_step};
+use crate::view::lines::canvas::{Canvas, round_step};
 use crate::view::lines::steps::number;
 use crate::view::overlay::Style;
 use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
@@ -33,7 +33,7 @@ pub(crate) struct Ink {
 }
 
 impl Ink {
-    pub(crate) fn of(style: Style) -> (Ink, Color32, Color32) {
+    pub(crate) fn from_style(style: Style) -> (Ink, Color32, Color32) {
         let colors = style.colors();
         let ink = Ink {
             text: colors.ink,
@@ -49,57 +49,57 @@ impl Ink {
 
 /// Draws the plane without its background and with nothing to drag.
 pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
-    let (ink, _, halo) = Ink::of(theme::style(ui));
-    let sheet = Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
-    paint(&sheet, lab, &ink, |_| false, digits);
+    let (ink, _, halo) = Ink::from_style(theme::style(ui));
+    let canvas = Canvas::new(ui.painter_at(rect), rect, lab.window, halo);
+    paint(&canvas, lab, &ink, |_| false, digits);
 }
 
 /// Paints everything but the background. Returns a description of the points that the ray has
 /// generated.
 pub(crate) fn paint(
-    sheet: &Sheet,
+    canvas: &Canvas,
     lab: &LinesLab,
     ink: &Ink,
     held: impl Fn(Handle) -> bool,
     digits: usize,
 ) -> Option<String> {
-    let (rect, halo) = (sheet.rect, sheet.halo);
+    let (rect, halo) = (canvas.rect, canvas.halo);
     let line = lab.line();
     let is_line = line.check().is_ok();
     if is_line {
-        sheet.half_plane(&line, true, ink.positive.gamma_multiply(0.13));
-        sheet.half_plane(&line, false, ink.negative.gamma_multiply(0.13));
+        canvas.half_plane(&line, true, ink.positive.gamma_multiply(0.13));
+        canvas.half_plane(&line, false, ink.negative.gamma_multiply(0.13));
     }
-    grid(sheet, ink);
+    grid(canvas, ink);
     if is_line {
-        signs(sheet, &line, ink);
-        implicit(sheet, &line, ink);
+        signs(canvas, &line, ink);
+        implicit(canvas, &line, ink);
     }
-    let mut words = LabelLayout::new(sheet.painter.clone(), halo, rect.shrink(3.0));
-    handles::keep_free(sheet, lab, &mut words);
+    let mut labels = LabelLayout::new(canvas.painter.clone(), halo, rect.shrink(3.0));
+    handles::keep_free(canvas, lab, &mut labels);
     let is_ray = lab.ray.check().is_ok();
     if is_ray {
-        parametric(sheet, lab, ink);
+        parametric(canvas, lab, ink);
     }
-    handles::draw(sheet, lab, ink, held);
-    meeting(sheet, lab, ink, &mut words, digits);
-    handles::names(sheet, lab, ink, &mut words, digits);
+    handles::draw(canvas, lab, ink, held);
+    meeting(canvas, lab, ink, &mut labels, digits);
+    handles::names(canvas, lab, ink, &mut labels, digits);
     let seen = is_ray.then(|| {
-        let seen = trail(sheet, lab, ink, &mut words);
-        sides(sheet, lab, ink, &mut words);
+        let seen = trail(canvas, lab, ink, &mut labels);
+        sides(canvas, lab, ink, &mut labels);
         seen
     });
     if is_line {
-        regions(sheet, &line, ink, &mut words);
+        regions(canvas, &line, ink, &mut labels);
     }
-    coordinates(sheet, ink, &mut words);
+    coordinates(canvas, ink, &mut labels);
     seen
 }
 
 /// Returns the step between grid lines, and the visible ones along x and along y.
-fn grid_lines(sheet: &Sheet) -> (f64, [Vec<f64>; 2]) {
-    let step = round_step(52.0 / sheet.scale);
-    let (low, high) = sheet.bounds();
+fn grid_lines(canvas: &Canvas) -> (f64, [Vec<f64>; 2]) {
+    let step = round_step(52.0 / canvas.scale);
+    let (low, high) = canvas.bounds();
     let lines = |low: f64, high: f64| {
         let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
         (first..=last).map(|k| k as f64 * step).collect()
@@ -107,23 +107,23 @@ fn grid_lines(sheet: &Sheet) -> (f64, [Vec<f64>; 2]) {
     (step, [lines(low.x, high.x), lines(low.y, high.y)])
 }
 
-fn grid(sheet: &Sheet, ink: &Ink) {
-    let (_, [xs, ys]) = grid_lines(sheet);
-    let (low, high) = sheet.bounds();
+fn grid(canvas: &Canvas, ink: &Ink) {
+    let (_, [xs, ys]) = grid_lines(canvas);
+    let (low, high) = canvas.bounds();
     let stroke = |at: f64| {
         if at == 0.0 { Stroke::new(2.0, ink.text) } else { Stroke::new(1.0, ink.faint) }
     };
     for x in xs {
-        sheet.line(DVec2::new(x, low.y), DVec2::new(x, high.y), stroke(x), 0.0);
+        canvas.line(DVec2::new(x, low.y), DVec2::new(x, high.y), stroke(x), 0.0);
     }
     for y in ys {
-        sheet.line(DVec2::new(low.x, y), DVec2::new(high.x, y), stroke(y), 0.0);
+        canvas.line(DVec2::new(low.x, y), DVec2::new(high.x, y), stroke(y), 0.0);
     }
 }
 
 /// Draws the sign of f in the middle of every cell of the grid.
-fn signs(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
-    let (step, [xs, ys]) = grid_lines(sheet);
+fn signs(canvas: &Canvas, line: &ImplicitLine, ink: &Ink) {
+    let (step, [xs, ys]) = grid_lines(canvas);
     let before = |values: &[f64]| values.first().map(|first| first - step);
     for x in before(&xs).into_iter().chain(xs.iter().copied()) {
         for y in before(&ys).into_iter().chain(ys.iter().copied()) {
@@ -135,15 +135,15 @@ fn signs(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
             };
             let font = FontId::proportional(SMALL);
             let color = color.gamma_multiply(0.75);
-            sheet.painter.text(sheet.place(at), Align2::CENTER_CENTER, sign, font, color);
+            canvas.painter.text(canvas.place(at), Align2::CENTER_CENTER, sign, font, color);
         }
     }
 }
 
 /// Draws the grid's numbers along the axes, or along the edge where an axis is out of sight.
-fn coordinates(sheet: &Sheet, ink: &Ink, words: &mut LabelLayout) {
-    let (_, [xs, ys]) = grid_lines(sheet);
-    let (origin, rect) = (sheet.place(DVec2::ZERO), sheet.rect);
+fn coordinates(canvas: &Canvas, ink: &Ink, labels: &mut LabelLayout) {
+    let (_, [xs, ys]) = grid_lines(canvas);
+    let (origin, rect) = (canvas.place(DVec2::ZERO), canvas.rect);
     let axis = Pos2::new(
         origin.x.clamp(rect.left() + 40.0, rect.right() - 4.0),
         origin.y.clamp(rect.top() + 2.0, rect.bottom() - 26.0),
@@ -151,78 +151,78 @@ fn coordinates(sheet: &Sheet, ink: &Ink, words: &mut LabelLayout) {
     let font = Font { size: SMALL, color: ink.text, bold: false };
     let name = Font { size: NAMES, ..font };
     let right = Pos2::new(rect.right() - 6.0, axis.y - 3.0);
-    words.write("x", name, [(right, Align2::RIGHT_BOTTOM)]);
-    words.write("y", name, [(Pos2::new(axis.x + 7.0, rect.top() + 4.0), Align2::LEFT_TOP)]);
+    labels.write("x", name, [(right, Align2::RIGHT_BOTTOM)]);
+    labels.write("y", name, [(Pos2::new(axis.x + 7.0, rect.top() + 4.0), Align2::LEFT_TOP)]);
     for x in xs.into_iter().filter(|x| *x != 0.0) {
-        let at = Pos2::new(sheet.place(DVec2::new(x, 0.0)).x, axis.y + 3.0);
-        words.write(&number(x, 5), font, [(at, Align2::CENTER_TOP)]);
+        let at = Pos2::new(canvas.place(DVec2::new(x, 0.0)).x, axis.y + 3.0);
+        labels.write(&number(x, 5), font, [(at, Align2::CENTER_TOP)]);
     }
     for y in ys.into_iter().filter(|y| *y != 0.0) {
-        let at = Pos2::new(axis.x - 5.0, sheet.place(DVec2::new(0.0, y)).y);
-        words.write(&number(y, 5), font, [(at, Align2::RIGHT_CENTER)]);
+        let at = Pos2::new(axis.x - 5.0, canvas.place(DVec2::new(0.0, y)).y);
+        labels.write(&number(y, 5), font, [(at, Align2::RIGHT_CENTER)]);
     }
 }
 
-fn implicit(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
-    let middle = line.nearest_to(sheet.center());
-    let along = sheet.reach() * line.direction().normalize_or_zero();
-    if middle.distance(sheet.center()) < sheet.reach() {
-        sheet.line(middle - along, middle + along, Stroke::new(3.5, ink.implicit), 0.0);
+fn implicit(canvas: &Canvas, line: &ImplicitLine, ink: &Ink) {
+    let middle = line.nearest_to(canvas.center());
+    let along = canvas.reach() * line.direction().normalize_or_zero();
+    if middle.distance(canvas.center()) < canvas.reach() {
+        canvas.line(middle - along, middle + along, Stroke::new(3.5, ink.implicit), 0.0);
     }
 }
 
 /// Writes on both sides of the line where f is positive, negative and 0.
-fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut LabelLayout) {
+fn regions(canvas: &Canvas, line: &ImplicitLine, ink: &Ink, labels: &mut LabelLayout) {
     let direction = line.direction().normalize_or_zero();
     let normal = direction.perp();
-    let middle = line.nearest_to(sheet.center());
+    let middle = line.nearest_to(canvas.center());
     // Positions along the line, beginning well away from its handles.
     let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
     let places = |points: f64| {
-        let half = 0.5 * f64::from(sheet.rect.height()) / sheet.scale;
+        let half = 0.5 * f64::from(canvas.rect.height()) / canvas.scale;
         shares.map(|share| {
             let on_line = middle + share * half * direction;
-            (sheet.place(on_line + points / sheet.scale * normal), Align2::CENTER_CENTER)
+            (canvas.place(on_line + points / canvas.scale * normal), Align2::CENTER_CENTER)
         })
     };
     let font = |color| Font { size: REGIONS, color, bold: true };
-    words.write("f > 0", font(ink.positive), places(46.0));
-    words.write("f < 0", font(ink.negative), places(-46.0));
+    labels.write("f > 0", font(ink.positive), places(46.0));
+    labels.write("f < 0", font(ink.negative), places(-46.0));
     let font = Font { size: NAMES, color: ink.implicit, bold: true };
     let [low, high] = [places(-26.0), places(26.0)];
-    words.write("f = 0", font, high.into_iter().chain(low));
+    labels.write("f = 0", font, high.into_iter().chain(low));
 }
 
 /// Draws the line: dashed behind p, solid from p on; then the points that t has generated, and d.
-fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
+fn parametric(canvas: &Canvas, lab: &LinesLab, ink: &Ink) {
     let ParametricLine { p, d } = lab.ray;
-    let (first, last) = seen_of(sheet, &lab.ray);
+    let (first, last) = seen_of(canvas, &lab.ray);
     if first < 0.0 {
         let stroke = Stroke::new(2.0, ink.ray.gamma_multiply(0.75));
-        sheet.line(lab.ray.at(last.min(0.0)), lab.ray.at(first), stroke, 9.0);
+        canvas.line(lab.ray.at(last.min(0.0)), lab.ray.at(first), stroke, 9.0);
     }
     if last > 0.0 {
         let stroke = Stroke::new(3.0, ink.ray);
-        sheet.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, 0.0);
+        canvas.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, 0.0);
     }
-    for (_, at) in generated(sheet, lab) {
-        sheet.painter.circle(sheet.place(at), 5.5, ink.ray, Stroke::new(1.5, sheet.halo));
+    for (_, at) in generated(canvas, lab) {
+        canvas.painter.circle(canvas.place(at), 5.5, ink.ray, Stroke::new(1.5, canvas.halo));
     }
-    sheet.arrow(p, p + d, Stroke::new(6.0, ink.ray));
+    canvas.arrow(p, p + d, Stroke::new(6.0, ink.ray));
 }
 
 /// Returns the visible points of the trail; of too many only every second one, or third, and so on.
-fn generated(sheet: &Sheet, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
-    let (trail, (low, high)) = (lab.trail, seen_of(sheet, &lab.ray));
+fn generated(canvas: &Canvas, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
+    let (trail, (low, high)) = (lab.trail, seen_of(canvas, &lab.ray));
     let (first, last) = (trail.first.max(low), trail.last.min(high));
     let every = ((last - first) / trail.step / MOST_POINTS as f64).ceil().max(1.0);
     lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
 }
 
 /// Returns the range of t in which the line may be visible.
-fn seen_of(sheet: &Sheet, ray: &ParametricLine) -> (f64, f64) {
-    let middle = ray.nearest_t(sheet.center());
-    let reach = sheet.reach() / ray.d.length();
+fn seen_of(canvas: &Canvas, ray: &ParametricLine) -> (f64, f64) {
+    let middle = ray.nearest_t(canvas.center());
+    let reach = canvas.reach() / ray.d.length();
     (middle - reach, middle + reach)
 }
 
@@ -234,10 +234,10 @@ fn left_of(d: DVec2) -> Vec2 {
 
 /// Writes t at the generated points, as far as there is room. Returns a description of these
 /// points.
-fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout) -> String {
+fn trail(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout) -> String {
     let font = Font { size: SMALL, color: ink.ray, bold: false };
     let left = left_of(lab.ray.d);
-    let points: Vec<(f64, DVec2)> = generated(sheet, lab).collect();
+    let points: Vec<(f64, DVec2)> = generated(canvas, lab).collect();
     let seen = match points.as_slice() {
         [] => "no points".to_owned(),
         [(t, _)] => format!("a point at t = {}", number(*t, 5)),
@@ -248,38 +248,38 @@ fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout) -> S
     let whole = |t: f64| t.fract() == 0.0;
     let (first, then): (Vec<_>, Vec<_>) = points.into_iter().partition(|(t, _)| whole(*t));
     for (t, at) in first.into_iter().chain(then) {
-        words.write(&number(t, 5), font, around(sheet.place(at), left, 10.0).take(1));
+        labels.write(&number(t, 5), font, around(canvas.place(at), left, 10.0).take(1));
     }
     seen
 }
 
 /// Labels the parts of the line with t < 0 and t > 0.
-fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout) {
+fn sides(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout) {
     let direction = lab.ray.d.normalize_or_zero();
     let font = Font { size: SMALL + 2.0, color: ink.ray, bold: false };
     for (text, sign) in [("t < 0", -1.0), ("t > 0", 1.0)] {
         let places = [120.0, 170.0, 220.0, 90.0].into_iter().flat_map(|points| {
-            let at = lab.ray.p + sign * points / sheet.scale * direction;
-            around(sheet.place(at), left_of(-lab.ray.d), 10.0).take(3)
+            let at = lab.ray.p + sign * points / canvas.scale * direction;
+            around(canvas.place(at), left_of(-lab.ray.d), 10.0).take(3)
         });
-        words.write(text, font, places);
+        labels.write(text, font, places);
     }
 }
 
-fn meeting(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout, digits: usize) {
+fn meeting(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout, digits: usize) {
     let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
         Substitution::new(lab.line(), lab.ray)
     else {
         return;
     };
-    let at = sheet.place(crossing.point);
-    if !sheet.rect.contains(at) {
+    let at = canvas.place(crossing.point);
+    if !canvas.rect.contains(at) {
         return;
     }
-    handles::cross(sheet, at, ink);
-    words.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
+    handles::cross(canvas, at, ink);
+    labels.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
     let said = if crossing.ray_hits { "hit" } else { "ray missed" };
     let text = format!("{said}: t = {}", number(crossing.t, digits));
     let font = Font { size: NAMES, color: ink.text, bold: true };
-    words.write(&text, font, handles::places_at_crossing(at));
+    labels.write(&text, font, handles::places_at_crossing(at));
 }

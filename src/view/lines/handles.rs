@@ -3,7 +3,7 @@
 use egui::{Align2, Pos2, Rect, Stroke, Vec2, vec2};
 
 use crate::model::lines::{Handle, LinesLab};
-use crate::view::lines::canvas::Sheet;
+use crate::view::lines::canvas::Canvas;
 use crate::view::lines::drawing::{Ink, NAMES};
 use crate::view::lines::steps::number;
 use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
@@ -12,39 +12,39 @@ use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
 pub(crate) const GRASP: f32 = 13.0;
 
 /// Keeps labels off the handles.
-pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut LabelLayout) {
+pub(crate) fn keep_free(canvas: &Canvas, lab: &LinesLab, labels: &mut LabelLayout) {
     for handle in Handle::ALL {
         if let Some(place) = lab.place_of(handle) {
-            words.keep_free(Rect::from_center_size(sheet.place(place), Vec2::splat(15.0)));
+            labels.keep_free(Rect::from_center_size(canvas.place(place), Vec2::splat(15.0)));
         }
     }
 }
 
 /// Draws the visible handles over everything else.
-pub(crate) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, held: impl Fn(Handle) -> bool) {
+pub(crate) fn draw(canvas: &Canvas, lab: &LinesLab, ink: &Ink, held: impl Fn(Handle) -> bool) {
     for handle in Handle::ALL {
-        let Some(at) = in_sight(sheet, lab, handle) else { continue };
-        one(sheet, handle, at, ink, held(handle));
+        let Some(at) = in_sight(canvas, lab, handle) else { continue };
+        one(canvas, handle, at, ink, held(handle));
     }
 }
 
 /// Returns a handle's position, if it can be reached.
-pub(crate) fn in_sight(sheet: &Sheet, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
-    let at = sheet.place(lab.place_of(handle)?);
-    sheet.rect.expand(GRASP).contains(at).then_some(at)
+pub(crate) fn in_sight(canvas: &Canvas, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
+    let at = canvas.place(lab.place_of(handle)?);
+    canvas.rect.expand(GRASP).contains(at).then_some(at)
 }
 
-fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
+fn one(canvas: &Canvas, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
     let larger = if held { 1.3 } else { 1.0 };
-    let edge = Stroke::new(2.0, sheet.halo);
-    let painter = &sheet.painter;
+    let edge = Stroke::new(2.0, canvas.halo);
+    let painter = &canvas.painter;
     match handle {
         Handle::Move => {
             let square = Rect::from_center_size(at, Vec2::splat(15.0 * larger));
             painter.rect(square, 2.0, ink.implicit, edge, egui::StrokeKind::Outside);
         }
         Handle::Turn => {
-            painter.circle(at, 8.0 * larger, sheet.halo, Stroke::new(4.0, ink.implicit));
+            painter.circle(at, 8.0 * larger, canvas.halo, Stroke::new(4.0, ink.implicit));
         }
         Handle::P => {
             painter.circle(at, 8.0 * larger, ink.ray, edge);
@@ -61,10 +61,10 @@ fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
 
 /// Writes p, d and t at their handles.
 pub(crate) fn names(
-    sheet: &Sheet,
+    canvas: &Canvas,
     lab: &LinesLab,
     ink: &Ink,
-    words: &mut LabelLayout,
+    labels: &mut LabelLayout,
     digits: usize,
 ) {
     let d = lab.ray.d.normalize_or_zero();
@@ -79,17 +79,17 @@ pub(crate) fn names(
         (Handle::Tip, "d", of_ray, right),
     ] {
         if let Some(place) = lab.place_of(handle) {
-            words.write(text, font, around(sheet.place(place), toward, 13.0));
+            labels.write(text, font, around(canvas.place(place), toward, 13.0));
         }
     }
 }
 
 /// Draws a cross where both lines meet.
-pub(crate) fn cross(sheet: &Sheet, at: Pos2, ink: &Ink) {
+pub(crate) fn cross(canvas: &Canvas, at: Pos2, ink: &Ink) {
     let arm = 9.0;
-    for (width, color) in [(7.0, sheet.halo), (4.0, ink.text)] {
+    for (width, color) in [(7.0, canvas.halo), (4.0, ink.text)] {
         for side in [vec2(arm, arm), vec2(arm, -arm)] {
-            sheet.painter.line_segment([at - side, at + side], Stroke::new(width, color));
+            canvas.painter.line_segment([at - side, at + side], Stroke::new(width, color));
         }
     }
 }

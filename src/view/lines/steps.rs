@@ -1,4 +1,4 @@
-//! The substitution in words and numbers, step by step.
+//! The substitution in labels and numbers, step by step.
 
 use std::cmp::Ordering;
 
@@ -110,7 +110,7 @@ mod tests {
     use crate::model::lines::LinesLab;
 
     fn said(example: usize) -> (Vec<String>, String) {
-        let lab = LinesLab::EXAMPLES[example].1.lab();
+        let (_, lab) = &LinesLab::examples()[example];
         let s = Substitution::new(lab.line(), lab.ray).expect("two lines");
         let lines = steps(&s, 5).into_iter().map(|step| step.text).collect();
         (lines, verdict(&s, 5))

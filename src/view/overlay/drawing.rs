@@ -99,8 +99,8 @@ impl Drawing {
 
 /// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
 /// equally near, the one drawn on top wins.
-pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
-    let at = DVec2::new(position[0].into(), position[1].into());
+pub fn concept_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
+    let at = wide(position);
     let mut nearest = (f64::from(within), None);
     for Target { concept, shape } in targets {
         let distance = shape.distance(at);
@@ -114,7 +114,6 @@ pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<C
 impl Shape {
     /// Returns the distance of a point from the shape, in dots; 0 on it.
     fn distance(&self, at: DVec2) -> f64 {
-        let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
         let to_chain = |points: &[[f32; 2]]| {
             let sides = points.windows(2).map(|pair| (wide(pair[0]), wide(pair[1])));
             sides.map(|(a, b)| distance_to_side(at, a, b)).fold(f64::INFINITY, f64::min)
@@ -153,7 +152,18 @@ impl Label {
     }
 }
 
+/// Returns the points of a circle of radius 1 around the origin; the last is the first again.
+pub(super) fn circle(sides: u32) -> impl Iterator<Item = DVec2> {
+    let angle = move |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(sides);
+    (0..=sides).map(move |k| DVec2::from_angle(angle(k)))
+}
+
+/// Converts a position from the rasteriser's type.
+pub(super) fn wide([x, y]: [f32; 2]) -> DVec2 {
+    DVec2::new(x.into(), y.into())
+}
+
 /// Converts a position in dots to the rasteriser's type.
-pub(crate) fn dot(at: DVec2) -> [f32; 2] {
+pub(super) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }

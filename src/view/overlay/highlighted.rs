@@ -8,10 +8,10 @@ use pinhole_core::{Camera, DVec3, Scene, Sphere};
 
 use crate::model::concept::Concept;
 use crate::model::number::written;
-use crate::view::overlay::drawing::Drawing;
-use crate::view::overlay::labels::Request;
-use crate::view::overlay::objects::tangents;
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::drawing::{Drawing, circle};
+use crate::view::overlay::space::labels::Request;
+use crate::view::overlay::space::screen::tangents;
+use crate::view::overlay::space::sketch::Pen;
 
 /// The highlighted concept, and what is needed to draw it.
 #[derive(Clone, Copy, Debug)]
@@ -58,14 +58,14 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, concept: C
     }
     requests.retain(|request| request.concept != Some(concept));
     for request in requests {
-        request.color = request.color.gamma_multiply(DIMMED);
+        request.label.color = request.label.color.gamma_multiply(DIMMED);
     }
 }
 
 /// Puts the concept's own labels first, so that they get the best places, and removes repeated
 /// names.
 pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
-    others.retain(|other| own.iter().all(|request| request.text != other.text));
+    others.retain(|other| own.iter().all(|request| request.label.text != other.label.text));
     own.into_iter().chain(others).collect()
 }
 
@@ -78,7 +78,6 @@ pub(super) fn cased(pen: Pen, halo: Color32) -> [Pen; 2] {
 
 /// Returns the silhouette circle of a sphere as seen from a point; `None` from inside.
 pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
-    const SIDES: usize = 96;
     let out = from - sphere.center;
     let distance = out.length();
     let share = sphere.radius / distance;
@@ -89,9 +88,5 @@ pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     let (a, b) = tangents(axis);
     let center = sphere.center + sphere.radius * share * axis;
     let radius = sphere.radius * (1.0 - share * share).sqrt();
-    let at = |k: usize| {
-        let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();
-        center + radius * (cos * a + sin * b)
-    };
-    Some((0..=SIDES).map(at).collect())
+    Some(circle(96).map(|p| center + radius * (p.x * a + p.y * b)).collect())
 }

@@ -1,7 +1,7 @@
 //! The traced picture of the edited camera, shown with sharp pixels.
 
 use egui::Color32;
-use pinhole_core::{ImageSize, Pixel, Raster};
+use pinhole_core::{ImageSize, Raster};
 use rayon::prelude::*;
 
 /// The picture of the edited camera: one colour per traced pixel of its image.
@@ -19,15 +19,6 @@ impl Picture {
     /// Returns true if there is a colour for every traced pixel, and at least one.
     pub(crate) fn is_whole(&self) -> bool {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
-    }
-
-    /// Returns the colour of a pixel of the image, or of the nearest traced one; `None` outside the
-    /// image.
-    pub fn color_of_pixel(&self, row: u32, column: u32) -> Option<Color32> {
-        if row >= self.image.height() || column >= self.image.width() {
-            return None;
-        }
-        self.pixels.get(self.raster.nearest_to(Pixel { row, column })?).copied()
     }
 
     /// Fills a buffer of `columns` dots a row with the picture, nearest-neighbour: dot `k` of `n`
@@ -70,6 +61,8 @@ fn shown(k: usize, dots: usize, count: u32) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use pinhole_core::Pixel;
+
     use super::*;
 
     fn counted(image: ImageSize, raster: Raster) -> Picture {
@@ -106,12 +99,14 @@ mod tests {
         let image = ImageSize::new(10, 10).expect("a size");
         let picture = counted(image, Raster::shown_on(image, 2, 2));
         assert_eq!(picture.raster.rows(), [2, 7]);
-        let row_of = |row| picture.color_of_pixel(row, 0).map(|c| c.r());
+        let row_of = |row| {
+            let place = picture.raster.nearest_to(Pixel { row, column: 0 })?;
+            picture.pixels.get(place).map(|c| c.r())
+        };
         assert_eq!(row_of(0), Some(2));
         assert_eq!(row_of(4), Some(2));
         assert_eq!(row_of(5), Some(7));
         assert_eq!(row_of(9), Some(7));
-        assert_eq!(row_of(10), None);
         let [rows, _] = picture.raster.nearest(image);
         assert!((0..10).all(|row| {
             let nearest = picture.raster.rows()[rows[row as usize]];

@@ -5,26 +5,34 @@
 //! have three different heads, x, y, z are thin, and all have labels.
 
 use egui::Color32;
-use serde::{Deserialize, Serialize};
 
 use crate::model::color_scheme::Scheme;
+use crate::model::named_enum::named_enum;
 
-/// Colours for a light or a dark window.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Style {
-    /// Dark lines on a light background.
-    #[default]
-    Light,
-    /// Light lines on a dark background.
-    Dark,
-    /// [`Style::Light`] in [`Scheme::ColourBlind`].
-    ColourBlindLight,
-    /// [`Style::Dark`] in [`Scheme::ColourBlind`].
-    ColourBlindDark,
-    /// [`Style::Light`] in [`Scheme::Grey`].
-    GreyLight,
-    /// [`Style::Dark`] in [`Scheme::Grey`].
-    GreyDark,
+/// Text sizes in points: vectors, points, marks.
+pub(super) const VECTOR_TEXT: f32 = 21.0;
+pub(super) const POINT_TEXT: f32 = 17.0;
+pub(super) const MARK_TEXT: f32 = 14.0;
+
+named_enum! {
+    /// Colours for a light or a dark window, with their name on the command line: a pair of each
+    /// [`Scheme`], in its order.
+    #[derive(Default)]
+    pub enum Style {
+        /// Dark lines on a light background.
+        #[default]
+        Light: "light";
+        /// Light lines on a dark background.
+        Dark: "dark";
+        /// [`Style::Light`] in [`Scheme::ColourBlind`].
+        ColourBlindLight: "colour-blind";
+        /// [`Style::Dark`] in [`Scheme::ColourBlind`].
+        ColourBlindDark: "colour-blind-dark";
+        /// [`Style::Light`] in [`Scheme::Grey`].
+        GreyLight: "grey";
+        /// [`Style::Dark`] in [`Scheme::Grey`].
+        GreyDark: "grey-dark";
+    }
 }
 
 /// The colours of one [`Style`].
@@ -133,52 +141,24 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
-    /// All styles.
-    pub const ALL: [Style; 6] = [
-        Style::Light,
-        Style::Dark,
-        Style::ColourBlindLight,
-        Style::ColourBlindDark,
-        Style::GreyLight,
-        Style::GreyDark,
-    ];
-
-    /// Returns the name in one word, as the command line has it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Style::Light => "light",
-            Style::Dark => "dark",
-            Style::ColourBlindLight => "colour-blind",
-            Style::ColourBlindDark => "colour-blind-dark",
-            Style::GreyLight => "grey",
-            Style::GreyDark => "grey-dark",
-        }
+    /// Returns a scheme's style on a dark or on a light background.
+    pub fn new(scheme: Scheme, is_dark: bool) -> Style {
+        Style::ALL[2 * scheme as usize + usize::from(is_dark)]
     }
 
-    /// Returns a scheme's style on a dark or on a light background.
-    pub fn of(scheme: Scheme, is_dark: bool) -> Style {
-        match (scheme, is_dark) {
-            (Scheme::Standard, false) => Style::Light,
-            (Scheme::Standard, true) => Style::Dark,
-            (Scheme::ColourBlind, false) => Style::ColourBlindLight,
-            (Scheme::ColourBlind, true) => Style::ColourBlindDark,
-            (Scheme::Grey, false) => Style::GreyLight,
-            (Scheme::Grey, true) => Style::GreyDark,
-        }
+    /// Returns the name on the command line.
+    pub fn name(self) -> &'static str {
+        self.texts()[0]
     }
 
     /// Returns its scheme.
     pub fn scheme(self) -> Scheme {
-        match self {
-            Style::Light | Style::Dark => Scheme::Standard,
-            Style::ColourBlindLight | Style::ColourBlindDark => Scheme::ColourBlind,
-            Style::GreyLight | Style::GreyDark => Scheme::Grey,
-        }
+        Scheme::ALL[self as usize / 2]
     }
 
     /// Returns true if it has light lines on a dark background.
     pub fn is_dark(self) -> bool {
-        matches!(self, Style::Dark | Style::ColourBlindDark | Style::GreyDark)
+        self as usize % 2 == 1
     }
 
     /// Returns its colours.

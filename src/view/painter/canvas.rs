@@ -6,7 +6,7 @@ use egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use egui::{Color32, Mesh, Rect, TextureId};
 
 use super::Painter;
-use super::geometry::{PixelRect, extent};
+use super::geometry::PixelRect;
 
 /// Maximum number of separate rectangles; more of them cost more than drawing the area between
 /// them.
@@ -129,7 +129,7 @@ fn same(a: &ClippedPrimitive, b: &ClippedPrimitive) -> bool {
 
 fn bounds(primitive: &ClippedPrimitive) -> Rect {
     match &primitive.primitive {
-        Primitive::Mesh(mesh) => extent(mesh),
+        Primitive::Mesh(mesh) => mesh.calc_bounds(),
         Primitive::Callback(callback) => callback.rect,
     }
 }

@@ -1,6 +1,6 @@
 //! Pixels, rectangles of them, and the sub-pixel grid that triangles are snapped to.
 
-use egui::{Mesh, Rect};
+use egui::Rect;
 
 /// Sub-pixel steps per pixel, to which vertices are snapped as on GPUs. The test whether a pixel's
 /// centre is inside is then exact in integers, so neighbours neither overlap nor leave gaps.
@@ -83,11 +83,6 @@ impl PixelRect {
     pub fn area(self) -> usize {
         self.right.saturating_sub(self.left) * self.bottom.saturating_sub(self.top)
     }
-}
-
-/// Returns a mesh's extent in points; an empty rectangle if it has no vertices.
-pub(super) fn extent(mesh: &Mesh) -> Rect {
-    mesh.calc_bounds()
 }
 
 /// Converts pixels to steps.

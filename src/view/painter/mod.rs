@@ -175,7 +175,7 @@ impl<'a> Scene<'a> {
             if !mesh.is_valid() || texture.texels().is_empty() {
                 return None;
             }
-            let extent = PixelRect::around(geometry::extent(mesh), scale, size);
+            let extent = PixelRect::around(mesh.calc_bounds(), scale, size);
             let clip = PixelRect::scissor(primitive.clip_rect, scale, size).intersect(extent);
             (!clip.is_empty()).then_some(ClippedMesh { mesh, texture, clip })
         });

@@ -8,8 +8,8 @@ use super::blend::{self, Rgba, modulate, over, pack, unpack};
 use super::geometry::{STEPS, limit, snap};
 use super::texture::{Coordinate, ONE_TEXEL, Texture};
 
-/// Position of a vertex, in [`STEPS`].
-type Place = [i64; 2];
+/// Position of a vertex, snapped to [`STEPS`].
+type SnappedPoint = [i64; 2];
 
 /// A linear function over the pixels: its value at the centre of pixel (0, 0), and its increments
 /// per pixel to the right and down.
@@ -26,7 +26,7 @@ pub(super) struct Plane {
 impl Plane {
     /// Returns the plane through three values at three positions; `area` is twice the triangle's,
     /// in square steps.
-    fn through(places: &[Place; 3], area: f64, values: [f64; 3]) -> Self {
+    fn through(places: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
         let [p, q, r] = places;
         let (qx, qy) = ((q[0] - p[0]) as f64, (q[1] - p[1]) as f64);
         let (rx, ry) = ((r[0] - p[0]) as f64, (r[1] - p[1]) as f64);
@@ -96,7 +96,7 @@ struct Side {
 }
 
 impl Side {
-    fn new(from: Place, to: Place) -> Self {
+    fn new(from: SnappedPoint, to: SnappedPoint) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         // A centre exactly on a side belongs to the triangle on the right of it or below, so that
         // neighbours draw each pixel exactly once.
@@ -161,7 +161,7 @@ pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3
 
 /// Returns the vertices ordered so that the area is positive, their snapped positions, and twice
 /// the area; `None` for a triangle without area or with a coordinate that is not a number.
-fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Place; 3], f64)> {
+fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [SnappedPoint; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
         return None;
@@ -179,7 +179,7 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Place
 /// Calls `draw` with the inside pixels of each row, the row, and their first column.
 fn rows(
     band: &mut Band<'_>,
-    places: &[Place; 3],
+    places: &[SnappedPoint; 3],
     mut draw: impl FnMut(&mut [egui::Color32], usize, usize),
 ) {
     let [p, q, r] = *places;
@@ -218,7 +218,7 @@ struct Gradient {
 }
 
 impl Gradient {
-    fn new(places: &[Place; 3], area: f64, colors: [Rgba; 3]) -> Self {
+    fn new(places: &[SnappedPoint; 3], area: f64, colors: [Rgba; 3]) -> Self {
         let channels = [0, 1, 2, 3].map(|channel| {
             Plane::through(places, area, colors.map(|color| f64::from(color[channel])))
         });

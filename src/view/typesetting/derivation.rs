@@ -84,7 +84,7 @@ pub(crate) fn draw(
     column: Rect,
     is_folded: impl Fn(&Section) -> bool,
 ) -> f32 {
-    let (inks, painter) = (Inks::of(ui), ui.painter());
+    let (inks, painter) = (Inks::from_ui(ui), ui.painter());
     let mut at = column.min;
     for (k, section) in derivation.sections.iter().enumerate() {
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };

@@ -4,8 +4,9 @@ use egui::epaint::text::{LayoutJob, TextFormat};
 use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::model::letters::plain_scalars;
-use crate::model::symbols::{Kind, words};
+use crate::model::symbols::{Kind, meaning};
 use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
+use crate::view::overlay::Colors;
 use crate::view::typesetting::{fonts, theme};
 
 /// Sets a formula in lines of the width of `column`, with the window's fonts.
@@ -33,38 +34,29 @@ fn font(face: Face, size: f32) -> FontId {
 #[derive(Clone, Copy)]
 pub(crate) struct Inks {
     text: Color32,
-    basis: [Color32; 3],
-    given: Color32,
-    ray: Color32,
+    colors: &'static Colors,
 }
 
 impl Inks {
-    pub(crate) fn of(ui: &Ui) -> Inks {
-        let style = theme::style(ui);
-        let colors = style.colors();
-        Inks {
-            text: ui.visuals().text_color(),
-            basis: colors.basis,
-            given: colors.given,
-            ray: colors.ray,
-        }
+    pub(crate) fn from_ui(ui: &Ui) -> Inks {
+        Inks { text: ui.visuals().text_color(), colors: theme::style(ui).colors() }
     }
 
     fn color(self, ink: Ink) -> Color32 {
         match ink {
             Ink::Text => self.text,
-            Ink::U => self.basis[0],
-            Ink::V => self.basis[1],
-            Ink::W => self.basis[2],
-            Ink::Given => self.given,
-            Ink::Ray => self.ray,
+            Ink::U => self.colors.basis[0],
+            Ink::V => self.colors.basis[1],
+            Ink::W => self.colors.basis[2],
+            Ink::Given => self.colors.given,
+            Ink::Ray => self.colors.ray,
         }
     }
 }
 
 /// Returns the meaning of the symbol at a position of a layout, which is relative to the start of
 /// its first baseline.
-pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
+pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&Run| {
         let [x, y] = run.at;
@@ -75,7 +67,7 @@ pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'sta
     };
     let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
     let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
-    words(kind, &plain_scalars(&run.text))
+    meaning(kind, &plain_scalars(&run.text))
 }
 
 /// Paints a layout whose first baseline begins at `origin`.

@@ -21,12 +21,12 @@ impl HaloText {
     /// Width of the halo, in points.
     pub(crate) const REACH: f32 = 1.3;
 
-    /// Text whose left top corner is at `at`.
+    /// Creates text whose left top corner is at `at`.
     pub(crate) fn new(at: Pos2, galley: Arc<Galley>, color: Color32, halo: Color32) -> HaloText {
         HaloText { text: TextShape::new(at, galley, color), halo }
     }
 
-    /// The shape that egui paints.
+    /// Returns the shape that egui paints.
     pub(crate) fn into_shape(self) -> Shape {
         let copy = |k: u8| {
             let away = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);

@@ -31,7 +31,7 @@ impl Look {
     }
 
     /// Returns the look for the settings.
-    pub(crate) fn of(settings: &Settings, presenting: bool) -> Look {
+    pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, .. } = *settings;
         Look { scheme, presenting, reduced_motion }
     }
@@ -48,7 +48,7 @@ pub(crate) fn installed(ctx: &Context) -> Look {
 
 /// Returns the overlay's colours in this window.
 pub(crate) fn style(ui: &Ui) -> Style {
-    Style::of(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
+    Style::new(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
 /// Returns a colour as pictures in this window show it: without hue in a grey style.

@@ -18,7 +18,7 @@ fn a_teachers_own_lesson_opens_and_is_in_the_contents() {
     let path = folder.path().join("mine.toml");
     let step = "[[step]]\ntitle = \"One\"\ntext = \"Look.\"\nscene = \"roll\"\n";
     std::fs::write(&path, format!("pinhole_lesson = 1\ntitle = \"My lesson\"\n{step}")).unwrap();
-    let (place, file) = LessonArgument::of(path.to_str().unwrap()).unwrap().load().unwrap();
+    let (place, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();
     let mut window = window("canonical");
     window.state_mut().open_lesson(place, file);
     window.run();

@@ -3,9 +3,9 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::exercises::Exercises;
 use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
+use pinhole::model::practice::exercises::Exercises;
 use pinhole::ui::app::App;
 
 use super::{Window, at_step, key, place, press};
@@ -37,7 +37,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         play,
         lines,
         exercise,
-    } = step.looks.clone();
+    } = step.view.clone();
     let settings = &session.settings;
     let all_as_said = [
         ("observer", observer.is_none_or(|said| session.observer == Some(said))),

@@ -30,8 +30,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::presenting::Full;
-use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
+use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about};
 use crate::model::translator::Target;
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
@@ -157,13 +156,13 @@ fn presenting() -> Vec<UiCommand> {
             "Puts panels away and makes text and lines large; once more gives back the window as it was.",
             [plain(Anywhere, Key::F5)], LookAction::Present;
         Presenting, "Derivation full", "Fills the window with the derivation.",
-            [plain(Presenting, Key::Num1)], LookAction::Fill(Full::Derivation);
+            [plain(Presenting, Key::Num1)], LookAction::Fill(ViewLayout::DerivationAlone);
         Presenting, "World view full", "Fills the window with the world view.",
-            [plain(Presenting, Key::Num2)], LookAction::Fill(Full::World);
+            [plain(Presenting, Key::Num2)], LookAction::Fill(ViewLayout::World);
         Presenting, "Camera view full", "Fills the window with the camera view.",
-            [plain(Presenting, Key::Num3)], LookAction::Fill(Full::Camera);
+            [plain(Presenting, Key::Num3)], LookAction::Fill(ViewLayout::Camera);
         Presenting, "Both views full", "Fills the window with both views.",
-            [plain(Presenting, Key::Num4)], LookAction::Fill(Full::Both);
+            [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
         Presenting, "Spotlight", "Dims all but what is round the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]
@@ -269,9 +268,9 @@ fn switches() -> Vec<UiCommand> {
 
 fn looks() -> Vec<UiCommand> {
     let mut commands = Vec::new();
-    for shade in ShadeName::ALL {
-        let name = format!("shade by {}", Shade::from(shade).name());
-        commands.push(command(Group::Colours, name, shade.about(), LookAction::Shade(shade)));
+    for shade in Shade::ALL {
+        let name = format!("shade by {}", shade.name());
+        commands.push(command(Group::Colours, name, shade_about(shade), LookAction::Shade(shade)));
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";

@@ -6,7 +6,7 @@ use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::checks;
-use crate::model::mistakes_view::MistakesView;
+use crate::model::practice::mistakes_view::MistakesView;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 

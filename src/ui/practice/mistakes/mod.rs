@@ -8,8 +8,8 @@ use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuil
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::model::mistakes_view::MistakesView;
 use crate::model::number::grouped;
+use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::Session;
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;
@@ -41,7 +41,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &MistakesView) {
 }
 
 fn title(mistakes_view: &MistakesView) -> String {
-    match mistakes_view.is_told() {
+    match mistakes_view.is_revealed() {
         true => format!("{}: {}", views::WRONG, mistakes_view.shown().name()),
         false => format!("{}: which mistake is it?", views::WRONG),
     }
@@ -51,7 +51,7 @@ fn title(mistakes_view: &MistakesView) -> String {
 pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> String {
     match (why_not(wrong, mistakes_view), seen(wrong)) {
         (Some(why), _) => why,
-        (None, Some(seen)) if mistakes_view.is_told() => {
+        (None, Some(seen)) if mistakes_view.is_revealed() => {
             format!("{}: {seen}", wrong.mistake.name())
         }
         (None, seen) => seen.unwrap_or_default(),
@@ -62,7 +62,7 @@ pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> St
 /// guessed.
 fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
     let why = wrong.why_not()?;
-    Some(match mistakes_view.is_told() {
+    Some(match mistakes_view.is_revealed() {
         true => why,
         false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
     })
@@ -116,11 +116,11 @@ pub(crate) fn ui(
         if mistakes_view.guess.is_some() {
             guess::verdict(ui, mistakes_view, wrong, &document.camera);
         }
-        if mistakes_view.is_told() {
+        if mistakes_view.is_revealed() {
             explanation(ui, wrong, style);
         }
     });
-    if mistakes_view.is_told() {
+    if mistakes_view.is_revealed() {
         column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
     }
 }

@@ -44,9 +44,8 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
 
 fn examples(ui: &mut Ui, lab: &mut LinesLab) {
     ui.horizontal_wrapped(|ui| {
-        for (name, example) in LinesLab::EXAMPLES {
+        for (name, mut next) in LinesLab::examples() {
             if ui.button(name).clicked() {
-                let mut next = example.lab();
                 (next.snap, next.trail.step) = (lab.snap, lab.trail.step);
                 *lab = next;
             }

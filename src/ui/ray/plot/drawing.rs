@@ -70,7 +70,7 @@ pub(super) fn ui(
     // Leave room for the numbers of f at the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let top = if plot.heights == Heights::Even { TOP.0 } else { TOP.1 };
-    let height = (plot.heights.of(bottom), plot.heights.of(top));
+    let height = (plot.heights.height(bottom), plot.heights.height(top));
     let axes = Axes { rect: inner, t: plot.range.clone(), height };
     input(ui, &axes, ray_point_t);
     let painter = ui.painter_at(rect);
@@ -154,8 +154,8 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, heights: Heights) {
         Heights::Even => &[-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0],
         Heights::Compressed => &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0],
     };
-    for value in marks.iter().filter(|value| heights.of(**value) > axes.height.0) {
-        let y = axes.y(heights.of(*value));
+    for value in marks.iter().filter(|value| heights.height(**value) > axes.height.0) {
+        let y = axes.y(heights.height(*value));
         let line = if *value == 0.0 { Stroke::new(2.5, ink) } else { faint };
         painter.hline(rect.x_range(), y, line);
         let text = number(*value, 3);

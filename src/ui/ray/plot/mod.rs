@@ -132,7 +132,7 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
         }
     });
     let words = ui.indent(("said", object), |ui| {
-        text(ui, &curve.words(digits));
+        text(ui, &curve.description(digits));
         if let Some((t, values)) = &plot.ray_point_t {
             text(
                 ui,

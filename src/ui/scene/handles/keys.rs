@@ -3,10 +3,12 @@
 use egui::{Context, Key};
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
-use super::{Edited, HandInput, View, axis_held, how, id_of};
-use crate::model::hand::{Along, Axis, Handle};
+use super::{Edited, HandInput, View, axis_held, id_of, options};
+use crate::model::session::hand::{Along, Axis, Handle};
 use crate::model::session::keeps_of;
-use crate::view::handles::{Grip, How, Part, Pull, Start, grips, step_of, turned_by};
+use crate::view::handles::{
+    DragOptions, DragStart, Grip, HandleDrag, HandleValues, grips, step_of, turned_by,
+};
 
 /// Angle by which a key press turns the camera, in degrees.
 const TURN: f64 = 5.0;
@@ -41,8 +43,8 @@ impl HandInput {
         if steps == Steps::default() {
             return;
         }
-        let before = Part::of(grip.handle, document, session.selection);
-        let start = Start { before, resolved, grasp, at: grip.at, begun_at: DVec2::ZERO };
+        let before = HandleValues::read(grip.handle, document, session.selection);
+        let start = DragStart { before, resolved, grasp, at: grip.at, begun_at: DVec2::ZERO };
         if let Handle::Pixel = grip.handle {
             let camera = resolved.map(|resolved| session.selection.inside(resolved.image()));
             if let (Some(selection), Some(resolved)) = (camera, resolved) {
@@ -52,9 +54,10 @@ impl HandInput {
             return;
         }
         let (eye, corner, distance) = keeps_of(&session.settings, false);
-        let how = How { eye, corner, distance, ..how(ctx, session) };
-        let pull = Pull { start: &start, observer: view.observer, scale: view.scale, how };
-        let moved = target(&start, view, how.along, steps).map(|point| pull.put(point));
+        let options = DragOptions { eye, corner, distance, ..options(ctx, session) };
+        let pull =
+            HandleDrag { start: &start, observer: view.observer, scale: view.scale, options };
+        let moved = target(&start, view, options.along, steps).map(|point| pull.put(point));
         if let Some(Ok(pulled)) = moved {
             pulled.part.put(document, &mut session.selection);
         }
@@ -77,7 +80,7 @@ fn steps(ctx: &Context) -> Steps {
 }
 
 /// Returns the point to which the keys move a handle.
-fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec3> {
+fn target(start: &DragStart, view: &View, along: Along, steps: Steps) -> Option<DVec3> {
     let step = step_of(view.observer, start.at, view.scale)?;
     let camera = start.resolved.as_ref();
     let forward = steps.right + steps.up + steps.away;

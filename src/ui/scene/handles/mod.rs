@@ -8,10 +8,12 @@ use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Vec2};
 use pinhole_core::{DVec2, NO_OBJECT, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
-use crate::model::hand::{Along, Axis, Handle};
+use crate::model::session::hand::{Along, Axis, Handle};
 use crate::model::session::{Session, keeps_of};
 use crate::view::derive::Derived;
-use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
+use crate::view::handles::{
+    DragOptions, DragStart, Dragged, Grip, HandleDrag, HandleValues, Stage, grips, hit,
+};
 use crate::view::overlay;
 
 pub(crate) use self::tell::say;
@@ -35,14 +37,14 @@ pub(crate) struct HandInput {
     /// The reason why the handle is not where the pointer is.
     refused: Option<String>,
     /// The effect of the last move.
-    last: Option<Pulled>,
+    last: Option<Dragged>,
     /// Time since when the pointer or the focus has been on its handle, in seconds.
     over_since: f64,
 }
 
 #[derive(Debug)]
 struct Taken {
-    start: Start,
+    start: DragStart,
     pressed_at: Pos2,
     moved: bool,
 }
@@ -216,8 +218,8 @@ impl HandInput {
         let Some(found) = self.hit(&all, view, at, session, shown) else { return };
         let taken = all.iter().find(|grip| grip.handle == found.handle);
         let (Some(grip), Some(grasp)) = (taken, stage.grasp(found.handle)) else { return };
-        let before = Part::of(found.handle, document, session.selection);
-        let start = Start { before, resolved, grasp, at: grip.at, begun_at: view.uv(at) };
+        let before = HandleValues::read(found.handle, document, session.selection);
+        let start = DragStart { before, resolved, grasp, at: grip.at, begun_at: view.uv(at) };
         self.start = Some(Taken { start, pressed_at: at, moved: false });
         if let Some(object) = found.handle.object() {
             **chosen_object = object;
@@ -256,14 +258,18 @@ impl HandInput {
             self.let_go(session);
             return;
         }
-        let how = how(ctx, session);
-        session.hand.along = how.along;
+        let options = options(ctx, session);
+        session.hand.along = options.along;
         let pointer = ctx.input(|i| i.pointer.latest_pos());
         if let Some(at) = pointer {
             taken.moved |= at.distance(taken.pressed_at) >= CLICK;
             if taken.moved {
-                let pull =
-                    Pull { start: &taken.start, observer: view.observer, scale: view.scale, how };
+                let pull = HandleDrag {
+                    start: &taken.start,
+                    observer: view.observer,
+                    scale: view.scale,
+                    options,
+                };
                 match pull.to(view.uv(at)) {
                     Ok(pulled) => {
                         pulled.part.put(document, &mut session.selection);
@@ -309,7 +315,7 @@ fn axis_held(ctx: &Context) -> Option<Axis> {
 }
 
 /// Returns the constraints of the drag, from keys and settings.
-fn how(ctx: &Context, session: &Session) -> How {
+fn options(ctx: &Context, session: &Session) -> DragOptions {
     let modifiers = ctx.input(|i| i.modifiers);
     let along = match (axis_held(ctx), modifiers.shift) {
         (None, _) => Along::View,
@@ -317,7 +323,7 @@ fn how(ctx: &Context, session: &Session) -> How {
         (Some(axis), true) => Along::Without(axis),
     };
     let (eye, corner, distance) = keeps_of(&session.settings, modifiers.alt);
-    How { along, snaps: modifiers.command, eye, corner, distance }
+    DragOptions { along, snaps: modifiers.command, eye, corner, distance }
 }
 
 /// Returns the index of the sphere at a position of the world view, in physical pixels.

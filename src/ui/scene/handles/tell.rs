@@ -11,14 +11,14 @@ use pinhole_exchange::document::Document;
 
 use super::{HandInput, View, id_of};
 use crate::model::concept::{HoverSource, Hovered};
-use crate::model::hand::{Along, Axis, Handle};
 use crate::model::letters::bold;
 use crate::model::number::written;
 use crate::model::session::Session;
+use crate::model::session::hand::{Along, Axis, Handle};
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
-use crate::view::handles::{Part, grips, label, value};
+use crate::view::handles::{HandleValues, grips, label, value};
 
 /// Sizes of the text, in points: of the value, and of the rest.
 const VALUE: f32 = 19.0;
@@ -74,7 +74,7 @@ impl HandInput {
         session: &Session,
     ) -> Vec<String> {
         let settings = &session.settings;
-        let part = Part::of(handle, document, session.selection);
+        let part = HandleValues::read(handle, document, session.selection);
         let text = value(handle, &part, settings.digits.min(6), settings.count_from_one);
         let mut lines = vec![match handle.object() {
             Some(object) => format!("{}: {text}", document.title_of(object)),
@@ -84,7 +84,7 @@ impl HandInput {
             self.say_held(&mut lines, handle, session);
         } else {
             if let Some(Hovered { concept, by: HoverSource::View }) = session.hovered {
-                lines.push(concept.words(|object| document.title_of(object as usize)));
+                lines.push(concept.description(|object| document.title_of(object as usize)));
             }
             let rested = ui.input(|i| i.time) - self.over_since;
             if rested >= HINT {
@@ -209,7 +209,7 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
         let spot = view.rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / view.scale;
         let rect = Rect::from_center_size(spot, Vec2::splat(2.0 * super::REACH as f32));
         let id = id_of(view.id, grip.handle);
-        let part = Part::of(grip.handle, document, session.selection);
+        let part = HandleValues::read(grip.handle, document, session.selection);
         let value = value(grip.handle, &part, settings.digits, settings.count_from_one);
         let response = ui.interact(rect, id, Sense::focusable_noninteractive());
         let response = response.keep_arrows(true, true).with_role(Role::Slider).spoken(value);

@@ -47,7 +47,7 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
         pixels: vec![Color32::GRAY; 100],
     };
     let frames_and_crosses = |uv: DVec2| {
-        let inspection = Inspection::of_uv(&resolved, &Scene::default(), uv);
+        let inspection = Inspection::new(&resolved, &Scene::default(), Selection::Uv(uv));
         let view = CameraView {
             resolved: &resolved,
             picture: &picture,

@@ -18,7 +18,7 @@ fn the_picture_on_the_viewport_has_its_own_colours() {
         let center = stage.resolve().viewport_point(stage.resolve().uv_of_pixel(pixel));
         let at = stage.place(center);
         let dot = dots[at.y as usize * SIZE.0 as usize + at.x as usize];
-        let traced = picture.color_of_pixel(pixel.row, pixel.column);
+        let traced = picture.raster.nearest_to(pixel).map(|place| picture.pixels[place]);
         assert_eq!(Some(dot), traced, "{pixel:?}");
         colors.insert(dot);
     }

@@ -151,7 +151,7 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let uv = DVec2::new(0.45, 0.4);
-    stage.inspection = Some(Inspection::of_uv(stage.resolve(), &stage.scene, uv));
+    stage.inspection = Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(uv)));
     let drawing = world_drawing(&stage, Concept::AlongU);
     for concept in [Concept::AlongU, Concept::AlongV, Concept::AlongW] {
         assert!(drawing.targets().iter().any(|target| target.concept == concept), "{concept:?}");
@@ -193,7 +193,7 @@ fn the_nearest_mark_is_pointed_at() {
             shape: Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] },
         },
     ];
-    let at = |x: f32, y: f32| thing_at(&targets, [x, y], 8.0);
+    let at = |x: f32, y: f32| concept_at(&targets, [x, y], 8.0);
     assert_eq!(at(50.0, 12.0), Some(Concept::U));
     assert_eq!(at(50.0, 24.0), Some(Concept::V));
     assert_eq!(at(50.0, 20.0), None, "too far from both");

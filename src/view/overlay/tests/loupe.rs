@@ -9,7 +9,7 @@ use super::*;
 fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawing, PixelOfUv) {
     let resolved =
         Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.resolve().expect("a camera");
-    let inspection = Inspection::of_uv(&resolved, &Scene::default(), uv);
+    let inspection = Inspection::new(&resolved, &Scene::default(), Selection::Uv(uv));
     let place = inspection.place.expect("a place in the image");
     let [rows, columns] = loupe_window(&place, resolved.image());
     let raster = Raster::part(rows, columns);

@@ -27,7 +27,7 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
     let observer = from_the_right(DVec3::new(0.0, 0.0, -5.0), 10.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
-    let ray = Inspection::of_uv(stage.resolve(), &stage.scene, DVec2::ZERO);
+    let ray = Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO));
     assert_eq!(ray.first, None);
     stage.inspection = Some(ray);
     let drawing = stage.view().drawing();
@@ -54,7 +54,8 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
     let observer = from_the_right(DVec3::new(0.0, 0.0, -4.0), 14.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
-    stage.inspection = Some(Inspection::of_uv(stage.resolve(), &stage.scene, DVec2::ZERO));
+    stage.inspection =
+        Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO)));
     let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
     let ray: Vec<_> = runs(&stage.view().drawing(), Item::Ray)
         .into_iter()

@@ -16,8 +16,9 @@ use pinhole_core::{
 
 pub(super) use super::*;
 use crate::model::inspection::Inspection;
-use crate::model::observer::{Observer, enclosing, seen_scene};
+use crate::model::observer::{Observer, enclosing, traced_scene};
 pub(super) use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::Selection;
 
 /// A world view with everything in it.
 struct Stage {
@@ -60,7 +61,7 @@ impl Stage {
         let resolved = camera.resolve().ok();
         let seen_from = observer.camera(SIZE.0, SIZE.1).resolve().expect("observers have a basis");
         let enclosing = enclosing(&scene, camera.eye, seen_from.eye());
-        let seen = seen_scene(&scene, &enclosing);
+        let seen = traced_scene(&scene, &enclosing);
         let image = Raster::full(seen_from.image());
         let frame = trace_as(&seen, &seen_from, &image, Outputs::default());
         let picture = resolved.as_ref().map(|resolved| {
@@ -69,9 +70,9 @@ impl Stage {
             let pixels = shade(&frame, &scene, Shade::Lambert, color_of, opaque);
             Picture { raster, image: resolved.image(), pixels }
         });
-        let inspection = resolved
-            .as_ref()
-            .map(|resolved| Inspection::of_uv(resolved, &scene, DVec2::new(0.02, 0.01)));
+        let inspection = resolved.as_ref().map(|resolved| {
+            Inspection::new(resolved, &scene, Selection::Uv(DVec2::new(0.02, 0.01)))
+        });
         let items = OverlayItems::default();
         Stage { camera, resolved, scene, enclosing, observer, frame, picture, inspection, items }
     }
@@ -156,7 +157,7 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
 
 /// Paints the world view over the observer's shaded picture.
 fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let (traced, backdrop) = (dots.to_vec(), Backdrop::of(view));
+    let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view));
     backdrop.paint(view.frame, dots);
     world(view, &backdrop, &traced, dots)
 }

@@ -3,12 +3,12 @@
 use pinhole_core::{Camera, Plane, Sphere};
 use pinhole_exchange::document::Document;
 
-use crate::model::hand::Handle;
 use crate::model::session::Selection;
+use crate::model::session::hand::Handle;
 
 /// The part of document and session that a handle can change, either before or after the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct HandleValues {
     /// The edited camera.
     pub camera: Camera,
     /// The selected ray.
@@ -25,16 +25,16 @@ pub enum Solid {
     Plane(Plane),
 }
 
-impl Part {
+impl HandleValues {
     /// Returns the current values of the part that this handle can change.
-    pub fn of(handle: Handle, document: &Document, selection: Selection) -> Part {
+    pub fn read(handle: Handle, document: &Document, selection: Selection) -> HandleValues {
         let solid = |k: usize| {
             let sphere = document.spheres.get(k).map(|item| Solid::Sphere(item.shape));
             let place = k.checked_sub(document.sphere_count());
             sphere.or_else(|| Some(Solid::Plane(document.planes.get(place?)?.shape)))
         };
         let object = handle.object().and_then(|k| Some((k, solid(k)?)));
-        Part { camera: document.camera, selection, object }
+        HandleValues { camera: document.camera, selection, object }
     }
 
     /// Writes this part into document and session.

@@ -5,19 +5,19 @@
 use std::f64::consts::PI;
 
 use pinhole_core::steering::{
-    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, ViewportCorner, nice_step,
-    pixel_in_world, rounded_to, snapped,
+    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, Steered, ViewportCorner,
+    nice_step, pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
+use pinhole_core::{Camera, CameraError, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
-use super::{Part, Solid};
-use crate::model::hand::{Along, Axis, Grasp, Handle};
+use super::{HandleValues, Solid};
+use crate::model::session::hand::{Along, Axis, Grasp, Handle};
 
 /// The state at the start of a drag.
 #[derive(Clone, Copy, Debug)]
-pub struct Start {
+pub struct DragStart {
     /// The values that the handle changes.
-    pub before: Part,
+    pub before: HandleValues,
     /// The camera at the start, if it had a basis.
     pub resolved: Option<ResolvedCamera>,
     /// The grasp of the handle.
@@ -30,7 +30,7 @@ pub struct Start {
 
 /// The options of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct How {
+pub struct DragOptions {
     /// The direction or plane of the drag.
     pub along: Along,
     /// True if values snap to multiples of a round step.
@@ -45,9 +45,9 @@ pub struct How {
 
 /// The result of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pulled {
+pub struct Dragged {
     /// The changed values.
-    pub part: Part,
+    pub part: HandleValues,
     /// The current grasp of the handle.
     pub grasp: Grasp,
     /// True if up was turned, too, because the view came near it.
@@ -60,15 +60,15 @@ pub struct Pulled {
 
 /// A drag in progress, with its observer and options.
 #[derive(Clone, Copy, Debug)]
-pub struct Pull<'a> {
+pub struct HandleDrag<'a> {
     /// The start of the drag.
-    pub start: &'a Start,
+    pub start: &'a DragStart,
     /// The observer.
     pub observer: &'a ResolvedCamera,
     /// Dots per point.
     pub scale: f32,
     /// The options.
-    pub how: How,
+    pub options: DragOptions,
 }
 
 /// Least length, in points, of a step to which values snap and by which keys move a handle.
@@ -83,7 +83,7 @@ pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Option<f64> 
 }
 
 /// Returns the position of the tip of v after a roll of the camera by `degrees`.
-pub fn turned_by(start: &Start, degrees: f64) -> Option<DVec3> {
+pub fn turned_by(start: &DragStart, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (eye, basis) = (start.before.camera.eye, start.resolved?);
     Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
@@ -94,13 +94,26 @@ fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
     (tip - base) / length
 }
 
-impl Pull<'_> {
+/// Returns the steered camera, and whether up was turned, too. A camera without a basis is replaced by
+/// the `invalid` one, whose fields then show the fault.
+fn steered(
+    result: Result<Steered, SteerError>,
+    invalid: impl FnOnce(CameraError) -> Result<Camera, String>,
+) -> Result<(Camera, bool), String> {
+    match result {
+        Ok(steered) => Ok((steered.camera, steered.up_went_along)),
+        Err(SteerError::Camera(fault)) => Ok((invalid(fault)?, false)),
+        Err(reason) => Err(reason.to_string()),
+    }
+}
+
+impl HandleDrag<'_> {
     /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
     /// # Errors
     /// The reason, in words, why the handle cannot be dragged there.
-    pub fn to(&self, uv: DVec2) -> Result<Pulled, String> {
-        let Start { at, begun_at, .. } = *self.start;
+    pub fn to(&self, uv: DVec2) -> Result<Dragged, String> {
+        let DragStart { at, begun_at, .. } = *self.start;
         let drag = Drag { anchor: at, begun_at };
         let point = drag.to(self.observer, uv, self.along()?).map_err(|e| e.to_string())?;
         self.put(point)
@@ -111,40 +124,45 @@ impl Pull<'_> {
     ///
     /// # Errors
     /// The reason, in words, why it cannot be there.
-    pub fn put(&self, point: DVec3) -> Result<Pulled, String> {
-        let Start { before, grasp, at, .. } = *self.start;
-        let unchanged =
-            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
+    pub fn put(&self, point: DVec3) -> Result<Dragged, String> {
+        let DragStart { before, grasp, at, .. } = *self.start;
+        let unchanged = self.unchanged();
         if point == at {
             return Ok(unchanged);
         }
-        let camera = |camera: Camera| Pulled { part: Part { camera, ..before }, ..unchanged };
+        let camera =
+            |camera: Camera| Dragged { part: HandleValues { camera, ..before }, ..unchanged };
         let steered = match grasp.handle {
             Handle::Eye => self.eye(self.readable(at, point, 1.0)?),
             Handle::At => self.look_at(self.readable(at, point, 1.0)?),
             Handle::Up => self.up(point).map(|camera| (camera, false)),
             Handle::Roll => {
                 let (rolled, degrees) = self.roll(point)?;
-                let rolled = Pulled { rolled: Some(degrees), ..camera(rolled) };
+                let rolled = Dragged { rolled: Some(degrees), ..camera(rolled) };
                 return Ok(self.snapped_by(rolled));
             }
             Handle::Dolly => self.dolly(point).map(|camera| (camera, false)),
             Handle::Corner(corner) => self.corner(corner, point).map(|camera| (camera, false)),
             Handle::Distance => self.distance(point).map(|camera| (camera, false)),
-            Handle::Pixel => return Ok(Pulled { part: self.pixel(point), ..unchanged }),
+            Handle::Pixel => return Ok(Dragged { part: self.pixel(point), ..unchanged }),
             _ => return self.solid(point).map(|pulled| self.snapped_by(pulled)),
         };
         let (after, up_went_along) = steered?;
-        let mut pulled = Pulled { up_went_along, ..camera(after) };
-        if self.how.distance == DistanceKeeps::Picture {
+        let mut pulled = Dragged { up_went_along, ..camera(after) };
+        if self.options.distance == DistanceKeeps::Picture {
             let (old, new) = (before.camera.viewport, after.viewport);
             pulled.part.selection = before.selection.in_another_viewport(old, new);
         }
         Ok(self.snapped_by(pulled))
     }
 
-    fn snapped_by(&self, pulled: Pulled) -> Pulled {
-        Pulled { step: self.step().filter(|_| self.how.snaps), ..pulled }
+    fn unchanged(&self) -> Dragged {
+        let DragStart { before: part, grasp, .. } = *self.start;
+        Dragged { part, grasp, up_went_along: false, step: None, rolled: None }
+    }
+
+    fn snapped_by(&self, pulled: Dragged) -> Dragged {
+        Dragged { step: self.step().filter(|_| self.options.snaps), ..pulled }
     }
 
     /// Returns the step to which this drag snaps, in the unit of the changed value.
@@ -159,10 +177,10 @@ impl Pull<'_> {
     /// Returns the direction or plane of the drag.
     fn along(&self) -> Result<DragAlong, String> {
         let no_basis = || "the camera has no basis".to_owned();
-        let Start { resolved, grasp, at, before, .. } = self.start;
+        let DragStart { resolved, grasp, at, before, .. } = self.start;
         let axis = |axis: Axis| axis.direction(resolved.as_ref()).ok_or_else(no_basis);
         if grasp.handle.is_free() {
-            return Ok(match self.how.along {
+            return Ok(match self.options.along {
                 Along::View => DragAlong::ViewPlane,
                 Along::Axis(one) => DragAlong::Axis(axis(one)?),
                 Along::Without(one) => {
@@ -172,16 +190,16 @@ impl Pull<'_> {
             });
         }
         let (u, v, w) = (axis(Axis::U)?, axis(Axis::V)?, axis(Axis::W)?);
-        let keeps_picture = self.how.distance == DistanceKeeps::Picture;
+        let keeps_picture = self.options.distance == DistanceKeeps::Picture;
         Ok(match grasp.handle {
             Handle::Corner(_) | Handle::Distance if keeps_picture => {
                 DragAlong::Axis(*at - before.camera.eye)
             }
             Handle::Distance | Handle::Dolly => DragAlong::Axis(w),
-            Handle::Corner(_) | Handle::Pixel if self.how.along == Along::Axis(Axis::U) => {
+            Handle::Corner(_) | Handle::Pixel if self.options.along == Along::Axis(Axis::U) => {
                 DragAlong::Axis(u)
             }
-            Handle::Corner(_) | Handle::Pixel if self.how.along == Along::Axis(Axis::V) => {
+            Handle::Corner(_) | Handle::Pixel if self.options.along == Along::Axis(Axis::V) => {
                 DragAlong::Axis(v)
             }
             _ => DragAlong::Plane(u, v),
@@ -196,7 +214,7 @@ impl Pull<'_> {
     /// Rounds a number to the digits that a hand can set, or snaps it; `per` is its change per
     /// world unit.
     fn number(&self, value: f64, per: f64) -> Result<f64, String> {
-        let number = match self.step().filter(|_| self.how.snaps) {
+        let number = match self.step().filter(|_| self.options.snaps) {
             Some(step) => snapped(value, step),
             None => rounded_to(value, per * self.pixel_size()?),
         };
@@ -206,14 +224,14 @@ impl Pull<'_> {
     /// Rounds or snaps a point or vector. Coordinates that the drag did not change stay the same to
     /// the bit. Along the camera's axes the displacement is snapped, not the end point.
     fn readable(&self, from: DVec3, to: DVec3, per: f64) -> Result<DVec3, String> {
-        let camera_axes: &[Axis] = match self.how.along {
+        let camera_axes: &[Axis] = match self.options.along {
             Along::Axis(Axis::U) => &[Axis::U],
             Along::Axis(Axis::V) => &[Axis::V],
             Along::Axis(Axis::W) => &[Axis::W],
             Along::Without(axis @ (Axis::U | Axis::V | Axis::W)) => &axis.others(),
             _ => &[],
         };
-        if self.how.snaps && !camera_axes.is_empty() {
+        if self.options.snaps && !camera_axes.is_empty() {
             let mut point = from;
             for axis in camera_axes {
                 let direction = axis.direction(self.start.resolved.as_ref()).unwrap_or_default();
@@ -227,40 +245,30 @@ impl Pull<'_> {
 
     fn eye(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        match camera.with_eye_at(point, self.how.eye) {
-            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-            Err(SteerError::Camera(fault)) => {
-                let by = point - camera.eye;
-                let orientation = match (camera.orientation, self.how.eye) {
-                    (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
-                    (Orientation::View { view, up }, Keep::At) => {
-                        Orientation::View { view: view - by, up }
-                    }
-                    (Orientation::Basis(_), _) => return Err(fault.to_string()),
-                    (given, _) => given,
-                };
-                Ok((Camera { eye: point, orientation, ..camera }, false))
-            }
-            Err(reason) => Err(reason.to_string()),
-        }
+        steered(camera.with_eye_at(point, self.options.eye), |fault| {
+            let by = point - camera.eye;
+            let orientation = match (camera.orientation, self.options.eye) {
+                (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
+                (Orientation::View { view, up }, Keep::At) => {
+                    Orientation::View { view: view - by, up }
+                }
+                (Orientation::Basis(_), _) => return Err(fault.to_string()),
+                (given, _) => given,
+            };
+            Ok(Camera { eye: point, orientation, ..camera })
+        })
     }
 
     fn look_at(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        match camera.with_at(point) {
-            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-            Err(SteerError::Camera(fault)) => {
-                let orientation = match camera.orientation {
-                    Orientation::At { up, .. } => Orientation::At { at: point, up },
-                    Orientation::View { up, .. } => {
-                        Orientation::View { view: point - camera.eye, up }
-                    }
-                    Orientation::Basis(_) => return Err(fault.to_string()),
-                };
-                Ok((Camera { orientation, ..camera }, false))
-            }
-            Err(reason) => Err(reason.to_string()),
-        }
+        steered(camera.with_at(point), |fault| {
+            let orientation = match camera.orientation {
+                Orientation::At { up, .. } => Orientation::At { at: point, up },
+                Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
+                Orientation::Basis(_) => return Err(fault.to_string()),
+            };
+            Ok(Camera { orientation, ..camera })
+        })
     }
 
     /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields
@@ -279,7 +287,7 @@ impl Pull<'_> {
 
     /// Returns the camera rolled until v points to the tip, and the angle in degrees.
     fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
-        let Start { before, resolved, grasp, .. } = self.start;
+        let DragStart { before, resolved, grasp, .. } = self.start;
         let basis = *resolved.as_ref().ok_or("the camera has no basis")?.basis();
         let along = tip - before.camera.eye;
         let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
@@ -290,7 +298,7 @@ impl Pull<'_> {
 
     /// Returns the camera moved along w by as much as the tip of w.
     fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
-        let Start { before: Part { camera, .. }, resolved, at, .. } = self.start;
+        let DragStart { before: HandleValues { camera, .. }, resolved, at, .. } = self.start;
         let w = resolved.as_ref().ok_or("the camera has no basis")?.basis().w;
         let back = self.number((tip - *at).dot(w), 1.0)?;
         let reach = camera.pivot().map_err(|e| e.to_string())?.distance(camera.eye);
@@ -305,24 +313,25 @@ impl Pull<'_> {
     }
 
     fn corner(&self, corner: ViewportCorner, point: DVec3) -> Result<Camera, String> {
-        if self.how.distance == DistanceKeeps::Picture {
+        if self.options.distance == DistanceKeeps::Picture {
             return self.distance(point);
         }
         let camera = self.start.before.camera;
-        let (ratio, viewport) = match camera.with_viewport_corner(corner, point, self.how.corner) {
-            Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
-            Err(SteerError::Camera(_)) => {
-                let resolved = self.start.resolved.ok_or("the camera has no basis")?;
-                let size = 2.0 * corner.signs() * resolved.project(point).uv;
-                let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
-                (f64::NAN, fallen)
-            }
-            Err(reason) => return Err(reason.to_string()),
-        };
+        let (ratio, viewport) =
+            match camera.with_viewport_corner(corner, point, self.options.corner) {
+                Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
+                Err(SteerError::Camera(_)) => {
+                    let resolved = self.start.resolved.ok_or("the camera has no basis")?;
+                    let size = 2.0 * corner.signs() * resolved.project(point).uv;
+                    let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
+                    (f64::NAN, fallen)
+                }
+                Err(reason) => return Err(reason.to_string()),
+            };
         let read =
             |before: f64, now: f64| if before == now { Ok(now) } else { self.number(now, 2.0) };
         let width = read(camera.viewport.width, viewport.width)?;
-        let height = if self.how.corner == CornerKeeps::Nothing || ratio.is_nan() {
+        let height = if self.options.corner == CornerKeeps::Nothing || ratio.is_nan() {
             read(camera.viewport.height, viewport.height)?
         } else {
             width / ratio
@@ -341,7 +350,7 @@ impl Pull<'_> {
         };
         let distance = self.number(distance, 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        Ok(match self.how.distance {
+        Ok(match self.options.distance {
             DistanceKeeps::Size => set,
             // An invalid distance is reported as it is without the lock.
             DistanceKeeps::Picture => camera.scaled_picture(distance).unwrap_or(set),
@@ -349,25 +358,25 @@ impl Pull<'_> {
     }
 
     /// Selects the pixel nearest to a point of the viewport.
-    fn pixel(&self, point: DVec3) -> Part {
-        let Start { before, resolved, .. } = self.start;
+    fn pixel(&self, point: DVec3) -> HandleValues {
+        let DragStart { before, resolved, .. } = self.start;
         let place = resolved.as_ref().and_then(|resolved| {
             let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
             resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half))
         });
         match place {
-            Some(place) => {
-                Part { selection: crate::model::session::Selection::Pixel(place.pixel), ..*before }
-            }
+            Some(place) => HandleValues {
+                selection: crate::model::session::Selection::Pixel(place.pixel),
+                ..*before
+            },
             None => *before,
         }
     }
 
     /// Moves or changes a sphere or a plane.
-    fn solid(&self, point: DVec3) -> Result<Pulled, String> {
-        let Start { before, grasp, at, .. } = *self.start;
-        let mut now =
-            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
+    fn solid(&self, point: DVec3) -> Result<Dragged, String> {
+        let DragStart { before, grasp, at, .. } = *self.start;
+        let mut now = self.unchanged();
         let Some((k, solid)) = before.object else { return Ok(now) };
         let solid = match (solid, grasp.handle) {
             (Solid::Sphere(mut sphere), Handle::Radius(_)) => {

@@ -1,23 +1,17 @@
 //! The edited camera drawn as lines in the world view: eye, arrows, frustum, viewport, selected
 //! ray.
 
-use std::borrow::Cow;
-
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
+use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::number::written;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::screen::unit;
-use crate::view::overlay::sketch::{Head, Pen, Sketch, Tip};
+use crate::view::overlay::space::screen::unit;
+use crate::view::overlay::space::sketch::{Head, Pen, Sketch, Tip};
+use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
-
-/// Text sizes in points: vectors, points, marks.
-pub(crate) const VECTOR_TEXT: f32 = 21.0;
-pub(crate) const POINT_TEXT: f32 = 17.0;
-pub(crate) const MARK_TEXT: f32 = 14.0;
 
 /// Least and greatest length of a basis arrow on the screen, in points. Between the two it is one
 /// world unit long.
@@ -31,7 +25,7 @@ pub const UP_LENGTH: f64 = 1.35;
 const AXIS_LENGTH: f64 = 1.75;
 
 /// Significant digits of t at the point that moves along the ray.
-const WALKED_DIGITS: usize = 4;
+const T_DIGITS: usize = 4;
 
 /// Length of a normal, in points.
 pub(crate) const NORMAL_POINTS: f64 = 62.0;
@@ -58,12 +52,9 @@ impl Sketch<'_> {
         self.eye_and_at(view);
     }
 
-    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
-    /// points on the screen; 0 where the point cannot be seen.
-    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
-        let Some(dots) = self.screen.dots_per_unit(at) else { return 0.0 };
-        let points = dots / self.scale();
-        points.clamp(least, most) / points
+    /// Returns one world unit at a point, limited to a range of points on the screen.
+    pub(crate) fn length_of_points(&self, at: DVec3, range: (f64, f64)) -> f64 {
+        self.screen.length_of_points(at, range, self.scale())
     }
 
     fn axes(&mut self) {
@@ -79,7 +70,7 @@ impl Sketch<'_> {
     pub(crate) fn label_tip(
         &mut self,
         pen: Pen,
-        text: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
         tip: Option<Tip>,
         font: (Color32, f32, bool),
     ) {
@@ -107,19 +98,14 @@ impl Sketch<'_> {
             self.line(ray.at(1.0), end, far);
         }
         if ends.iter().all(|(_, on_plane)| *on_plane) {
-            for k in 0..4 {
-                self.line(ends[k].0, ends[(k + 1) % 4].0, far);
-            }
+            self.sides(ends.map(|(end, _)| end), far);
         }
     }
 
     fn outline(&mut self, resolved: &ResolvedCamera) {
         let pen =
-            Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Concept::Viewport).on_viewport();
-        let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
-        for k in 0..4 {
-            self.line(corners[k], corners[(k + 1) % 4], pen);
-        }
+            Pen::new(Item::Viewport, self.colors.ink, 2.2).about(Concept::Viewport).on_viewport();
+        self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
     }
 
     /// Draws a thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
@@ -167,7 +153,7 @@ impl Sketch<'_> {
         for pixel in touched.into_iter().flatten() {
             self.pixel(resolved, pixel);
         }
-        let pen = Pen::new(Item::Ray, color, 2.8).of(Concept::Ray);
+        let pen = Pen::new(Item::Ray, color, 2.8).about(Concept::Ray);
         let hit = inspection.first_hit();
         let end = match hit {
             Some(hit) => Some(hit.point),
@@ -176,17 +162,17 @@ impl Sketch<'_> {
         if let Some(end) = end {
             self.line(ray.origin, end, pen);
         }
-        self.point(ray.at(1.0), 3.6, pen.of(Concept::Pixel).on_viewport());
+        self.point(ray.at(1.0), 3.6, pen.about(Concept::Pixel).on_viewport());
         if let Some(t) = view.ray_point_t {
             self.ray_point_t(inspection, t);
         }
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
-        let pen = Pen::new(Item::Hit, ink, 2.4).of(Concept::Normal);
+        let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
         let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
         self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
-        let pen = Pen { color, ..pen }.of(inspection.thing_of(hit));
+        let pen = Pen { color, ..pen }.about(inspection.concept_of(hit));
         if let Some(spot) = self.point(hit.point, 5.0, pen) {
             self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
         }
@@ -206,7 +192,7 @@ impl Sketch<'_> {
         let pen = Pen::new(Item::Ray, self.colors.hit, 2.0);
         self.point(at, 7.5, Pen { color, ..pen });
         if let Some(spot) = self.point(at, 4.5, pen) {
-            let text = format!("t = {}", written(t, WALKED_DIGITS));
+            let text = format!("t = {}", written(t, T_DIGITS));
             let font = (color, POINT_TEXT, true);
             self.label(pen, text, spot.at, DVec2::new(-0.3, -1.0), font);
         }
@@ -218,10 +204,8 @@ impl Sketch<'_> {
         let v = [resolved.v_of_row_edge(row), resolved.v_of_row_edge(row + 1)];
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
-        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Concept::Pixel).on_viewport();
-        for k in 0..4 {
-            self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
-        }
+        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).about(Concept::Pixel).on_viewport();
+        self.sides(corners, pen.without_halo());
     }
 
     /// Draws view and up as they are given; a basis given by hand has neither.
@@ -238,7 +222,7 @@ impl Sketch<'_> {
         ];
         for (name, vector, length, concept) in vectors {
             if let Some(direction) = unit(vector) {
-                let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(concept);
+                let pen = Pen::new(Item::ViewAndUp, color, 1.9).about(concept);
                 let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
                 self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
             }
@@ -247,14 +231,9 @@ impl Sketch<'_> {
 
     fn basis(&mut self, resolved: &ResolvedCamera, arrow: f64) {
         let (eye, basis) = (resolved.eye(), resolved.basis());
-        let arrows = [
-            ("u", basis.u, Head::Filled, Concept::U),
-            ("v", basis.v, Head::Open, Concept::V),
-            ("w", basis.w, Head::Double, Concept::W),
-        ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((name, vector, head, concept), (color, pattern)) in arrows.into_iter().zip(inks) {
-            let pen = Pen::new(Item::Basis, color, 3.4).of(concept).patterned(pattern);
+        for ((concept, name, vector, head), (color, pattern)) in basis_arrows(basis).zip(inks) {
+            let pen = Pen::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
             self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
         }
@@ -264,17 +243,29 @@ impl Sketch<'_> {
         let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
             let color = self.colors.given;
-            let pen = Pen::new(Item::At, color, 2.0).of(Concept::At);
+            let pen = Pen::new(Item::At, color, 2.0).about(Concept::At);
             if let Some(spot) = self.point(at, 4.5, pen) {
                 let font = (color, POINT_TEXT, false);
                 self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
             }
         }
-        let pen = Pen::new(Item::Eye, ink, 2.0).of(Concept::Eye);
+        let pen = Pen::new(Item::Eye, ink, 2.0).about(Concept::Eye);
         if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
             self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
         }
     }
+}
+
+/// Returns u, v and w with their concepts, names and arrowheads.
+pub(super) fn basis_arrows(
+    basis: &Basis,
+) -> impl Iterator<Item = (Concept, &'static str, DVec3, Head)> {
+    let arrows = [
+        (Concept::U, "u", basis.u, Head::Filled),
+        (Concept::V, "v", basis.v, Head::Open),
+        (Concept::W, "w", basis.w, Head::Double),
+    ];
+    arrows.into_iter()
 }
 
 /// Returns (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.

@@ -1,5 +1,7 @@
 //! Paints marks with tiny-skia, straight into the picture's bytes.
 
+pub(super) mod path;
+
 use std::borrow::Borrow;
 
 use egui::Color32;
@@ -9,7 +11,7 @@ use tiny_skia::{
 };
 
 use crate::view::overlay::drawing::Drawing;
-use crate::view::overlay::path::{Ink, Outline, Path};
+use crate::view::overlay::paint::path::{Ink, Outline, Path};
 
 /// Rows of dots that are painted at a time. The number does not depend on the number of threads, so
 /// neither do the dots.
@@ -32,7 +34,7 @@ pub fn paint_paths<'a>(
     if height == 0 {
         return;
     }
-    let strokes: Vec<_> = paths.filter_map(|path| Stroked::of(path.borrow())).collect();
+    let strokes: Vec<_> = paths.filter_map(|path| Stroked::new(path.borrow())).collect();
     let bands = dots[..width * height].par_chunks_mut(BAND * width).enumerate();
     bands.for_each(|(band, dots)| {
         let (top, rows) = ((band * BAND) as f32, dots.len() / width);
@@ -56,7 +58,7 @@ struct Stroked {
 const HAIRLINE: f32 = 1.0;
 
 impl Stroked {
-    fn of(path: &Path) -> Option<Stroked> {
+    fn new(path: &Path) -> Option<Stroked> {
         let mut paint = Paint::default();
         let [r, g, b, a] = path.color.to_srgba_unmultiplied();
         paint.set_color_rgba8(r, g, b, a);

@@ -17,7 +17,7 @@ pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u
 /// hide the camera; the overlay draws the part of it near the target instead. A sphere
 /// [around the camera](enclosing) would hide it too, and is [`hidden`] so that the others keep
 /// their indices; the overlay draws its outline.
-pub fn seen_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
+pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
     let mut seen = scene.without_planes();
     for &index in enclosing {
         if let Some(sphere) = scene.spheres().get(index as usize) {

@@ -9,14 +9,15 @@ use pinhole_lecture::{BasisDerivation, Cross};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::camera_view::{Sheet, place_of};
-use crate::view::overlay::drawing::{Shape, dot};
+
+use crate::view::overlay::camera_view::{Overlay, place_of};
+use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
-use crate::view::overlay::screen::{Screen, unit};
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::space::screen::{Screen, unit};
+use crate::view::overlay::space::sketch::Pen;
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;
@@ -26,23 +27,23 @@ const ARROW: f64 = 0.3;
 const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
-impl Sheet<'_> {
+impl Overlay<'_> {
     /// Highlights a concept over everything that is already drawn. If the camera cannot see it, the
     /// picture stays as it is.
-    pub(super) fn light(&mut self, highlighted: Highlighted) {
+    pub(super) fn highlight(&mut self, highlighted: Highlighted) {
         let (shown, before) = (self.items, self.requests.len());
         if let Concept::Object(index) = highlighted.concept
             && let Some(Object::Plane(_)) = highlighted.scene.object(index)
         {
-            return self.light_plane(highlighted, index);
+            return self.highlight_plane(highlighted, index);
         }
         let others = std::mem::take(&mut self.drawing.marks);
         self.items = OverlayItems::ALL;
-        self.light_given(highlighted);
-        self.light_basis(highlighted);
-        self.light_selected(highlighted);
+        self.highlight_given(highlighted);
+        self.highlight_basis(highlighted);
+        self.highlight_selected(highlighted);
         if let Concept::Object(index) = highlighted.concept {
-            self.light_object(highlighted, index);
+            self.highlight_object(highlighted, index);
         }
         self.items = shown;
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
@@ -59,7 +60,7 @@ impl Sheet<'_> {
     }
 
     fn pen(highlighted: Highlighted, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).of(highlighted.concept)
+        Pen::new(Item::Ray, color, STRONG).about(highlighted.concept)
     }
 
     /// Projects a direction of the world into the image; the result has length 1 for a unit vector
@@ -92,9 +93,7 @@ impl Sheet<'_> {
         let scale = f64::from(self.view.scale);
         let pen = Pen { width: 2.4, ..pen };
         let radius = 9.0 * scale;
-        let ring = (0..=32)
-            .map(|k| at + radius * DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 32.0));
-        let ring: Vec<DVec2> = ring.collect();
+        let ring: Vec<DVec2> = circle(32).map(|point| at + radius * point).collect();
         self.line(&ring, pen);
         if away {
             let arm = radius * std::f64::consts::FRAC_1_SQRT_2 * DVec2::ONE;
@@ -107,7 +106,7 @@ impl Sheet<'_> {
     }
 
     /// Highlights eye, at, view, up and -view.
-    fn light_given(&mut self, highlighted: Highlighted) {
+    fn highlight_given(&mut self, highlighted: Highlighted) {
         let (middle, below) = (self.middle(), DVec2::new(0.6, 1.0));
         let pen = Self::pen(highlighted, self.colors.given);
         match (highlighted.concept, highlighted.camera.orientation) {
@@ -131,7 +130,7 @@ impl Sheet<'_> {
         }
     }
 
-    fn light_basis(&mut self, highlighted: Highlighted) {
+    fn highlight_basis(&mut self, highlighted: Highlighted) {
         let middle = self.middle();
         let [u, v, w] = self.colors.basis;
         let given = self.colors.given;
@@ -155,7 +154,7 @@ impl Sheet<'_> {
                 };
                 if let (Concept::UpCrossW, Some(cross)) = (highlighted.concept, from_up.up_cross_w)
                 {
-                    self.light_cross(
+                    self.highlight_cross(
                         highlighted,
                         &cross,
                         cross.first,
@@ -163,7 +162,13 @@ impl Sheet<'_> {
                         ("up × 𝐰", u),
                     );
                 } else if let Some(cross) = from_up.w_cross_u {
-                    self.light_cross(highlighted, &cross, cross.second, ("u", u), ("𝐰 × 𝐮 = 𝐯", v));
+                    self.highlight_cross(
+                        highlighted,
+                        &cross,
+                        cross.second,
+                        ("u", u),
+                        ("𝐰 × 𝐮 = 𝐯", v),
+                    );
                 }
             }
             Concept::Distance => {
@@ -184,7 +189,7 @@ impl Sheet<'_> {
     }
 
     /// Draws w towards the observer, with the other factor and the product beside it.
-    fn light_cross(
+    fn highlight_cross(
         &mut self,
         highlighted: Highlighted,
         cross: &Cross,
@@ -203,7 +208,7 @@ impl Sheet<'_> {
         self.along_view(middle, false, Pen { color: w, ..pen }, "𝐰", below);
     }
 
-    fn light_selected(&mut self, highlighted: Highlighted) {
+    fn highlight_selected(&mut self, highlighted: Highlighted) {
         let Some(inspection) = self.view.inspection else { return };
         let (resolved, size) = (self.view.resolved, self.view.size);
         let at = place_of(resolved, size, inspection.uv);
@@ -242,7 +247,7 @@ impl Sheet<'_> {
                 }
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
-                self.light_parts(highlighted, inspection.uv)
+                self.highlight_parts(highlighted, inspection.uv)
             }
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
@@ -257,7 +262,7 @@ impl Sheet<'_> {
 
     /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
     /// those along u and v in the picture.
-    fn light_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
+    fn highlight_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
         let (resolved, size, middle) = (self.view.resolved, self.view.size, self.middle());
         let place = |uv: DVec2| place_of(resolved, size, uv);
         let (at, corner) = (place(uv), place(DVec2::new(uv.x, 0.0)));
@@ -267,7 +272,13 @@ impl Sheet<'_> {
         let sides = [(u, middle, corner, color_u), (v, corner, at, color_v)];
         for ((concept, text), from, to, color) in sides {
             let width = if concept == highlighted.concept { STRONG } else { BESIDE };
-            self.arrow(from, to - from, Pen { color, width, ..pen }.of(concept), text, POINT_TEXT);
+            self.arrow(
+                from,
+                to - from,
+                Pen { color, width, ..pen }.about(concept),
+                text,
+                POINT_TEXT,
+            );
         }
         if highlighted.concept == Concept::AlongW {
             self.along_view(middle, true, pen, w.1, DVec2::new(-0.6, -1.0));
@@ -275,7 +286,7 @@ impl Sheet<'_> {
     }
 
     /// Draws a sphere's outline.
-    fn light_object(&mut self, highlighted: Highlighted, index: u32) {
+    fn highlight_object(&mut self, highlighted: Highlighted, index: u32) {
         let Some(Object::Sphere(sphere)) = highlighted.scene.object(index) else { return };
         let resolved = self.view.resolved;
         let unit = (sphere.center - resolved.eye()).length();
@@ -291,10 +302,10 @@ impl Sheet<'_> {
 
     /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
     /// picture, and what lies on it must still be seen and hovered.
-    fn light_plane(&mut self, highlighted: Highlighted, index: u32) {
+    fn highlight_plane(&mut self, highlighted: Highlighted, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
-        let cells = Cells::of(self.view.resolved, highlighted.scene, extent, CELL * scale);
+        let cells = Cells::trace(self.view.resolved, highlighted.scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
         let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         let mut others = std::mem::take(&mut self.drawing.marks);
@@ -314,7 +325,7 @@ struct Cells {
 }
 
 impl Cells {
-    fn of(resolved: &ResolvedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
+    fn trace(resolved: &ResolvedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
         let image = resolved.image();
         let [columns, rows] = (extent / cell).to_array().map(|cells| cells.ceil() as u32);
         let raster = Raster::shown_on(image, columns, rows);

@@ -1,4 +1,4 @@
-//! The answers that the window shows the grade of, as a file.
+//! A file of a student's answers, whose grade the window shows.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,24 +16,23 @@ pub struct AnswersFile {
     pub kind: Option<AnswerKind>,
 }
 
-/// The answers that the window shows the grade of.
+/// The answers that are graded.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct AnswersAtHand {
-    /// Shared, so that it is compared by where it is.
+pub struct StudentAnswers {
+    /// The file.
     pub file: Arc<AnswersFile>,
-    /// The first row and column of its count, 0 or 1.
+    /// The number of the first row and column, 0 or 1.
     pub count_from: u32,
 }
 
-impl AnswersAtHand {
-    /// The file's name.
+impl StudentAnswers {
+    /// Returns the file's name.
     pub fn name(&self) -> String {
         let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());
         name.to_string_lossy().into_owned()
     }
 
-    /// Returns whether its rows and columns are numbers that begin somewhere: not those of a basis
-    /// or a picture.
+    /// Returns true if the answers name rows and columns by number; a basis and a picture do not.
     pub fn are_numbered(&self) -> bool {
         !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
     }

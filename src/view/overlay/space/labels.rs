@@ -1,29 +1,38 @@
 //! Label placement. Each label is put inside the picture, beside its anchor, over no other label
 //! and no handle, and over as few lines as possible.
 
-use std::borrow::Cow;
-
 use egui::Color32;
 use pinhole_core::DVec2;
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
+use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
+use crate::view::overlay::space::sketch::Pen;
 
 /// A label to be placed.
 #[derive(Clone, Debug)]
 pub(crate) struct Request {
-    pub(crate) item: Item,
-    pub(crate) text: Cow<'static, str>,
+    /// The label; its position is still open.
+    pub(crate) label: Label,
     pub(crate) concept: Option<Concept>,
     /// The point it names, in dots.
     pub(crate) anchor: DVec2,
     /// The preferred direction from the anchor; of any length, zero for no preference.
     pub(crate) toward: DVec2,
-    pub(crate) color: Color32,
-    /// Font size in points.
-    pub(crate) size: f32,
-    pub(crate) bold: bool,
+}
+
+impl Request {
+    /// Creates the request for a pen's label with a colour, a size in points, and boldness.
+    pub(crate) fn new(
+        pen: Pen,
+        text: String,
+        (anchor, toward): (DVec2, DVec2),
+        (color, size, bold): (Color32, f32, bool),
+        halo: Color32,
+    ) -> Request {
+        let label = Label { item: pen.item, position: [0.0; 2], text, color, halo, size, bold };
+        Request { label, concept: pen.concept, anchor, toward }
+    }
 }
 
 /// Distance from the anchor to the edge of the label, in points.
@@ -41,33 +50,15 @@ type Area = (DVec2, DVec2);
 
 /// Places the requests in order, so that the first ones get the best places. A label that fits
 /// nowhere near its anchor is left out; one that fits only over a handle is put there.
-pub(crate) fn place(
-    requests: &[Request],
-    drawing: &Drawing,
-    size: DVec2,
-    halo: Color32,
-) -> Vec<Label> {
+pub(crate) fn place(requests: Vec<Request>, drawing: &Drawing, size: DVec2) -> Vec<Label> {
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
     let handles = handles(drawing);
     let mut labels: Vec<Label> = Vec::with_capacity(requests.len());
-    for request in requests {
-        let mut label = Label {
-            item: request.item,
-            position: [0.0, 0.0],
-            text: request.text.clone().into_owned(),
-            color: request.color,
-            halo,
-            size: request.size,
-            bold: request.bold,
-        };
-        let half = half_extent(&label, scale);
-        let taken: Vec<Area> = labels
-            .iter()
-            .map(|l| {
-                (DVec2::new(l.position[0].into(), l.position[1].into()), half_extent(l, scale))
-            })
-            .collect();
+    for mut request in requests {
+        let half = half_extent(&request.label, scale);
+        let taken: Vec<Area> =
+            labels.iter().map(|l| (wide(l.position), half_extent(l, scale))).collect();
         let free = |center: DVec2| {
             let margin = half + 1.0;
             center.cmpge(margin).all()
@@ -75,12 +66,12 @@ pub(crate) fn place(
                 && are_apart(&taken, center, half)
         };
         let find = |free: &dyn Fn(DVec2) -> bool| {
-            best_place(request, half, f64::from(scale), &obstacles, free)
+            best_place(&request, half, f64::from(scale), &obstacles, free)
         };
         let beside_handles = |center| free(center) && are_apart(&handles, center, half);
         if let Some(center) = find(&beside_handles).or_else(|| find(&free)) {
-            label.position = dot(center);
-            labels.push(label);
+            request.label.position = dot(center);
+            labels.push(request.label);
         }
     }
     labels
@@ -93,7 +84,6 @@ fn are_apart(areas: &[Area], center: DVec2, half: DVec2) -> bool {
 
 /// Returns the areas that handles cover.
 fn handles(drawing: &Drawing) -> Vec<Area> {
-    let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
     let marks = drawing.marks.iter().filter(|mark| mark.item == Item::Handles);
     let areas = marks.filter_map(|mark| match &mark.shape {
         Shape::Disc { center, radius } => Some((wide(*center), DVec2::splat((*radius).into()))),
@@ -109,8 +99,7 @@ fn handles(drawing: &Drawing) -> Vec<Area> {
 }
 
 fn half_extent(label: &Label, scale: f32) -> DVec2 {
-    let [x, y] = label.half_extent(scale);
-    DVec2::new(x.into(), y.into())
+    wide(label.half_extent(scale))
 }
 
 fn best_place(
@@ -158,14 +147,12 @@ fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
         match &mark.shape {
             Shape::Line { points: chain, .. } | Shape::Polygon { points: chain } => {
                 for pair in chain.windows(2) {
-                    let [a, b] = [pair[0], pair[1]].map(|[x, y]| DVec2::new(x.into(), y.into()));
+                    let (a, b) = (wide(pair[0]), wide(pair[1]));
                     let count = ((b - a).length() / spacing).ceil().clamp(1.0, 4096.0);
                     points.extend((0..=count as usize).map(|k| a.lerp(b, k as f64 / count)));
                 }
             }
-            Shape::Disc { center: [x, y], .. } => {
-                points.push(DVec2::new((*x).into(), (*y).into()));
-            }
+            Shape::Disc { center, .. } => points.push(wide(*center)),
         }
     }
     points

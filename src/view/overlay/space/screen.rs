@@ -146,6 +146,14 @@ impl Screen {
         dots.is_finite().then_some(dots)
     }
 
+    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
+    /// points on the screen; 0 where the point is not seen. A point is `scale` dots.
+    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64), scale: f64) -> f64 {
+        let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
+        let points = dots / scale;
+        points.clamp(least, most) / points
+    }
+
     /// Returns the direction of the observer's ray through a point `at` of the screen, as
     /// `at.x * across + at.y * down + corner`.
     pub(crate) fn ray_parts(&self) -> RayParts {
@@ -186,4 +194,29 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
         return None;
     }
     Some((v / largest).normalize())
+}
+
+/// Returns two orthogonal unit vectors in the plane, along the world's axes if possible.
+pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
+    let least = normal.abs();
+    let axis = if least.x <= least.y && least.x <= least.z {
+        DVec3::X
+    } else if least.y <= least.z {
+        DVec3::Y
+    } else {
+        DVec3::Z
+    };
+    let a = (axis - axis.dot(normal) * normal).normalize();
+    (a, normal.cross(a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_on_level_planes_follow_the_axes() {
+        assert_eq!(tangents(DVec3::Z), (DVec3::X, DVec3::Y));
+        assert_eq!(tangents(DVec3::Y), (DVec3::X, DVec3::NEG_Z));
+    }
 }

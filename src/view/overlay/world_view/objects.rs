@@ -6,10 +6,11 @@ use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::layers::{Patch, mix};
-use crate::view::overlay::screen::{RayParts, unit};
-use crate::view::overlay::sketch::{Pen, Sketch};
+use crate::view::overlay::drawing::circle;
+use crate::view::overlay::space::flat::{Flat, Grid};
+use crate::view::overlay::space::layers::{Patch, mix};
+use crate::view::overlay::space::screen::{RayParts, tangents, unit};
+use crate::view::overlay::space::sketch::{Pen, Sketch};
 use crate::view::overlay::style::Colors;
 
 /// Radius of a patch, as a share of the observer's distance to the target plus the target's to the
@@ -71,20 +72,6 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     })
 }
 
-/// Returns two orthogonal unit vectors in the plane, along the world's axes if possible.
-pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
-    let least = normal.abs();
-    let axis = if least.x <= least.y && least.x <= least.z {
-        DVec3::X
-    } else if least.y <= least.z {
-        DVec3::Y
-    } else {
-        DVec3::Z
-    };
-    let a = (axis - axis.dot(normal) * normal).normalize();
-    (a, normal.cross(a))
-}
-
 /// Returns a grid step of 1, 2 or 5 times a power of ten: about fourteen cells across a patch.
 fn grid_step(distance: f64) -> f64 {
     let about = 2.0 * PATCH_RADIUS * distance / 14.0;
@@ -105,17 +92,12 @@ fn grid_step(distance: f64) -> f64 {
 impl Sketch<'_> {
     /// Draws three circles on a sphere, orthogonal to x, y and z.
     pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
-        const SIDES: usize = 72;
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
-        let pen = Pen::new(Item::Frustum, color, 1.2).of(Concept::Object(index)).without_halo();
+        let pen = Pen::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
-            let at = |k: usize| {
-                let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();
-                sphere.center + sphere.radius * (cos * a + sin * b)
-            };
-            for k in 0..SIDES {
-                self.line(at(k), at(k + 1), pen);
-            }
+            let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
+            let ring: Vec<DVec3> = circle(72).map(at).collect();
+            ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
         }
     }
 }
@@ -132,11 +114,5 @@ mod tests {
             assert!((9.0..25.0).contains(&cells), "{distance}: {cells}");
         }
         assert_eq!(grid_step(10.0), 1.0);
-    }
-
-    #[test]
-    fn grids_on_level_planes_follow_the_axes() {
-        assert_eq!(tangents(DVec3::Z), (DVec3::X, DVec3::Y));
-        assert_eq!(tangents(DVec3::Y), (DVec3::X, DVec3::NEG_Z));
     }
 }

@@ -1,6 +1,7 @@
 //! The camera view: the traced picture with sharp pixels, and the selection in it.
 
-use std::borrow::Cow;
+mod highlighted;
+pub(super) mod loupe;
 
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, ResolvedCamera};
@@ -8,15 +9,14 @@ use pinhole_core::{DVec2, ImageSize, Pixel, ResolvedCamera};
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::camera_in_space::MARK_TEXT;
+use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::labels::{self, Request};
-use crate::view::overlay::layers::{contrast, mix};
-use crate::view::overlay::loupe::{self, Loupe};
 use crate::view::overlay::picture::Picture;
-use crate::view::overlay::sketch::Pen;
-use crate::view::overlay::style::{Colors, Style};
+use crate::view::overlay::space::labels::{self, Request};
+use crate::view::overlay::space::layers::{contrast, mix};
+use crate::view::overlay::space::sketch::Pen;
+use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
 
 /// Everything that the camera view shows.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +78,7 @@ pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DV
     dot(place_of(resolved, size, uv))
 }
 
-pub(super) fn place_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
+fn place_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
     let viewport = resolved.viewport();
     DVec2::new(
         width as f64 * (0.5 + uv.x / viewport.width),
@@ -87,12 +87,12 @@ pub(super) fn place_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], u
 }
 
 impl CameraView<'_> {
-    pub(super) fn extent(&self) -> DVec2 {
+    fn extent(&self) -> DVec2 {
         DVec2::new(self.size[0] as f64, self.size[1] as f64)
     }
 
     /// Dots per pixel, across and down.
-    pub(super) fn dots_per_pixel(&self) -> DVec2 {
+    fn dots_per_pixel(&self) -> DVec2 {
         let image = self.resolved.image();
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
@@ -123,22 +123,23 @@ impl CameraView<'_> {
     /// Returns the marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
         let colors = self.style.colors();
-        let mut sheet = Sheet {
+        let mut overlay = Overlay {
             view: self,
             items: self.items,
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
         };
-        sheet.uv_axes();
-        sheet.marks();
-        sheet.selected();
+        overlay.uv_axes();
+        overlay.marks();
+        overlay.selected();
         if let Some(highlighted) = self.highlighted {
-            sheet.light(highlighted);
+            overlay.highlight(highlighted);
         }
-        let placed = labels::place(&sheet.requests, &sheet.drawing, self.extent(), colors.halo);
-        sheet.loupe();
-        let mut drawing = sheet.drawing;
+        let requests = std::mem::take(&mut overlay.requests);
+        let placed = labels::place(requests, &overlay.drawing, self.extent());
+        overlay.loupe();
+        let mut drawing = overlay.drawing;
         drawing.labels = placed;
         loupe::label(self, &mut drawing);
         drawing
@@ -159,42 +160,38 @@ fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
 }
 
 /// The camera view's drawing while it is built.
-pub(super) struct Sheet<'a> {
-    pub(super) view: &'a CameraView<'a>,
-    pub(super) items: OverlayItems,
-    pub(super) colors: &'static Colors,
-    pub(super) drawing: Drawing,
-    pub(super) requests: Vec<Request>,
+struct Overlay<'a> {
+    view: &'a CameraView<'a>,
+    items: OverlayItems,
+    colors: &'static Colors,
+    drawing: Drawing,
+    requests: Vec<Request>,
 }
 
-impl Sheet<'_> {
-    pub(super) fn add(&mut self, pen: Pen, shape: Shape) {
-        let Pen { item, concept, color, pattern, .. } = pen;
-        if self.items.shows(item) {
-            let halo = pen.halo.then_some(self.colors.halo);
-            let hidden = false;
-            self.drawing.marks.push(Mark { item, concept, shape, color, halo, hidden, pattern });
+impl Overlay<'_> {
+    fn add(&mut self, pen: Pen, shape: Shape) {
+        if self.items.shows(pen.item) {
+            let mark = pen.mark(shape, self.colors.halo);
+            self.drawing.marks.push(Mark { pattern: pen.pattern, ..mark });
         }
     }
 
-    pub(super) fn line(&mut self, points: &[DVec2], pen: Pen) {
+    fn line(&mut self, points: &[DVec2], pen: Pen) {
         let points = points.iter().copied().map(dot).collect();
         self.add(pen, Shape::Line { points, width: pen.width * self.view.scale });
     }
 
-    pub(super) fn label(
+    fn label(
         &mut self,
         pen: Pen,
-        text: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
         (size, bold): (f32, bool),
     ) {
-        let Pen { item, concept, color, .. } = pen;
-        if self.items.shows(Item::Labels) && self.items.shows(item) {
-            let text = text.into();
-            let request = Request { item, text, concept, anchor, toward, color, size, bold };
-            self.requests.push(request);
+        if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
+            let (places, font) = ((anchor, toward), (pen.color, size, bold));
+            self.requests.push(Request::new(pen, text.into(), places, font, self.colors.halo));
         }
     }
 
@@ -208,7 +205,7 @@ impl Sheet<'_> {
             ("v", down, DVec2::new(middle.x, 1.0), Concept::V),
         ];
         for (name, points, end, concept) in axes {
-            let pen = Pen::new(Item::UvAxes, color, 1.0).of(concept);
+            let pen = Pen::new(Item::UvAxes, color, 1.0).about(concept);
             self.line(&points, pen);
             self.label(pen, name, end, middle - end, (MARK_TEXT, false));
         }
@@ -245,7 +242,7 @@ impl Sheet<'_> {
     /// position.
     fn selected(&mut self) {
         let Some(inspection) = self.view.inspection else { return };
-        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Concept::Pixel);
+        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).about(Concept::Pixel);
         let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
         let resolved = self.view.resolved;
@@ -274,7 +271,7 @@ impl Sheet<'_> {
         }
         if let (Some(hit), true) = (inspection.first_hit(), pixel_size >= 12.0) {
             let radius = 3.2 * self.view.scale;
-            let pen = Pen { item: Item::Hit, ..pen }.of(inspection.thing_of(hit));
+            let pen = Pen { item: Item::Hit, ..pen }.about(inspection.concept_of(hit));
             self.add(pen, Shape::Disc { center: dot(at), radius });
         }
     }
@@ -285,7 +282,7 @@ impl Sheet<'_> {
         self.frame(corner(row, column), corner(row + 1, column + 1), pen);
     }
 
-    pub(super) fn frame(&mut self, from: DVec2, to: DVec2, pen: Pen) {
+    fn frame(&mut self, from: DVec2, to: DVec2, pen: Pen) {
         let points = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y), from];
         self.line(&points, pen);
     }

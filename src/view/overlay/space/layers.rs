@@ -8,8 +8,8 @@ use egui::Color32;
 use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
 use rayon::prelude::*;
 
-use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
 use crate::view::overlay::picture::Picture;
+use crate::view::overlay::space::flat::{Flat, FlatRow, FlatSpot, Grid};
 
 /// All flat layers of one world view, and the t-buffer that they are compared with.
 pub(crate) struct Layers<'a> {

@@ -1,17 +1,15 @@
 //! Converts lines, arrows and points of the world into the marks of a [`Drawing`]: projects them,
 //! clips them, and splits them into visible and hidden parts.
 
-use std::borrow::Cow;
-
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
-use crate::view::overlay::labels::Request;
-use crate::view::overlay::layers::Layers;
-use crate::view::overlay::screen::{CutLine, Screen, Spot};
+use crate::view::overlay::drawing::{Drawing, Mark, Shape, circle, dot};
+use crate::view::overlay::space::labels::Request;
+use crate::view::overlay::space::layers::Layers;
+use crate::view::overlay::space::screen::{CutLine, Screen, Spot};
 use crate::view::overlay::style::Colors;
 
 /// The style of a line.
@@ -81,7 +79,7 @@ impl Pen {
     }
 
     /// Sets the concept that is hovered when the pointer is on the line.
-    pub(crate) fn of(self, concept: Concept) -> Pen {
+    pub(crate) fn about(self, concept: Concept) -> Pen {
         Pen { concept: Some(concept), ..self }
     }
 
@@ -99,6 +97,19 @@ impl Pen {
 
     pub(crate) fn on_viewport(self) -> Pen {
         Pen { on_viewport: true, ..self }
+    }
+
+    /// Returns the mark of a visible shape, in a casing of the colour `halo` if the pen has one.
+    pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
+        Mark {
+            item: self.item,
+            concept: self.concept,
+            shape,
+            color: self.color,
+            halo: self.halo.then_some(halo),
+            hidden: false,
+            pattern: None,
+        }
     }
 }
 
@@ -163,12 +174,9 @@ impl Sketch<'_> {
                 let thin = if hidden { 0.6 } else { 1.0 };
                 Shape::Line { points, width: thin * pen.width * self.drawing.scale }
             };
-            let halo = (pen.halo && !hidden).then_some(self.colors.halo);
             // The head is never dashed, or its shape would be lost.
-            let (item, concept, color) = (pen.item, pen.concept, pen.color);
-            let pattern = None;
-            let mark = Mark { item, concept, shape, color, halo, hidden: false, pattern };
-            self.drawing.marks.push(mark);
+            let pen = Pen { halo: pen.halo && !hidden, ..pen };
+            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         };
         match head {
             Head::Filled => add(&triangle(tip.at), true),
@@ -199,29 +207,19 @@ impl Sketch<'_> {
         let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
         let shape = if hidden {
-            let ring = (0..=24).map(|k| {
-                let angle = f64::from(k) * std::f64::consts::TAU / 24.0;
-                dot(spot.at + DVec2::from_angle(angle) * f64::from(radius))
-            });
+            let ring = circle(24).map(|point| dot(spot.at + point * f64::from(radius)));
             Shape::Line { points: ring.collect(), width: 1.2 * self.drawing.scale }
         } else {
             Shape::Disc { center: dot(spot.at), radius }
         };
-        self.mark(shape, pen);
+        self.drawing.marks.push(pen.mark(shape, self.colors.halo));
     }
 
-    /// Adds a visible shape.
-    fn mark(&mut self, shape: Shape, pen: Pen) {
-        let halo = pen.halo.then_some(self.colors.halo);
-        self.drawing.marks.push(Mark {
-            item: pen.item,
-            concept: pen.concept,
-            shape,
-            color: pen.color,
-            halo,
-            hidden: false,
-            pattern: None,
-        });
+    /// Draws the sides of a polygon of the world.
+    pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: Pen) {
+        for k in 0..N {
+            self.line(corners[k], corners[(k + 1) % N], pen);
+        }
     }
 
     /// Draws a flat polygon, if all of it is in the picture and at least one corner is not hidden.
@@ -236,7 +234,7 @@ impl Sketch<'_> {
         let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if seen {
             let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
-            self.mark(shape, pen);
+            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         }
     }
 
@@ -244,17 +242,15 @@ impl Sketch<'_> {
     pub(crate) fn label(
         &mut self,
         pen: Pen,
-        text: impl Into<Cow<'static, str>>,
+        text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
         font: (Color32, f32, bool),
     ) {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
-            let (color, size, bold) = font;
-            let (item, concept, text) = (pen.item, pen.concept, text.into());
-            let request = Request { item, text, concept, anchor, toward, color, size, bold };
-            self.requests.push(request);
+            let places = (anchor, toward);
+            self.requests.push(Request::new(pen, text.into(), places, font, self.colors.halo));
         }
     }
 
@@ -268,12 +264,10 @@ impl Sketch<'_> {
             let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let dashed = run.hidden || pen.dashed;
-            let halo = (pen.halo && !dashed).then_some(self.colors.halo);
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let (item, concept, color) = (pen.item, pen.concept, pen.color);
-            let pattern = pen.pattern;
-            let mark = Mark { item, concept, shape, color, halo, hidden: dashed, pattern };
-            self.drawing.marks.push(mark);
+            let pen = Pen { halo: pen.halo && !dashed, ..pen };
+            let mark = pen.mark(shape, self.colors.halo);
+            self.drawing.marks.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
         }
     }
 

@@ -4,8 +4,9 @@
 use pinhole_core::{DVec2, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_in_space::{ARROW_POINTS, POINT_TEXT, VECTOR_TEXT, corners};
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::space::sketch::{Pen, Sketch};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, basis_arrows, corners};
 
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;
@@ -24,15 +25,10 @@ impl Sketch<'_> {
             self.line(ends[0], ends[1], outline);
         }
         let length = self.length_of_points(eye, ARROW_POINTS);
-        let arrows = [
-            ("u′", basis.u, Head::Filled),
-            ("v′", basis.v, Head::Open),
-            ("w′", basis.w, Head::Double),
-        ];
-        for ((name, vector, head), color) in arrows.into_iter().zip(self.colors.basis) {
+        for ((_, name, vector, head), color) in basis_arrows(basis).zip(self.colors.basis) {
             let pen = Pen::new(Item::Basis, color, 2.6).dashed();
             let tip = self.arrow(eye, eye + length * vector, head, pen);
-            self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
+            self.label_tip(pen, format!("{name}′"), tip, (color, VECTOR_TEXT, true));
         }
         let pen = Pen::new(Item::Eye, ink, 2.0);
         if let Some(spot) = self.point(eye, 4.5, pen) {

@@ -4,10 +4,10 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation};
 use pinhole_exchange::document::Document;
 
-use super::Part;
-use crate::model::hand::Handle;
+use super::HandleValues;
 use crate::model::number::written;
 use crate::model::session::Selection;
+use crate::model::session::hand::Handle;
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {
@@ -43,7 +43,7 @@ pub fn vector(v: DVec3, digits: usize) -> String {
 
 /// Returns a handle's value: `eye = (1, 0, 0)`. Rows and columns are counted from 1 if `from_one`
 /// is set.
-pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> String {
+pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
     let number = |x: f64| written(x, digits);
     let named = |name: &str, v: DVec3| format!("{name} = {}", vector(v, digits));

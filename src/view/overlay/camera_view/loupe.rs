@@ -8,10 +8,10 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraView, Sheet, place_of};
-use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
+use crate::view::overlay::camera_view::{CameraView, Overlay, place_of};
+use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::picture::Picture;
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::space::sketch::Pen;
 
 /// Number of pixels shown across and down.
 const PIXELS: u32 = 9;
@@ -62,8 +62,16 @@ struct Inset {
 }
 
 impl Inset {
+    /// Returns the open loupe, and places it for the selected position.
+    fn open<'a>(view: &CameraView<'a>) -> Option<(&'a Loupe, PixelOfUv, DVec2, Inset)> {
+        let loupe = view.loupe.filter(|loupe| loupe.picture.is_whole())?;
+        let inspection = view.inspection.filter(|_| view.items.shows(Item::Loupe))?;
+        let (place, at) = (inspection.place?, place_of(view.resolved, view.size, inspection.uv));
+        Some((loupe, place, at, Inset::new(view, &place, at)))
+    }
+
     /// Places the loupe in the corner of the view farthest from the selected position.
-    fn of(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
+    fn new(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
         let pixels = f64::from(PIXELS);
         let rim = scale * RIM;
@@ -103,35 +111,27 @@ impl Inset {
     }
 }
 
-impl Sheet<'_> {
+impl Overlay<'_> {
     /// Draws the loupe over everything else.
     pub(super) fn loupe(&mut self) {
-        let (Some(loupe), Some(inspection)) = (self.view.loupe, self.view.inspection) else {
-            return;
-        };
-        let Some(place) = inspection.place else { return };
-        if !self.items.shows(Item::Loupe) || !loupe.picture.is_whole() {
-            return;
-        }
         let (view, colors) = (self.view, self.colors);
-        let at = place_of(view.resolved, view.size, inspection.uv);
-        let inset = Inset::of(view, &place, at);
+        let Some((loupe, place, at, inset)) = Inset::open(view) else { return };
         let end = inset.from + inset.size;
         let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
-        self.line(&[at, nearest(at, inset.from, end)], pen(colors.ray, 1.5));
+        self.line(&[at, at.clamp(inset.from, end)], pen(colors.ray, 1.5));
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);
         for pixel in place.touching(view.resolved.image()) {
             let corner =
                 |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
-            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Concept::Pixel));
+            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).about(Concept::Pixel));
         }
         let per_pixel = view.dots_per_pixel();
         let spot = inset.place(at.x / per_pixel.x, at.y / per_pixel.y);
         for axis in [DVec2::X, DVec2::Y] {
             let arm = 0.8 * inset.cell * axis;
-            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).of(Concept::Pixel));
+            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).about(Concept::Pixel));
         }
     }
 
@@ -160,27 +160,21 @@ impl Sheet<'_> {
 /// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the
 /// loupe covers.
 pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
-    let (Some(loupe), Some(inspection)) = (view.loupe, view.inspection) else { return };
-    let Some(place) = inspection.place else { return };
-    if !view.items.shows(Item::Loupe) || !loupe.picture.is_whole() {
-        return;
-    }
-    let at = place_of(view.resolved, view.size, inspection.uv);
-    let inset = Inset::of(view, &place, at);
+    let Some((loupe, place, _, inset)) = Inset::open(view) else { return };
     let (low, high) = (inset.from, inset.from + inset.size);
     drawing.labels.retain(|label| {
-        let [x, y] = label.position;
-        let [w, h] = label.half_extent(view.scale);
-        let apart = DVec2::new(f64::from(x), f64::from(y)) - 0.5 * (low + high);
-        apart.abs().cmpgt(0.5 * (high - low) + DVec2::new(w.into(), h.into())).any()
+        let apart = wide(label.position) - 0.5 * (low + high);
+        apart.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(view.scale))).any()
     });
     let touched = place.touching(view.resolved.image());
     let mut texts = rows(&touched, loupe, &inset, view.scale);
     texts.extend(columns(&touched, loupe, &inset, view.scale));
+    let centre = view.resolved.uv_of_pixel(place.pixel);
+    let is_centre = view.inspection.is_some_and(|inspection| inspection.uv == centre);
     let kind = match touched.len() {
         4 => "corner of 4 pixels",
         2 => "between 2 pixels",
-        1 if view.resolved.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
+        1 if is_centre => "centre of a pixel",
         _ => "inside of a pixel",
     };
     let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
@@ -228,9 +222,4 @@ fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(
     };
     let named = columns.iter().enumerate().map(name);
     named.chain([("column".to_owned(), rim)]).collect()
-}
-
-/// Returns the point of a rectangle that is nearest to a position.
-fn nearest(at: DVec2, from: DVec2, to: DVec2) -> DVec2 {
-    at.clamp(from, to)
 }

@@ -2,28 +2,22 @@
 
 use std::sync::Arc;
 
-use egui::Color32;
 use pinhole_core::{Camera, ImageSize, Raster};
 use pinhole_exchange::answers;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 
-use super::beside::shown_beside;
+use super::beside::BesideView;
+use super::derived::Inputs;
 use super::memo::Memo;
 use super::objects::GoodWorld;
-use super::watch::{Watch, Work, watched};
-use super::wrong::Right;
-use super::{Derived, Shown, ViewSizes};
-use crate::model::overlay_items::OverlayItems;
-use crate::model::session::{Selection, Session};
-use crate::model::student_answers::AnswersAtHand;
-use crate::view::overlay::{Picture, Style};
+use super::picture::GoodPicture;
+use super::{Derived, opaque};
+use crate::model::practice::student_answers::StudentAnswers;
+use crate::view::overlay::Picture;
 
 /// The inputs of a grade: the camera, the objects and their colours by number, and the answers.
-type Key = (Camera, u64, u64, AnswersAtHand);
-
-/// The inputs of the map.
-type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
+type Key = (Camera, u64, u64, StudentAnswers);
 
 /// A grade, or the reason why there is none.
 pub type Grading = Result<Arc<Graded>, Arc<str>>;
@@ -32,7 +26,7 @@ pub type Grading = Result<Arc<Graded>, Arc<str>>;
 #[derive(Debug, Default)]
 pub(super) struct GradedAnswers {
     graded: Memo<Key, Grading>,
-    view: Memo<ViewKey, Option<Shown>>,
+    view: BesideView,
     /// Number of gradings so far, which distinguishes one grade from the next.
     count: u64,
 }
@@ -44,16 +38,14 @@ impl GradedAnswers {
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
-        document: &Document,
-        (right, world): (&Right<'_>, &GoodWorld),
-        session: &Session,
-        sizes: &ViewSizes,
-        watch: Watch<'_>,
+        inputs: Inputs<'_>,
+        (good, world): (&GoodPicture, &GoodWorld),
     ) {
+        let Inputs { document, session, sizes, .. } = inputs;
         let (Some(size), Some(at_hand)) = (sizes.answers, &session.answers) else { return };
-        let key = (*right.camera, world.generation, world.palette, at_hand.clone());
+        let key = (document.camera, world.generation, world.palette, at_hand.clone());
         // Grading traces many variants of the student's program, so it waits until the drag rests.
-        if sizes.under_hand && !self.graded.knows(&key) {
+        if sizes.under_hand && self.graded.known(|known| *known == key).is_none() {
             return;
         }
         let count = &mut self.count;
@@ -62,11 +54,11 @@ impl GradedAnswers {
             graded(document, camera, world, at_hand)
         });
         if let Ok(graded) = &graded {
+            let number = ((self.count, false), size);
+            let camera = (&good.resolved, &*good.inspection, good.selection);
             let items = session.settings.items;
-            let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);
-            derived.answers_view = self.view.get(key, |_| {
-                watched(watch, Work::Overlay, || map(graded, right, items, size, sizes))
-            });
+            derived.answers_view =
+                self.view.get(inputs, number, camera, items, || picture(graded, size));
         }
         derived.answers = Some(graded);
     }
@@ -76,9 +68,9 @@ fn graded(
     document: &Document,
     camera: &Camera,
     world: &GoodWorld,
-    at_hand: &AnswersAtHand,
+    at_hand: &StudentAnswers,
 ) -> Grading {
-    let AnswersAtHand { file, count_from } = at_hand;
+    let StudentAnswers { file, count_from } = at_hand;
     let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
         .map_err(|error| Arc::from(error.to_string()))?;
     // The document's colours, even if the window shows others.
@@ -86,17 +78,6 @@ fn graded(
     let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
     let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
-}
-
-fn map(
-    graded: &Graded,
-    right: &Right<'_>,
-    items: OverlayItems,
-    size: [u32; 2],
-    sizes: &ViewSizes,
-) -> Option<Shown> {
-    let picture = picture(graded, size)?;
-    Some(shown_beside(&picture, (right.resolved, right.inspection), items, size, sizes))
 }
 
 /// Returns the map as a picture with as many pixels as are shown. A pixel that stands for several
@@ -113,9 +94,6 @@ fn picture(graded: &Graded, size: [u32; 2]) -> Option<Picture> {
         let known = &mut worst[rows[row] * width + columns[column]];
         *known = (*known).max(cell);
     }
-    let color = |cell: Cell| {
-        let [r, g, b] = cell.color();
-        Color32::from_rgb(r, g, b)
-    };
-    Some(Picture { pixels: worst.into_iter().map(color).collect(), image, raster })
+    let pixels = worst.into_iter().map(|cell| opaque(cell.color())).collect();
+    Some(Picture { pixels, image, raster })
 }

@@ -1,14 +1,14 @@
-//! The table of conventions: how a camera is given here, and in another program.
+//! The table of conventions: a camera as it is given here and in another program.
 
 use pinhole_core::{DVec3, Pixel, shortest};
 use pinhole_exchange::format::{Axis, Conventions, ExportScene, Format, PixelConvention};
 
 use crate::model::letters::{bold, italic};
 
-/// A line of the table: one thing, here and there.
+/// A row of the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Name of the thing.
+    /// Name of the convention.
     pub about: &'static str,
     /// Its form here.
     pub ours: String,
@@ -20,48 +20,46 @@ pub struct Row {
     pub differs: bool,
 }
 
-/// An axis as a bold letter with its sign.
+/// Returns an axis as a bold letter with its sign.
 fn letter(axis: Axis) -> String {
     axis.name.chars().map(bold).collect()
 }
 
-/// The rule by which pixels are counted, and which pixel (0, 0) is.
-fn rule(pixels: PixelConvention) -> String {
-    let (i, j) = (italic('i'), italic('j'));
-    match pixels {
-        PixelConvention::Corner => format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
-        PixelConvention::AtCentre => {
-            format!("x = {j}, y = {i}: from the centre of the first pixel")
-        }
-        PixelConvention::FromBottom => {
-            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up")
-        }
-        PixelConvention::FromOne => format!("{i} + 1, {j} + 1: counted from 1"),
-        PixelConvention::ColumnFirst => format!("get_ray({j}, {i}): the column first"),
-        PixelConvention::Device => {
-            format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up")
-        }
-    }
-}
-
-/// The centre of a pixel as it is counted of an image of W x H.
-fn centre(
+/// Returns the rule by which pixels are counted, and the centre of a pixel of an image of W x H in
+/// numbers.
+fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
     [width, height]: [u32; 2],
-) -> String {
-    let (i, j) = (f64::from(row), f64::from(column));
+) -> [String; 2] {
+    let (i, j) = (italic('i'), italic('j'));
+    let (y, x) = (f64::from(row), f64::from(column));
     let (w, h) = (f64::from(width), f64::from(height));
     let pair = |a: f64, b: f64| format!("({}, {})", shortest(a), shortest(b));
     match pixels {
-        PixelConvention::Corner => pair(j + 0.5, i + 0.5),
-        PixelConvention::AtCentre => pair(j, i),
-        PixelConvention::FromBottom => pair(j + 0.5, h - i - 0.5),
-        PixelConvention::FromOne => pair(i + 1.0, j + 1.0),
-        PixelConvention::ColumnFirst => pair(j, i),
+        PixelConvention::Corner => [
+            format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
+            pair(x + 0.5, y + 0.5),
+        ],
+        PixelConvention::AtCentre => {
+            [format!("x = {j}, y = {i}: from the centre of the first pixel"), pair(x, y)]
+        }
+        PixelConvention::FromBottom => [
+            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up"),
+            pair(x + 0.5, h - y - 0.5),
+        ],
+        PixelConvention::FromOne => {
+            [format!("{i} + 1, {j} + 1: counted from 1"), pair(y + 1.0, x + 1.0)]
+        }
+        PixelConvention::ColumnFirst => {
+            [format!("get_ray({j}, {i}): the column first"), pair(x, y)]
+        }
         PixelConvention::Device => {
             let short = |x: f64| (x * 1e4).round() / 1e4;
-            pair(short((2.0 * j + 1.0 - w) / w), short((h - 2.0 * i - 1.0) / h))
+            [
+                format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up"),
+                pair(short((2.0 * x + 1.0 - w) / w), short((h - 2.0 * y - 1.0) / h)),
+            ]
         }
     }
 }
@@ -70,11 +68,11 @@ fn flips(pixels: PixelConvention) -> bool {
     matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
 }
 
-/// Name of the line on the field of view.
+/// Name of the row on the field of view.
 pub(crate) const FIELD_OF_VIEW: &str = "field of view";
 
-/// The table for a camera: the format's conventions beside those here. The pixel is what the numbers of the
-/// line on pixels are about; numbers have that many significant digits.
+/// Returns the table for a camera: the format's conventions beside those here. The row on pixels has the
+/// numbers of `pixel`; `digits` is the number of significant digits.
 pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
     let conventions = &format.conventions;
     let image = subject.resolve().image();
@@ -102,21 +100,12 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
     };
     line("given by", at_or.into(), conventions.given_by.into(), false, true);
     let pixels = conventions.pixels;
-    line(
-        "centre of a pixel",
-        rule(PixelConvention::Corner),
-        rule(pixels),
-        flips(pixels),
-        pixels != PixelConvention::Corner,
-    );
-    let spoken = format!("({}, {})", pixel.row, pixel.column);
-    line(
-        "in numbers",
-        format!("row, column {spoken}, centre {}", centre(PixelConvention::Corner, pixel, size)),
-        centre(pixels, pixel, size),
-        flips(pixels),
-        pixels != PixelConvention::Corner,
-    );
+    let [our_rule, our_centre] = counted(PixelConvention::Corner, pixel, size);
+    let [their_rule, their_centre] = counted(pixels, pixel, size);
+    let (flipped, differs) = (flips(pixels), pixels != PixelConvention::Corner);
+    line("centre of a pixel", our_rule, their_rule, flipped, differs);
+    let ours = format!("row, column ({}, {}), centre {our_centre}", pixel.row, pixel.column);
+    line("in numbers", ours, their_centre, flipped, differs);
     let viewport = subject.resolve().viewport();
     line(
         FIELD_OF_VIEW,
@@ -148,7 +137,7 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
     table
 }
 
-/// The lines on the camera's axes, with their vectors.
+/// Returns the rows on the camera's axes, with their vectors.
 fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {

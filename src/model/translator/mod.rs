@@ -1,5 +1,8 @@
-//! The translator: one camera in another program's terms, and what became of a camera that was pasted.
+//! The translator: the camera in another program's terms, and pasted cameras.
 
+pub mod conventions;
+
+use std::ops::Range;
 use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
@@ -11,32 +14,32 @@ use pinhole_exchange::format::{
 use pinhole_exchange::programs::{FORMATS, importer_of, unknown_form};
 use pinhole_exchange::{FileError, scene_file};
 
-use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
+use crate::model::translator::conventions::{FIELD_OF_VIEW, Row, rows};
 
-/// No more objects than this are written under the drag, and shown.
+/// Maximum number of objects that are written and shown.
 pub const MOST_OBJECTS: usize = 500;
 
-/// What a camera can be put into: another program's words, or a language's code.
+/// A target of a translation.
 #[derive(Clone, Copy, Debug)]
 pub enum Target {
-    /// A program, or a habit of writing cameras.
+    /// The format of a program, or a common way of writing cameras.
     Format(&'static Format),
-    /// From a pixel to its ray, in code.
+    /// Code from a pixel to its ray, in a language.
     Code(&'static Language),
 }
 
 impl Target {
-    /// All formats, then all languages.
+    /// Returns all formats, then all languages.
     pub fn all() -> impl Iterator<Item = Target> {
         FORMATS.iter().map(Target::Format).chain(LANGUAGES.iter().map(Target::Code))
     }
 
-    /// The one of this name.
+    /// Returns the target with this name.
     pub fn named(name: &str) -> Option<Target> {
         Target::all().find(|target| target.name() == name)
     }
 
-    /// What `--to` calls it.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Target::Format(format) => format.name,
@@ -44,7 +47,7 @@ impl Target {
         }
     }
 
-    /// What people call it.
+    /// Returns the name for people.
     pub fn label(self) -> &'static str {
         match self {
             Target::Format(format) => format.label,
@@ -52,7 +55,7 @@ impl Target {
         }
     }
 
-    /// The same in a word or two.
+    /// Returns the name in a word or two.
     pub fn short(self) -> &'static str {
         match self {
             Target::Format(format) => format.short,
@@ -60,7 +63,7 @@ impl Target {
         }
     }
 
-    /// How its files end, without the dot.
+    /// Returns the ending of its files, without the dot.
     pub fn ending(self) -> &'static str {
         match self {
             Target::Format(format) => format.ending,
@@ -68,11 +71,11 @@ impl Target {
         }
     }
 
-    /// The camera put into it, and what else is asked for where it has words for that; code is of the
-    /// camera alone.
+    /// Writes the camera, and the objects where the target has terms for them; code describes only the
+    /// camera.
     ///
     /// # Errors
-    /// What it cannot say.
+    /// Returns the reason if the target has no terms for the camera.
     pub fn write(self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         match self {
             Target::Format(format) => format.write(subject),
@@ -80,13 +83,14 @@ impl Target {
                 let text = language
                     .code(subject.resolve())
                     .map_err(|error| Unsupported(error.to_string()))?;
-                let sheet = Text { text, flipped: Vec::new() };
-                Ok(Exported { files: vec![(language.file, sheet)], notes: Vec::new() })
+                let text = Text { text, flipped: Vec::new() };
+                Ok(Exported { files: vec![(language.file, text)], notes: Vec::new() })
             }
         }
     }
 
-    /// How its terms differ, with the numbers of a pixel. Code is in the lecture's own.
+    /// Returns the table of conventions, with the numbers of a pixel; empty for code, which has the
+    /// lecture's own.
     fn rows(self, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
         match self {
             Target::Format(format) => {
@@ -103,16 +107,16 @@ impl Target {
     }
 }
 
-/// What is chosen in the translator.
+/// The choices in the translator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translator {
     /// The name of the [`Target`].
     pub target: &'static str,
-    /// The objects are written, too.
+    /// True if the objects are written, too.
     pub objects: bool,
-    /// Numbers are shown to the last digit; copied and saved they always are.
+    /// True if numbers are shown to the last digit, as they are always copied and saved.
     pub every_digit: bool,
-    /// What became of the camera that was pasted last.
+    /// The result of the last paste.
     pub pasted: Option<Pasted>,
 }
 
@@ -123,34 +127,31 @@ impl Default for Translator {
 }
 
 impl Translator {
-    /// What is chosen.
+    /// Returns the chosen target.
     pub fn chosen(&self) -> Target {
         Target::named(self.target).unwrap_or(Target::Format(&FORMATS[0]))
     }
 }
 
-/// What became of a paste.
+/// The result of a paste.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pasted {
-    /// In a few words.
+    /// The result in a few words.
     pub title: String,
-    /// What could not be taken over, or what is wrong with the text.
+    /// The parts that were not taken over, or the error in the text.
     pub notes: Vec<String>,
-    /// Whether the camera was taken over.
+    /// True if the camera was taken over.
     pub worked: bool,
-    /// The camera after it: once that has changed, what is said here is past.
+    /// The camera after the paste; the notice is outdated once the camera has changed.
     pub camera: Camera,
 }
 
-/// What is said of a left-handed camera among objects that stay as they are.
+/// The note on a left-handed camera among objects that stay as they are.
 const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: its every z is negated, and the \
                      objects here are not: negate theirs, too, for the same picture";
 
-/// The camera that a text gives, and the format's name; what the text leaves open is as in the camera
-/// at hand. Objects in the text are not taken over.
-///
-/// # Errors
-/// What is wrong with it: no camera at all, or one that cannot be.
+/// Reads the camera in a text. Fields that the text leaves open stay as in the camera `at_hand`;
+/// objects are not taken over. Returns no camera if the text has none or an invalid one.
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
     let failed = |title: &str, note: String| {
         let title = title.to_owned();
@@ -161,7 +162,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
             Ok(document) => {
                 let title = "Camera pasted: a scene of Pinhole".to_owned();
                 let objects = document.object_count();
-                taken(title, document.camera, Vec::new(), objects)
+                taken_over(title, document.camera, Vec::new(), objects)
             }
             Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
         };
@@ -176,7 +177,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
             let title = format!("Camera pasted: {}", importer.label);
-            taken(title, read.camera, notes.collect(), objects)
+            taken_over(title, read.camera, notes.collect(), objects)
         }
         Err(error) => {
             let title = format!("Not pasted: this camera of {} cannot be read", importer.label);
@@ -185,7 +186,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
     }
 }
 
-fn taken(
+fn taken_over(
     title: String,
     camera: Camera,
     mut notes: Vec<String>,
@@ -198,30 +199,30 @@ fn taken(
     (Some(camera), Pasted { title, notes, worked: true, camera })
 }
 
-/// A scene file of this program, if the text is one.
+/// Reads a scene file of this program, if the text is one.
 fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
     let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
     is_one.then(|| scene_file::parse(text, Path::new("pasted"), Path::new("")))
 }
 
-/// What goes with the camera: the objects where they are asked for, and not too many.
+/// Returns what is written with the camera: the objects if they are wanted and not too many.
 pub fn with(document: &Document, objects: bool) -> Include {
     let few = document.object_count() <= MOST_OBJECTS;
     if objects && few { Include::Meshes } else { Include::CameraAlone }
 }
 
-/// A camera in other terms.
+/// A camera in the terms of a target.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
-    /// As written, or why it cannot be said.
+    /// The texts, or the reason why there are none.
     pub written: Result<Exported, Unsupported>,
-    /// How the terms differ; empty where there is no camera.
+    /// The table of conventions; empty if there is no camera.
     pub rows: Vec<Row>,
 }
 
 impl Translation {
-    /// Of a document's camera, with the numbers of a pixel.
-    pub fn of(
+    /// Translates a document's camera; the table has the numbers of `pixel`.
+    pub fn new(
         document: &Document,
         target: Target,
         objects: bool,
@@ -238,55 +239,50 @@ impl Translation {
     }
 }
 
-/// The same text with every long number cut to so many significant digits, to be read.
-pub fn shortened(sheet: &Text, digits: usize) -> Text {
+/// Returns the text with long numbers cut to `digits` significant digits, for reading.
+pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
-    let mut marks = sheet.flipped.iter().peekable();
     let mut from = 0;
-    let bytes = sheet.text.as_bytes();
-    let is_number = |b: u8| b.is_ascii_digit() || b == b'.';
-    let mut at = 0;
-    let mut opened = None;
-    while at <= bytes.len() {
-        if marks.peek().is_some_and(|mark| mark.start == at) {
-            short.text.push_str(&sheet.text[from..at]);
-            (from, opened) = (at, Some(short.text.len()));
-        }
-        if let Some(start) = opened
-            && marks.peek().is_some_and(|mark| mark.end == at)
-        {
-            short.text.push_str(&sheet.text[from..at]);
-            short.flipped.push(start..short.text.len());
-            (from, opened) = (at, None);
-            marks.next();
-        }
-        if at == bytes.len() {
-            break;
-        }
+    for mark in &text.flipped {
+        push_short(&mut short.text, &text.text, from..mark.start, digits);
+        let start = short.text.len();
+        push_short(&mut short.text, &text.text, mark.clone(), digits);
+        short.flipped.push(start..short.text.len());
+        from = mark.end;
+    }
+    push_short(&mut short.text, &text.text, from..text.text.len(), digits);
+    short
+}
+
+/// Adds a part of the text with its long numbers cut. A digit after a letter begins no number.
+fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
+    let bytes = &text.as_bytes()[..part.end];
+    let (mut from, mut at) = (part.start, part.start);
+    while at < part.end {
         let before = at.checked_sub(1).map_or(b' ', |k| bytes[k]);
         if !bytes[at].is_ascii_digit() || before.is_ascii_alphanumeric() || before == b'_' {
             at += 1;
             continue;
         }
-        let mut end = at + bytes[at..].iter().take_while(|b| is_number(**b)).count();
-        let exponent = &bytes[end..];
-        if exponent.first() == Some(&b'e') {
-            let sign = usize::from(exponent.get(1) == Some(&b'-'));
-            let count = exponent[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let is_number = |b: &&u8| b.is_ascii_digit() || **b == b'.';
+        let mut end = at + bytes[at..].iter().take_while(is_number).count();
+        if bytes.get(end) == Some(&b'e') {
+            let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
+            let exponent = bytes[end + 1 + sign..].iter().take_while(|b| b.is_ascii_digit());
+            let count = exponent.count();
             end += if count > 0 { 1 + sign + count } else { 0 };
         }
-        let number = &sheet.text[at..end];
+        let number = &text[at..end];
         let mantissa = number.split('e').next().unwrap_or_default().bytes();
         let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
         if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
-            short.text.push_str(&sheet.text[from..at]);
-            short.text.push_str(&cut(value, digits));
+            short.push_str(&text[from..at]);
+            short.push_str(&cut(value, digits));
             from = end;
         }
         at = end;
     }
-    short.text.push_str(&sheet.text[from..]);
-    short
+    short.push_str(&text[from..part.end]);
 }
 
 fn cut(value: f64, digits: usize) -> String {
@@ -301,11 +297,11 @@ mod tests {
     #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
         let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
-        let sheet = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
-        let short = shortened(&sheet, 4);
+        let exact = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
+        let short = shortened(&exact, 4);
         assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
         let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();
         assert_eq!(marked, ["0.5812", "-0.8137e-20"]);
-        assert_eq!(shortened(&sheet, 17).text, text);
+        assert_eq!(shortened(&exact, 17).text, text);
     }
 }

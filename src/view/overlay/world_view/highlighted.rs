@@ -6,30 +6,30 @@ use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::camera_in_space::{
-    ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, UP_LENGTH, VECTOR_TEXT, VIEW_LENGTH, corners,
-};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
-use crate::view::overlay::objects::tangents;
-use crate::view::overlay::screen::unit;
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::space::screen::{tangents, unit};
+use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
+use crate::view::overlay::world_view::camera_in_space::{
+    ARROW_POINTS, NORMAL_POINTS, UP_LENGTH, VIEW_LENGTH, basis_arrows, corners,
+};
 
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
-    pub(crate) fn light(&mut self, view: &WorldView, highlighted: Highlighted) {
+    pub(crate) fn highlight(&mut self, view: &WorldView, highlighted: Highlighted) {
         dim(&mut self.drawing, &mut self.requests, highlighted.concept);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
-        self.light_given(view, highlighted);
+        self.highlight_given(view, highlighted);
         if let Some(resolved) = view.resolved {
-            self.light_camera(resolved, highlighted);
-            self.light_selected(resolved, view, highlighted);
+            self.highlight_camera(resolved, highlighted);
+            self.highlight_selected(resolved, view, highlighted);
         }
         if let Concept::Object(index) = highlighted.concept {
-            self.light_object(view, index);
+            self.highlight_object(view, index);
         }
         self.items = shown;
         let own = self.requests.split_off(before);
@@ -37,23 +37,31 @@ impl Sketch<'_> {
     }
 
     fn highlighted_pen(&self, highlighted: Highlighted, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).of(highlighted.concept).on_top()
+        Pen::new(Item::Ray, color, STRONG).about(highlighted.concept).on_top()
     }
 
-    fn lit_arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen, text: &str, size: f32) {
+    fn highlighted_arrow(
+        &mut self,
+        from: DVec3,
+        to: DVec3,
+        head: Head,
+        pen: Pen,
+        text: &str,
+        size: f32,
+    ) {
         let tip = self.arrow(from, to, head, pen);
         let bold = size == VECTOR_TEXT;
         self.label_tip(pen, text.to_owned(), tip, (pen.color, size, bold));
     }
 
-    fn lit_point(&mut self, at: DVec3, pen: Pen, text: String) {
+    fn highlighted_point(&mut self, at: DVec3, pen: Pen, text: String) {
         if let Some(spot) = self.point(at, 8.0, pen) {
             let font = (pen.color, POINT_TEXT, false);
             self.label(pen, text, spot.at, DVec2::new(0.4, 1.0), font);
         }
     }
 
-    fn lit_line(&mut self, from: DVec3, to: DVec3, pen: Pen, text: Option<String>) {
+    fn highlighted_line(&mut self, from: DVec3, to: DVec3, pen: Pen, text: Option<String>) {
         self.line(from, to, pen);
         if let (Some(text), Some(spot)) = (text, self.screen.spot(from.midpoint(to))) {
             let font = (pen.color, POINT_TEXT, false);
@@ -62,36 +70,42 @@ impl Sketch<'_> {
     }
 
     /// Highlights what the camera is given by; it exists without a basis, too.
-    fn light_given(&mut self, view: &WorldView, highlighted: Highlighted) {
+    fn highlight_given(&mut self, view: &WorldView, highlighted: Highlighted) {
         let eye = view.camera.eye;
         let arrow = self.length_of_points(eye, ARROW_POINTS);
         let (given, ink) = (self.colors.given, self.colors.ink);
         let looks = unit(view.camera.view());
         match (highlighted.concept, view.camera.orientation) {
-            (Concept::Eye, _) => {
-                self.lit_point(eye, self.highlighted_pen(highlighted, ink), "eye".to_owned())
-            }
+            (Concept::Eye, _) => self.highlighted_point(
+                eye,
+                self.highlighted_pen(highlighted, ink),
+                "eye".to_owned(),
+            ),
             (Concept::At, Orientation::At { at, .. }) => {
-                self.lit_point(at, self.highlighted_pen(highlighted, given), "at".to_owned());
+                self.highlighted_point(
+                    at,
+                    self.highlighted_pen(highlighted, given),
+                    "at".to_owned(),
+                );
             }
             (Concept::View | Concept::Backwards, _) => {
                 let Some(looks) = looks else { return };
                 let pen = self.highlighted_pen(highlighted, given);
                 let tip = eye + arrow * VIEW_LENGTH * looks;
                 if highlighted.concept == Concept::View {
-                    self.lit_arrow(eye, tip, Head::Filled, pen, "view", POINT_TEXT);
+                    self.highlighted_arrow(eye, tip, Head::Filled, pen, "view", POINT_TEXT);
                 } else {
                     let thin = Pen { width: BESIDE, ..pen };
-                    self.lit_arrow(eye, tip, Head::Filled, thin, "view", POINT_TEXT);
+                    self.highlighted_arrow(eye, tip, Head::Filled, thin, "view", POINT_TEXT);
                     let tip = eye - arrow * VIEW_LENGTH * looks;
-                    self.lit_arrow(eye, tip, Head::Filled, pen, "−view", POINT_TEXT);
+                    self.highlighted_arrow(eye, tip, Head::Filled, pen, "−view", POINT_TEXT);
                 }
             }
             (Concept::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
                 let Some(up) = unit(up) else { return };
                 let pen = self.highlighted_pen(highlighted, given);
                 let tip = eye + arrow * UP_LENGTH * up;
-                self.lit_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
+                self.highlighted_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
             }
             (Concept::UpCrossW | Concept::WCrossU, _) => {
                 let BasisDerivation::FromUp(from_up) = BasisDerivation::new(view.camera) else {
@@ -100,7 +114,7 @@ impl Sketch<'_> {
                 let [u, v, w] = self.colors.basis;
                 let cross = |s: &mut Self, cross: Option<Cross>, names, colors| {
                     if let Some(cross) = cross {
-                        s.light_cross(eye, arrow, &cross, highlighted, (names, colors));
+                        s.highlight_cross(eye, arrow, &cross, highlighted, (names, colors));
                     }
                 };
                 if highlighted.concept == Concept::UpCrossW {
@@ -116,7 +130,7 @@ impl Sketch<'_> {
     /// Draws both factors, the parallelogram between them, and the product with its length
     /// `|first| sin(angle)`, the second factor having length 1. A first factor too short or too
     /// long to be drawn beside the second is drawn with length 1, too.
-    fn light_cross(
+    fn highlight_cross(
         &mut self,
         eye: DVec3,
         arrow: f64,
@@ -139,12 +153,12 @@ impl Sketch<'_> {
         for ((vector, name), color) in [(a, names[0]), (b, names[1])].into_iter().zip(colors) {
             let pen = Pen { color, width: BESIDE + 1.0, ..pen };
             let size = if name == "up" { POINT_TEXT } else { VECTOR_TEXT };
-            self.lit_arrow(eye, eye + vector, Head::Filled, pen, name, size);
+            self.highlighted_arrow(eye, eye + vector, Head::Filled, pen, name, size);
         }
         let Some((angle, sine)) = cross.angle.zip(cross.sine) else { return };
         if let Some(product) = unit(cross.product) {
             let tip = eye + arrow * length * sine * product;
-            self.lit_arrow(eye, tip, Head::Filled, pen, names[2], VECTOR_TEXT);
+            self.highlighted_arrow(eye, tip, Head::Filled, pen, names[2], VECTOR_TEXT);
         }
         if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
             let sine_of = format!("sin({})", highlighted.degrees(angle));
@@ -162,41 +176,33 @@ impl Sketch<'_> {
     }
 
     /// Highlights what needs the basis: its vectors, the viewport and its distance.
-    fn light_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
+    fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let eye = resolved.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
-        let basis = resolved.basis();
-        let vectors = [
-            (Concept::U, "u", basis.u, Head::Filled),
-            (Concept::V, "v", basis.v, Head::Open),
-            (Concept::W, "w", basis.w, Head::Double),
-        ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((concept, name, vector, head), (color, pattern)) in vectors.into_iter().zip(inks) {
+        let arrows = basis_arrows(resolved.basis());
+        for ((concept, name, vector, head), (color, pattern)) in arrows.zip(inks) {
             if concept == highlighted.concept {
                 let pen = self.highlighted_pen(highlighted, color).patterned(pattern);
-                self.lit_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
+                self.highlighted_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
             }
         }
         let pen = self.highlighted_pen(highlighted, self.colors.ink);
         match highlighted.concept {
             Concept::Viewport => {
-                let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
-                for k in 0..4 {
-                    self.line(corners[k], corners[(k + 1) % 4], pen);
-                }
+                self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
             }
             Concept::Distance => {
                 let text =
                     format!("distance = {}", highlighted.number(resolved.viewport().distance));
-                self.lit_line(eye, resolved.viewport_point(DVec2::ZERO), pen, Some(text));
+                self.highlighted_line(eye, resolved.viewport_point(DVec2::ZERO), pen, Some(text));
             }
             _ => {}
         }
     }
 
     /// Highlights what belongs to the selected ray.
-    fn light_selected(
+    fn highlight_selected(
         &mut self,
         resolved: &ResolvedCamera,
         view: &WorldView,
@@ -209,46 +215,57 @@ impl Sketch<'_> {
             Concept::Pixel => {
                 let touched = inspection.place.map(|place| place.touching(resolved.image()));
                 touched.into_iter().flatten().for_each(|pixel| self.pixel(resolved, pixel));
-                self.lit_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
+                self.highlighted_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
                 if let Ok(parts) = RayDerivation::of_uv(resolved, inspection.uv) {
-                    self.light_chain(resolved.eye(), &parts, pen);
+                    self.highlight_chain(resolved.eye(), &parts, pen);
                 }
             }
             Concept::Direction => {
-                self.lit_arrow(ray.origin, ray.at(1.0), Head::Filled, pen, "d", VECTOR_TEXT);
+                self.highlighted_arrow(
+                    ray.origin,
+                    ray.at(1.0),
+                    Head::Filled,
+                    pen,
+                    "d",
+                    VECTOR_TEXT,
+                );
             }
             Concept::Ray => {
                 let far = 100.0 * view.observer.distance();
                 let end = unit(ray.direction).map(|d| ray.origin + far * d);
                 self.line(ray.origin, end.unwrap_or(ray.origin), pen);
-                self.lit_line(ray.origin, ray.at(1.0), pen, Some("𝐩 + 𝑡 𝐝".to_owned()));
+                self.highlighted_line(ray.origin, ray.at(1.0), pen, Some("𝐩 + 𝑡 𝐝".to_owned()));
             }
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, Pen { width: BESIDE, ..pen });
-                self.lit_point(root.point, pen, format!("𝑡 = {}", highlighted.number(root.t)));
+                self.highlighted_point(
+                    root.point,
+                    pen,
+                    format!("𝑡 = {}", highlighted.number(root.t)),
+                );
             }
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
                 let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
                 let pen = Pen { color: self.colors.hit, ..pen };
                 let tip = hit.point + 1.3 * length * hit.normal;
-                self.lit_arrow(hit.point, tip, Head::Filled, pen, "n", VECTOR_TEXT);
+                self.highlighted_arrow(hit.point, tip, Head::Filled, pen, "n", VECTOR_TEXT);
             }
             _ => {}
         }
     }
 
     /// Draws the parts of the direction as a chain from the eye: forwards, to the right and up.
-    fn light_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: Pen) {
+    fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: Pen) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
         let mut from = eye;
         for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
             let width = if pen.concept == Some(concept) { STRONG } else { BESIDE };
-            let pen = Pen { color, width, ..pen }.of(concept);
+            let pen = Pen { color, width, ..pen }.about(concept);
             self.arrow(from, from + vector, Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
                 let font = (color, POINT_TEXT, false);
@@ -261,9 +278,9 @@ impl Sketch<'_> {
     }
 
     /// Draws a sphere's silhouette, or a square in a plane and its normal.
-    fn light_object(&mut self, view: &WorldView, index: u32) {
+    fn highlight_object(&mut self, view: &WorldView, index: u32) {
         let Some(object) = view.scene.objects().nth(index as usize) else { return };
-        let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).of(Concept::Object(index)).on_top();
+        let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index)).on_top();
         match object {
             Object::Sphere(sphere) => {
                 let from = view.frame.camera().eye();
@@ -278,19 +295,10 @@ impl Sketch<'_> {
                 let center = target - normal.dot(target - plane.point) * normal;
                 let (a, b) = tangents(normal);
                 let corner = |x: f64, y: f64| center + size * (x * a + y * b);
-                let corners =
-                    [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
-                for k in 0..4 {
-                    self.line(corners[k], corners[(k + 1) % 4], pen);
-                }
-                self.lit_arrow(
-                    center,
-                    center + 0.5 * size * normal,
-                    Head::Filled,
-                    pen,
-                    "n",
-                    VECTOR_TEXT,
-                );
+                let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+                self.sides(corners.map(|(x, y)| corner(x, y)), pen);
+                let tip = center + 0.5 * size * normal;
+                self.highlighted_arrow(center, tip, Head::Filled, pen, "n", VECTOR_TEXT);
             }
         }
     }

@@ -4,10 +4,11 @@
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_in_space::{ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::drawing::{Mark, Shape, dot};
-use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::drawing::{Shape, circle, dot};
+use crate::view::overlay::space::screen::Screen;
+use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, NORMAL_POINTS};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -107,11 +108,9 @@ pub fn normal_length(observer: &ResolvedCamera, point: DVec3, scale: f32) -> f64
     length_of_points(observer, point, NORMAL_POINTS, scale)
 }
 
-fn of_points(observer: &ResolvedCamera, at: DVec3, (least, most): (f64, f64), scale: f32) -> f64 {
+fn of_points(observer: &ResolvedCamera, at: DVec3, range: (f64, f64), scale: f32) -> f64 {
     let screen = Screen::new(observer, at.distance(observer.eye()));
-    let Some(dots) = screen.dots_per_unit(at) else { return 0.0 };
-    let points = dots / f64::from(scale);
-    points.clamp(least, most) / points
+    screen.length_of_points(at, range, scale.into())
 }
 
 impl Sketch<'_> {
@@ -140,16 +139,11 @@ impl Sketch<'_> {
         let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.scale());
         let radius = scale * if mark.state == KnobState::Plain { PLAIN } else { LARGE };
         let mut add = |shape: Shape, color, cased: bool| {
-            let halo = cased.then_some(halo);
-            let (item, concept, hidden, pattern) = (Item::Handles, None, false, None);
-            let mark = Mark { item, concept, shape, color, halo, hidden, pattern };
-            self.drawing.marks.push(mark);
+            let pen = Pen { halo: cased, ..Pen::new(Item::Handles, color, 0.0) };
+            self.drawing.marks.push(pen.mark(shape, halo));
         };
         if mark.state == KnobState::Held {
-            let ring = (0..=48).map(|k| {
-                let angle = f64::from(k) * std::f64::consts::TAU / 48.0;
-                dot(spot.at + 1.7 * radius * DVec2::from_angle(angle))
-            });
+            let ring = circle(48).map(|point| dot(spot.at + 1.7 * radius * point));
             let width = 2.4 * scale as f32;
             add(Shape::Line { points: ring.collect(), width }, ink, true);
         }
@@ -175,16 +169,10 @@ impl Sketch<'_> {
                 }
             }
             Guide::Ring { center, a, b } => {
-                const SIDES: u32 = 72;
                 let pen = Pen::new(Item::Handles, self.colors.hit, 2.0).on_top();
-                let at = |k: u32| {
-                    let angle = f64::from(k) * std::f64::consts::TAU / f64::from(SIDES);
-                    center + angle.cos() * a + angle.sin() * b
-                };
+                let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
                 // The casing of each line would cut into the one before it.
-                for k in 0..SIDES {
-                    self.line(at(k), at(k + 1), pen.without_halo());
-                }
+                ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));
             }
         }
     }

@@ -1,5 +1,11 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
+pub(super) mod camera_in_space;
+mod ghost;
+pub(super) mod handles;
+mod highlighted;
+mod objects;
+
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
 
@@ -7,17 +13,17 @@ use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_view::camera_uv_at;
-use crate::view::overlay::drawing::Drawing;
-use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::handles::Handles;
+use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::labels;
-use crate::view::overlay::layers::{Layers, Patch, PictureLookup, ViewportLayer};
-use crate::view::overlay::objects::{self, Onlooker};
 use crate::view::overlay::picture::Picture;
-use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::Sketch;
+use crate::view::overlay::space::flat::{Flat, Grid};
+use crate::view::overlay::space::labels;
+use crate::view::overlay::space::layers::{Layers, Patch, PictureLookup, ViewportLayer};
+use crate::view::overlay::space::screen::Screen;
+use crate::view::overlay::space::sketch::Sketch;
 use crate::view::overlay::style::Style;
+use crate::view::overlay::world_view::handles::Handles;
+use crate::view::overlay::world_view::objects::Onlooker;
 
 /// Everything that the world view shows.
 #[derive(Clone, Copy)]
@@ -39,7 +45,7 @@ pub struct WorldView<'a> {
     pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     /// The observer.
     pub observer: &'a Observer,
-    /// The observer's picture of [`observer::seen_scene`](crate::model::observer::seen_scene), with
+    /// The observer's picture of [`observer::traced_scene`](crate::model::observer::traced_scene), with
     /// every pixel traced.
     pub frame: &'a Frame<f32>,
     /// The overlay items to draw.
@@ -70,7 +76,7 @@ pub struct Backdrop {
 
 impl Backdrop {
     /// Returns the backdrop of a world view.
-    pub fn of(view: &WorldView) -> Backdrop {
+    pub fn new(view: &WorldView) -> Backdrop {
         Backdrop { patches: view.patches(), background: view.background() }
     }
 
@@ -115,7 +121,7 @@ pub fn world_apart(
 /// viewport and where an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
-    let at = DVec2::new(position[0].into(), position[1].into());
+    let at = wide(position);
     let layers = Layers::new(frame, Color32::TRANSPARENT);
     let layer = viewport_layer(resolved, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
@@ -129,7 +135,7 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
     let spot = Screen::new(observer, unit).spot(point)?;
-    Some([spot.at.x as f32, spot.at.y as f32])
+    Some(dot(spot.at))
 }
 
 /// Returns the t at which the ray's line passes nearest to the observer's line of sight at a
@@ -165,7 +171,7 @@ const GRID_SPACING: f64 = 7.0;
 impl<'a> WorldView<'a> {
     /// Returns the marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
-        self.sketch(&self.layers(&Backdrop::of(self)))
+        self.sketch(&self.layers(&Backdrop::new(self)))
     }
 
     fn screen(&self) -> Screen {
@@ -232,11 +238,11 @@ impl<'a> WorldView<'a> {
         // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
-            sketch.light(self, highlighted);
+            sketch.highlight(self, highlighted);
         }
         sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;
-        drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
+        drawing.labels = labels::place(requests, &drawing, screen.size);
         drawing
     }
 }

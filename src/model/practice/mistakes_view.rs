@@ -1,17 +1,17 @@
-//! The gallery of wrong cameras: which one is looked at, and which one is to be guessed. Pure.
+//! The gallery of wrong cameras: the one that is shown, and the one to be guessed.
 
 use pinhole_lecture::mistakes::Mistake;
 
 /// The state of the mistakes view. A lesson's step sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MistakesView {
-    /// The mistake whose camera is shown.
+    /// The chosen mistake.
     pub chosen: Mistake,
-    /// The riddle in its place, if one is on.
+    /// The open riddle, shown in its place.
     pub guess: Option<Guess>,
     /// The next riddle's seed.
     pub seed: u64,
-    /// A riddle was asked for, and no mistake shows in the picture.
+    /// True if a riddle was asked for, but no mistake changes the picture.
     pub nothing_shows: bool,
 }
 
@@ -31,17 +31,17 @@ impl Default for MistakesView {
 }
 
 impl MistakesView {
-    /// The mistake of the camera that is shown.
+    /// Returns the mistake of the camera that is shown.
     pub fn shown(&self) -> Mistake {
         self.guess.map_or(self.chosen, |guess| guess.mistake)
     }
 
-    /// Returns whether its name, and what would tell it, is to be seen.
-    pub fn is_told(&self) -> bool {
+    /// Returns true if the mistake's name may be seen.
+    pub fn is_revealed(&self) -> bool {
         self.guess.is_none_or(|guess| guess.answer.is_some())
     }
 
-    /// Asks for one of these mistakes, another than the last one if there is one.
+    /// Opens a riddle with one of these mistakes, if possible not the last one.
     pub fn ask(&mut self, visible: &[Mistake]) {
         self.nothing_shows = visible.is_empty();
         let last = self.guess.map(|guess| guess.mistake);
@@ -87,7 +87,7 @@ mod tests {
         for _ in 0..60 {
             mistakes_view.ask(&visible);
             assert_ne!(Some(mistakes_view.shown()), last);
-            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_told());
+            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_revealed());
             last = Some(mistakes_view.shown());
             asked.extend(last);
         }

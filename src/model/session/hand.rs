@@ -106,14 +106,8 @@ impl Axis {
 
     /// Returns the other two axes of the same frame.
     pub fn others(self) -> [Axis; 2] {
-        match self {
-            Axis::X => [Axis::Y, Axis::Z],
-            Axis::Y => [Axis::Z, Axis::X],
-            Axis::Z => [Axis::X, Axis::Y],
-            Axis::U => [Axis::V, Axis::W],
-            Axis::V => [Axis::W, Axis::U],
-            Axis::W => [Axis::U, Axis::V],
-        }
+        let (frame, k) = (self as usize / 3 * 3, self as usize % 3);
+        [Axis::ALL[frame + (k + 1) % 3], Axis::ALL[frame + (k + 2) % 3]]
     }
 }
 

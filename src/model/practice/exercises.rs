@@ -1,5 +1,5 @@
-//! The exercises: which one is open, what was typed, and what is said of it. The questions and
-//! their answers are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
+//! The open exercise, the typed answers, and the feedback on them. The questions and their answers
+//! are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
 
 use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::exercises::{
@@ -8,63 +8,62 @@ use pinhole_lecture::exercises::{
 
 use crate::model::expression::evaluate;
 
-/// The largest seed of a question. The field calculates in `f64`: it would show another number for
-/// some above 2^53.
+/// Largest seed of a question. The seed's field calculates in `f64`, which is exact up to 2^53.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
 
-/// The exercise at hand. A lesson's step sets it with [`Exercises::show`].
+/// The open exercise. A lesson's step sets it with [`Exercises::show`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exercises {
-    /// The numbers, answers and wrong answers.
+    /// The question.
     question: Question,
-    /// The question's seed; the lecture's own question without one.
+    /// The seed of the question; `None` for the lecture's own question.
     seed: Option<u64>,
-    /// The answers as typed, a part each.
-    pub(crate) answers: Vec<Typed>,
-    /// The solution is shown.
+    /// The typed answers, one for each part.
+    pub(crate) answers: Vec<TypedAnswer>,
+    /// True if the solution is shown.
     pub(crate) is_solved: bool,
 }
 
-/// The answer typed for one part, and what is said of it.
+/// The typed answer to one part, and the feedback on it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Typed {
-    /// A field a number.
+pub(crate) struct TypedAnswer {
+    /// The texts of the fields, one for each number.
     pub(crate) fields: Vec<String>,
-    /// Yes or no, where that is asked.
+    /// The answer to a question for yes or no.
     pub(crate) yes: Option<bool>,
-    /// The verdict since the last check, if nothing was changed.
-    pub(crate) said: Option<Said>,
+    /// The feedback of the last check, if nothing was changed since.
+    pub(crate) feedback: Option<Feedback>,
 }
 
-/// The verdict on a part.
+/// The feedback on a part.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Said {
+pub(crate) enum Feedback {
     /// There is no answer yet.
     NotAnswered,
     /// Some of the numbers are missing.
     Missing,
-    /// The text typed is no number, and why.
+    /// The typed text is no number, for this reason.
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
-    /// It comes of what is wrong in another part, and is told there.
+    /// The mistake follows from one in another part, which is described there.
     Follows(Asked),
 }
 
-impl Said {
-    /// Returns whether the answer is said to be right.
+impl Feedback {
+    /// Returns true if the answer is right.
     pub(crate) fn is_good(&self) -> bool {
-        matches!(self, Said::Judged(verdict) if verdict.is_right())
+        matches!(self, Feedback::Judged(verdict) if verdict.is_right())
     }
 
-    /// The verdict on this part, in words.
+    /// Returns the feedback in words.
     pub(crate) fn sentence(&self, part: &QuestionPart) -> String {
         match self {
-            Said::NotAnswered => "Not answered yet.".to_owned(),
-            Said::Missing => "One of the numbers is missing.".to_owned(),
-            Said::NoNumber(why) => format!("{why}."),
-            Said::Judged(verdict) => verdict.sentence(part),
-            Said::Follows(source) => follows(*source),
+            Feedback::NotAnswered => "Not answered yet.".to_owned(),
+            Feedback::Missing => "One of the numbers is missing.".to_owned(),
+            Feedback::NoNumber(why) => format!("{why}."),
+            Feedback::Judged(verdict) => verdict.sentence(part),
+            Feedback::Follows(source) => follows(*source),
         }
     }
 }
@@ -76,53 +75,55 @@ impl Default for Exercises {
 }
 
 impl Exercises {
-    /// The lecture's own question, or another one like it.
+    /// Creates the lecture's own question, or a similar one from a seed, without answers.
     pub fn open(exercise: Exercise, seed: Option<u64>) -> Exercises {
         let question = Question::new(exercise, seed);
-        let typed = |count| Typed { fields: vec![String::new(); count], ..Typed::default() };
+        let typed =
+            |count| TypedAnswer { fields: vec![String::new(); count], ..TypedAnswer::default() };
         let answers = question.parts.iter().map(|part| typed(part.count())).collect();
         Exercises { question, seed, answers, is_solved: false }
     }
 
-    /// Opens this question, unless it is the one at hand: what was typed for that stays.
+    /// Opens this question unless it is open already, so that typed answers stay.
     pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
         if (self.question.exercise, self.seed) != (exercise, seed) {
             *self = Exercises::open(exercise, seed);
         }
     }
 
-    /// The question.
+    /// Returns the question.
     pub fn question(&self) -> &Question {
         &self.question
     }
 
-    /// The question's seed; the lecture's own question without one.
+    /// Returns the seed of the question; `None` for the lecture's own question.
     pub fn seed(&self) -> Option<u64> {
         self.seed
     }
 
-    /// Looks at everything that was typed.
+    /// Checks all typed answers.
     pub(crate) fn check(&mut self) {
-        self.answers.iter_mut().for_each(Typed::spread);
-        let answers: Vec<Result<Answer, Said>> = self.answers.iter().map(Typed::answer).collect();
+        self.answers.iter_mut().for_each(TypedAnswer::spread);
+        let answers: Vec<Result<Answer, Feedback>> =
+            self.answers.iter().map(TypedAnswer::answer).collect();
         let known: Vec<Option<Answer>> =
             answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
         let verdicts = self.question.judge(&known);
         for (k, (typed, answer)) in self.answers.iter_mut().zip(answers).enumerate() {
-            typed.said = Some(match (self.question.source_of(k, &verdicts), &verdicts[k]) {
-                (Some(source), _) => Said::Follows(source),
-                (None, Some(verdict)) => Said::Judged(verdict.clone()),
-                (None, None) => answer.err().unwrap_or(Said::NotAnswered),
+            typed.feedback = Some(match (self.question.source_of(k, &verdicts), &verdicts[k]) {
+                (Some(source), _) => Feedback::Follows(source),
+                (None, Some(verdict)) => Feedback::Judged(verdict.clone()),
+                (None, None) => answer.err().unwrap_or(Feedback::NotAnswered),
             });
         }
     }
 
-    /// Returns whether every part was answered rightly.
+    /// Returns true if all answers are right.
     pub(crate) fn is_right(&self) -> bool {
-        self.answers.iter().all(|typed| typed.said.as_ref().is_some_and(Said::is_good))
+        self.answers.iter().all(|typed| typed.feedback.as_ref().is_some_and(Feedback::is_good))
     }
 
-    /// The question's camera, with what its ray meets, as a document.
+    /// Returns a document with the question's camera and the objects that its ray meets.
     pub(crate) fn document(&self) -> Option<Document> {
         let question = &self.question;
         Some(Document {
@@ -135,24 +136,24 @@ impl Exercises {
     }
 }
 
-impl Typed {
-    fn answer(&self) -> Result<Answer, Said> {
+impl TypedAnswer {
+    fn answer(&self) -> Result<Answer, Feedback> {
         if self.fields.is_empty() {
-            return self.yes.map(Answer::Yes).ok_or(Said::NotAnswered);
+            return self.yes.map(Answer::Yes).ok_or(Feedback::NotAnswered);
         }
         let is_empty = |field: &String| field.trim().is_empty();
         if self.fields.iter().all(is_empty) {
-            return Err(Said::NotAnswered);
+            return Err(Feedback::NotAnswered);
         }
         if self.fields.iter().any(is_empty) {
-            return Err(Said::Missing);
+            return Err(Feedback::Missing);
         }
         let numbers: Result<Vec<f64>, String> =
             self.fields.iter().map(|field| evaluate(field)).collect();
-        numbers.map(Answer::Numbers).map_err(Said::NoNumber)
+        numbers.map(Answer::Numbers).map_err(Feedback::NoNumber)
     }
 
-    /// Puts each number of a vector that was pasted into one field, `(1, 2, 3)`, into its own.
+    /// Distributes the numbers of a vector that was pasted into one field, `(1, 2, 3)`, over all fields.
     pub(crate) fn spread(&mut self) {
         let count = self.fields.len();
         let whole = self.fields.iter().find(|field| field.matches(',').count() + 1 == count);
@@ -175,13 +176,15 @@ mod tests {
     fn a_pasted_vector_fills_its_fields() {
         for text in ["(0.2, -0.1, -1)", "0.2,-0.1,-1", " ( 0.2 , -0.1 , -1 ) "] {
             let fields = vec![text.to_owned(), String::new(), String::new()];
-            let mut typed = Typed { fields, ..Typed::default() };
+            let mut typed = TypedAnswer { fields, ..TypedAnswer::default() };
             typed.spread();
             assert_eq!(typed.fields, ["0.2", "-0.1", "-1"], "{text}");
         }
         let root = "(1/sqrt(2), 0, -1/sqrt(2))".to_owned();
-        let mut typed =
-            Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
+        let mut typed = TypedAnswer {
+            fields: vec![root, String::new(), String::new()],
+            ..TypedAnswer::default()
+        };
         typed.spread();
         assert_eq!(typed.fields, ["1/sqrt(2)", "0", "-1/sqrt(2)"]);
     }
@@ -216,10 +219,10 @@ mod tests {
         assert!(exercises.is_right(), "{:?}", exercises.answers);
         exercises.answers[4].fields = vec!["5*sqrt(".to_owned()];
         exercises.check();
-        assert!(matches!(exercises.answers[4].said, Some(Said::NoNumber(_))));
+        assert!(matches!(exercises.answers[4].feedback, Some(Feedback::NoNumber(_))));
         exercises.answers[0].fields[1].clear();
         exercises.check();
-        assert_eq!(exercises.answers[0].said, Some(Said::Missing));
+        assert_eq!(exercises.answers[0].feedback, Some(Feedback::Missing));
     }
 
     #[test]

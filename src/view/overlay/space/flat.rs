@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pinhole_core::{DVec2, DVec3};
 
-use crate::view::overlay::screen::{RayParts, unit};
+use crate::view::overlay::space::screen::{RayParts, unit};
 
 /// A plane with two coordinates on it, a and b.
 ///
@@ -39,7 +39,7 @@ pub(crate) struct FlatSpot {
 struct Linear(DVec3);
 
 impl Linear {
-    fn of(rays: &RayParts, vector: DVec3) -> Linear {
+    fn new(rays: &RayParts, vector: DVec3) -> Linear {
         Linear(DVec3::new(vector.dot(rays.across), vector.dot(rays.down), vector.dot(rays.corner)))
     }
 
@@ -62,13 +62,13 @@ impl Flat {
         let normal = unit_a.cross(unit_b);
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
-        let rate = Linear::of(rays, normal);
+        let rate = Linear::new(rays, normal);
         // All four may be scaled by the same factor: rows of dots are computed in f32, so keep them
         // near 1.
         let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
-            let sum = along.dot(from_origin) * rate.0 + offset * Linear::of(rays, along).0;
+            let sum = along.dot(from_origin) * rate.0 + offset * Linear::new(rays, along).0;
             Linear(sum * scale)
         };
         let flat = Flat {

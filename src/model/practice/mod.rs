@@ -1,0 +1,5 @@
+//! The practice of a student: exercises, classic mistakes, and answers to be graded.
+
+pub mod exercises;
+pub mod mistakes_view;
+pub mod student_answers;
