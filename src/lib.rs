@@ -55,7 +55,7 @@
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
 //! | another export format | `exchange/programs/mod.rs`; a language: `exchange/code/mod.rs` |
-//! | a mark over a view | `view/overlay/world_view.rs`, `view/overlay/camera_view.rs`; its switch in `model/overlay_items.rs` |
+//! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | a workspace of the window | `ui/workspaces/mod.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |
