@@ -48,8 +48,7 @@ fn encode_as(
     pixels: &[[u8; 4]],
     transparent: bool,
 ) -> io::Result<()> {
-    let mut encoder = encoder(out, [width, height], transparent);
-    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    let encoder = encoder(out, [width, height], transparent);
     let mut writer = encoder.write_header().map_err(to_io)?;
     let mut stream = writer.stream_writer().map_err(to_io)?;
     for row in pixels.chunks(width as usize) {
@@ -63,6 +62,7 @@ fn encoder<W: Write>(out: W, [width, height]: [u32; 2], transparent: bool) -> En
     let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder
 }
 

@@ -71,8 +71,11 @@ pub(super) fn without_comments(text: &str) -> Result<String, (usize, &'static st
             plain.push(c);
             continue;
         };
-        let before = plain.trim_end_matches([' ', '\t']);
-        if rest.starts_with("//") && before.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+        let divides = || {
+            let before = plain.trim_end_matches([' ', '\t']);
+            before.ends_with(|c: char| c.is_ascii_digit() || c == '.')
+        };
+        if rest.starts_with("//") && divides() {
             let right = "a number must not stand before //, which may divide it, as in Python";
             return Err((plain.len(), right));
         }
@@ -193,12 +196,15 @@ fn literal(text: &str) -> Option<Vec<f64>> {
             c => spaced.push(c),
         }
     }
-    let (mut numbers, mut commas) = (Vec::new(), 0);
+    let (mut numbers, mut commas, mut is_behind_value) = (Vec::new(), 0, false);
     let mut cells = spaced.split_whitespace().peekable();
     while let Some(cell) = cells.next() {
         match cell {
-            "(" | ")" | "new" => (),
-            "," => commas += 1,
+            "(" | "new" => (),
+            ")" => is_behind_value = true,
+            // Two commas leave a number out.
+            "," if !is_behind_value => return None,
+            "," => (commas, is_behind_value) = (commas + 1, false),
             name if cells.peek() == Some(&"(") && MAKERS.contains(&last_part(name)) => (),
             cell => {
                 let mut value = number(cell)?;
@@ -206,12 +212,13 @@ fn literal(text: &str) -> Option<Vec<f64>> {
                     value /= number(cells.next()?)?;
                 }
                 numbers.push(Some(value).filter(|value| value.is_finite())?);
+                is_behind_value = true;
             }
         }
     }
     // All between commas, of which one may stand behind the last, or all between blanks.
     let count = numbers.len();
-    (commas == 0 || commas == count || commas + 1 == count).then_some(numbers)
+    (count > 0 && (commas == 0 || commas == count || commas + 1 == count)).then_some(numbers)
 }
 
 /// A number as these languages write it: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
