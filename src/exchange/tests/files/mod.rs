@@ -1,8 +1,9 @@
-//! Scene files, the CSV files beside them, and code: read, refused, saved.
+//! Scene files, the CSV files beside them, pictures, and code: read, refused, saved.
 
 mod bad_scenes;
 mod code;
 mod csv;
 mod good_scenes;
+mod images;
 mod round_trip;
 mod saving;

@@ -117,6 +117,8 @@ fn what_is_not_literal_is_refused_at_its_line() {
     let numbers = "it must be given by numbers, without names or calculations";
     for (name, text, message) in [
         ("opengl", GLU.replace("0, 0, 5", "x, 0, 5"), "in:2:11: gluLookAt is x: "),
+        ("opengl", GLU.replace("0, 0, 5", "0,, 0, 5"), "gluLookAt"),
+        ("three", THREE.replace("(1, 2, 3)", "(1,, 2, 3)"), "camera.position.set"),
         ("opengl", GLU.replace("4.0 / 3.0", "w / h"), "in:1:22: aspect is w / h: "),
         (
             "opengl",
