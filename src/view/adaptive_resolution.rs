@@ -72,7 +72,7 @@ impl Default for AdaptiveResolution {
 }
 
 impl AdaptiveResolution {
-    /// Creates it with a time budget for pictures during a drag.
+    /// Creates an adaptive resolution with a time budget for pictures during a drag.
     pub(crate) fn within(budget: Duration) -> AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }

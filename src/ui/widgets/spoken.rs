@@ -4,7 +4,7 @@
 use egui::accesskit::Role;
 use egui::{EventFilter, Response};
 
-/// What a widget is for those who do not see it.
+/// Accessible name, value and role of a widget.
 pub(crate) trait Spoken: Sized {
     /// Sets the name.
     fn named(self, name: impl Into<String>) -> Self;

@@ -1,4 +1,4 @@
-//! The substitution in labels and numbers, step by step.
+//! The substitution in words and numbers, step by step.
 
 use std::cmp::Ordering;
 
