@@ -1,7 +1,7 @@
 //! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the one
 //! put into the other.
 //!
-//! What depends on whether a number is 0 or which sign it has (parallel, coincident, before or
+//! Whatever depends on whether a number is 0 or which sign it has (parallel, coincident, before or
 //! behind `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown
 //! is rounded once.
 
@@ -35,7 +35,7 @@ pub struct ParametricLine {
     pub d: DVec2,
 }
 
-/// Why numbers make no line.
+/// Reason why numbers make no line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LineError {
@@ -135,7 +135,7 @@ impl ImplicitLine {
     /// left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
     ///
     /// # Errors
-    /// Where a coordinate is not finite or both points are the same.
+    /// Returns an error if a coordinate is not finite or both points are the same.
     pub fn through(first: DVec2, second: DVec2) -> Result<ImplicitLine, LineError> {
         for (field, value) in [("x1", first.x), ("y1", first.y), ("x2", second.x), ("y2", second.y)]
         {
@@ -160,7 +160,7 @@ impl ImplicitLine {
     /// Checks that the numbers make a line.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), LineError> {
         for (field, value) in [("a", self.a), ("b", self.b), ("c", self.c)] {
             finite(field, value)?;
@@ -213,7 +213,7 @@ impl ParametricLine {
     /// Checks that the numbers make a line.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), LineError> {
         let ParametricLine { p, d } = *self;
         for (field, value) in [("p x", p.x), ("p y", p.y), ("d x", d.x), ("d y", d.y)] {
@@ -258,7 +258,7 @@ impl Substitution {
     /// Puts the parametric line into the implicit one.
     ///
     /// # Errors
-    /// Where either is no line.
+    /// Returns an error if either is no line.
     ///
     /// ```
     /// use pinhole_core::DVec2;

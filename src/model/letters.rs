@@ -61,7 +61,9 @@ mod tests {
 
     #[test]
     fn both_alphabets_are_mathematical_from_end_to_end() {
-        let all = |of: fn(char) -> char, letters: &str| letters.chars().map(of).collect::<String>();
+        let all = |styled: fn(char) -> char, letters: &str| {
+            letters.chars().map(styled).collect::<String>()
+        };
         assert_eq!(all(italic, "aghizAZ1−"), "𝑎𝑔ℎ𝑖𝑧𝐴𝑍1−");
         assert_eq!(all(bold, "aghizAZ1−"), "𝐚𝐠𝐡𝐢𝐳𝐀𝐙1−");
         assert_eq!(plain_scalars("𝑎𝑔ℎ𝑖𝑧𝐴𝑍1− 𝐩"), "aghizAZ1− 𝐩");

@@ -71,7 +71,7 @@ const MEANINGS: [(Kind, &str, &str); 38] = [
 
 /// Returns the meaning of a symbol.
 pub(crate) fn meaning(kind: Kind, name: &str) -> Option<&'static str> {
-    let known = |(of, known, _): &&(Kind, &str, &str)| *of == kind && *known == name;
+    let known = |(listed, known, _): &&(Kind, &str, &str)| *listed == kind && *known == name;
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
@@ -88,7 +88,7 @@ mod tests {
     fn every_symbol_is_there_once_and_named_first() {
         for (k, (kind, name, text)) in MEANINGS.iter().enumerate() {
             assert!(
-                MEANINGS[..k].iter().all(|(of, known, _)| (of, known) != (kind, name)),
+                MEANINGS[..k].iter().all(|(other, known, _)| (other, known) != (kind, name)),
                 "{name}"
             );
             assert_eq!(meaning(*kind, name), Some(*text));

@@ -153,7 +153,7 @@ impl ScaledBasis {
 /// `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`.
 ///
 /// # Errors
-/// Where there is none: exactly where `view`, `up` or `up x view` is 0.
+/// Returns an error if there is none: exactly where `view`, `up` or `up x view` is 0.
 ///
 /// # Panics
 /// Where a number is NaN or infinite.
@@ -169,7 +169,7 @@ impl Camera {
     /// Prepares for many rays what they share.
     ///
     /// # Errors
-    /// Where there is no basis.
+    /// Returns an error if there is no basis.
     ///
     /// # Panics
     /// Where a number is NaN or infinite.

@@ -292,9 +292,9 @@ pub enum Action {
 }
 
 macro_rules! action_of {
-    ($($part:ident($of:ty)),* $(,)?) => {
-        $(impl From<$of> for Action {
-            fn from(action: $of) -> Action {
+    ($($part:ident($action:ty)),* $(,)?) => {
+        $(impl From<$action> for Action {
+            fn from(action: $action) -> Action {
                 Action::$part(action)
             }
         })*
@@ -345,14 +345,34 @@ impl Action {
     /// leaves the camera as it was.
     pub(crate) fn play_end(&self) -> PlayEnd {
         match self {
-            Action::File(FileAction::AskOpen) => PlayEnd::GoesOn,
-            Action::File(FileAction::Discard(_))
-            | Action::Leave(_)
-            | Action::History(_)
-            | Action::Lesson(LessonAction::Close)
-            | Action::Ghost(GhostAction::Swap) => PlayEnd::GivesBack,
-            Action::File(_) => PlayEnd::Keeps,
-            _ => PlayEnd::GoesOn,
+            Action::Leave(_) | Action::History(_) => PlayEnd::GivesBack,
+            Action::File(action) => match action {
+                FileAction::AskOpen => PlayEnd::GoesOn,
+                FileAction::Discard(_) => PlayEnd::GivesBack,
+                FileAction::Save
+                | FileAction::AskSaveAs
+                | FileAction::SaveAs { .. }
+                | FileAction::SaveThen(_) => PlayEnd::Keeps,
+            },
+            Action::Lesson(action) => match action {
+                LessonAction::Close => PlayEnd::GivesBack,
+                // They are left by [`Leave::GoTo`], if there is such a step.
+                LessonAction::Next | LessonAction::Previous => PlayEnd::GoesOn,
+            },
+            Action::Ghost(action) => match action {
+                GhostAction::Swap => PlayEnd::GivesBack,
+                GhostAction::Freeze | GhostAction::Drop => PlayEnd::GoesOn,
+            },
+            Action::Figure(_)
+            | Action::Exchange(_)
+            | Action::Answers(_)
+            | Action::Play(_)
+            | Action::Steer(_)
+            | Action::Observe(_)
+            | Action::Object(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => PlayEnd::GoesOn,
         }
     }
 
@@ -363,7 +383,17 @@ impl Action {
             Action::Steer(_) => Changed::POSE,
             Action::Object(_) => Changed::OBJECTS,
             Action::Observe(_) | Action::Figure(_) => Changed::NOTHING,
-            _ => Changed::SESSION,
+            Action::Leave(_)
+            | Action::File(_)
+            | Action::Lesson(_)
+            | Action::History(_)
+            | Action::Exchange(_)
+            | Action::Answers(_)
+            | Action::Play(_)
+            | Action::Ghost(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => Changed::SESSION,
         }
     }
 
@@ -372,11 +402,37 @@ impl Action {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
-            Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
-            Action::Ghost(GhostAction::Drop | GhostAction::Swap) => there.ghost,
-            Action::Play(PlayAction::Toggle | PlayAction::Step(_)) => there.animation,
-            Action::Answers(AnswersAction::PutAway) => there.answers,
-            _ => true,
+            Action::Lesson(_) => there.lesson,
+            Action::Leave(leave) => match leave {
+                Leave::BackToStep => there.lesson,
+                Leave::Open(_) | Leave::Show(_) | Leave::GoTo(_) | Leave::Quit => true,
+            },
+            Action::Ghost(action) => match action {
+                GhostAction::Drop | GhostAction::Swap => there.ghost,
+                GhostAction::Freeze => true,
+            },
+            Action::Play(action) => match action {
+                PlayAction::Open(_) => true,
+                PlayAction::Toggle
+                | PlayAction::Step(_)
+                | PlayAction::Faster(_)
+                | PlayAction::Loop
+                | PlayAction::Keep
+                | PlayAction::Close => there.animation,
+            },
+            Action::Answers(action) => match action {
+                AnswersAction::PutAway => there.answers,
+                AnswersAction::Ask | AnswersAction::Check(_) => true,
+            },
+            Action::File(_)
+            | Action::Figure(_)
+            | Action::Exchange(_)
+            | Action::Steer(_)
+            | Action::Observe(_)
+            | Action::Object(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => true,
         }
     }
 }

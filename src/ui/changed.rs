@@ -29,6 +29,16 @@ impl Changed {
         if is_so { self } else { Changed::NOTHING }
     }
 
+    /// Has a value of the session edited, and returns the change.
+    pub(crate) fn edited<T: Clone + PartialEq>(
+        value: &mut T,
+        edit: impl FnOnce(&mut T),
+    ) -> Changed {
+        let before = value.clone();
+        edit(value);
+        Changed::SESSION.when(*value != before)
+    }
+
     /// Returns the change from one camera to another.
     pub(crate) fn between_cameras(before: &Camera, now: &Camera) -> Changed {
         if before == now {

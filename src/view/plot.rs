@@ -95,7 +95,7 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
 
 /// Returns the functions of some objects along the ray.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
-    let of = |(place, named): (usize, &Named)| {
+    let made = |(place, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
         let shape = scene.object(named.object)?;
         let derivation = ObjectDerivation::new(&shape, named.object, ray).ok()?;
@@ -104,7 +104,7 @@ pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
         let at_eye = along.value(0.0);
         Some(Curve { named: named.clone(), place, derivation, unit, at_eye, vertex })
     };
-    named.iter().enumerate().filter_map(of).collect()
+    named.iter().enumerate().filter_map(made).collect()
 }
 
 fn along<'a>(scene: &Scene, ray: &ExactRay<'a>, object: u32) -> Option<AlongRay<'a>> {
@@ -119,17 +119,17 @@ pub fn samples(
     range: &RangeInclusive<f64>,
     heights: Heights,
 ) -> Samples {
-    let of = |curve: &Curve| {
+    let made = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
         along.map_or_else(Vec::new, |along| curve.samples(&along, range, heights))
     };
-    curves.iter().map(of).collect()
+    curves.iter().map(made).collect()
 }
 
 /// Returns each curve's f at t.
 pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
-    let of = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
-    curves.iter().map(|curve| of(curve).unwrap_or(f64::NAN)).collect()
+    let made = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
+    curves.iter().map(|curve| made(curve).unwrap_or(f64::NAN)).collect()
 }
 
 /// Returns the range of t of the plot: all zeros that are not far, the eye, the viewport, and the

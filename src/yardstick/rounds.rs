@@ -100,8 +100,8 @@ mod tests {
 
     #[test]
     fn the_middle_and_the_least() {
-        let times = |of: &[u64]| {
-            let times = of.iter().copied().map(ms).collect();
+        let times = |nanoseconds: &[u64]| {
+            let times = nanoseconds.iter().copied().map(ms).collect();
             Runner { times, spent: ms(0), last: ms(0) }.times()
         };
         assert_eq!(times(&[5, 1, 9]), Times { median: 0.005, min: 0.001, count: 3 });

@@ -130,14 +130,14 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
             "{view}"
         );
         assert!(says(&window, words), "{:?}", texts_with(&window, words));
-        let lit: Vec<String> = window
+        let highlighted: Vec<String> = window
             .root()
             .children_recursive()
             .map(|node| node.accesskit_node())
-            .filter(|node| node.description().as_deref() == Some("lit"))
+            .filter(|node| node.description().as_deref() == Some("highlighted"))
             .filter_map(|node| node.value())
             .collect();
-        assert!(lit.iter().any(|text| text.starts_with(line)), "{view}: {lit:?}");
+        assert!(highlighted.iter().any(|text| text.starts_with(line)), "{view}: {highlighted:?}");
         point_at_nothing(&mut window);
     }
 }

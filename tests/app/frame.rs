@@ -18,15 +18,15 @@ fn open(window: &mut Harness<'_, App>) {
 /// What is said of a picture, of numbers below a thousand.
 #[track_caller]
 fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: &Steps) {
-    let of = |part: u64, all: u64| format!("{part} of {all}");
+    let share = |part: u64, all: u64| format!("{part} of {all}");
     for (name, text) in [
         ("spheres", counts.spheres.to_string()),
         ("behind the eye", counts.behind.to_string()),
         ("beside the picture, or between two rows", counts.outside.to_string()),
         ("in view", counts.in_view.to_string()),
-        ("planes asked", of(counts.planes_asked, counts.planes)),
-        ("bands without a hit", of(counts.bands_untouched, counts.bands)),
-        ("rows that nothing reaches", of(counts.rows_untouched, counts.rows)),
+        ("planes asked", share(counts.planes_asked, counts.planes)),
+        ("bands without a hit", share(counts.bands_untouched, counts.bands)),
+        ("rows that nothing reaches", share(counts.rows_untouched, counts.rows)),
         ("index blocks left out", "no index".to_owned()),
         ("in double-double", steps.double_double.to_string()),
         ("exactly", steps.exact.to_string()),
@@ -58,10 +58,10 @@ fn both_pictures_counts_are_those_of_what_was_traced() {
 #[test]
 fn the_lectures_balls_are_counted_where_they_are() {
     let mut window = window("canonical");
-    let of = |c: &Counts| (c.spheres, c.behind, c.outside, c.in_view, c.hidden, c.blocks);
+    let told = |c: &Counts| (c.spheres, c.behind, c.outside, c.in_view, c.hidden, c.blocks);
     let counted = |window: &Harness<'_, App>| {
         let derived = window.state().derived();
-        (of(&derived.counts.unwrap()), of(&derived.world_frame.as_ref().unwrap().counts))
+        (told(&derived.counts.unwrap()), told(&derived.world_frame.as_ref().unwrap().counts))
     };
     let both_in_view = (2, 0, 0, 2, 0, 0);
     assert_eq!(counted(&window), (both_in_view, both_in_view));

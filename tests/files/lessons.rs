@@ -121,14 +121,14 @@ exercise = "lines"
 }
 
 #[test]
-fn what_is_lit_goes_with_its_scene() {
+fn a_highlighted_object_goes_with_its_scene() {
     let more = "scene = \"look-at\"\nhighlight = \"object 4\"\n\
                 [[step]]\ntitle = \"B\"\ntext = \"C.\"\nhighlight = \"root 4 0\"\n\
                 [[step]]\ntitle = \"C\"\ntext = \"D.\"\nscene = \"canonical\"\n";
     let lesson = parse(&format!("{HEAD}{more}"), Path::new("lesson.toml"), None).unwrap();
-    let lit: Vec<_> = lesson.steps.iter().map(|step| step.view.highlighted).collect();
+    let highlighted: Vec<_> = lesson.steps.iter().map(|step| step.view.highlighted).collect();
     let root = Concept::Root { object: 4, number: 0 };
-    assert_eq!(lit, [Some(Some(Concept::Object(4))), Some(Some(root)), Some(None)]);
+    assert_eq!(highlighted, [Some(Some(Concept::Object(4))), Some(Some(root)), Some(None)]);
 }
 
 #[test]
@@ -142,22 +142,39 @@ fn a_lesson_is_no_scene_of_a_lesson() {
     assert!(error.ends_with(expected), "{error}");
 }
 
+/// The head of lesson 1 is the format's documentation.
+#[test]
+fn lesson_1_explains_every_field() {
+    let wrong = format!("{HEAD}scene = \"canonical\"\nzzzzzzzzzzzz = 1\n");
+    let error = parse(&wrong, Path::new("lesson.toml"), None).unwrap_err().to_string();
+    let (_, fields) = error.split_once("the fields here are ").unwrap();
+    let fields: Vec<&str> = fields.split(", ").collect();
+    assert!(fields.len() > 20, "{fields:?}");
+    let text = include_str!("../../assets/lessons/01-canonical-camera.toml");
+    let head: Vec<&str> = text.lines().take_while(|line| line.starts_with('#')).collect();
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    for field in fields {
+        let has_field = |line: &&str| line.split(|c| !is_word(c)).any(|word| word == field);
+        assert!(head.iter().any(|line| has_field(&line)), "{field} is not explained");
+    }
+}
+
 #[test]
 fn texts_have_an_end() {
-    let of = |title: &str, text: &str| {
-        let lesson = format!(
+    let lesson = |title: &str, text: &str| {
+        let text = format!(
             "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"{title}\"\ntext = \"{text}\"\n\
              scene = \"canonical\"\n"
         );
-        parse(&lesson, Path::new("lesson.toml"), None).map_err(|error| error.to_string())
+        parse(&text, Path::new("lesson.toml"), None).map_err(|error| error.to_string())
     };
-    assert!(of(&"é".repeat(120), &"a ".repeat(400)).is_ok());
+    assert!(lesson(&"é".repeat(120), &"a ".repeat(400)).is_ok());
     let expected = "lesson.toml:4:9: step 1.title: 121 letters are too many above the views: at most \
                     120 fit; part the step";
-    assert_eq!(of(&"é".repeat(121), "a").unwrap_err(), expected);
+    assert_eq!(lesson(&"é".repeat(121), "a").unwrap_err(), expected);
     let expected = "lesson.toml:5:8: step 1.text: 802 letters are too many above the views: at most \
                     800 fit; part the step";
-    assert_eq!(of("a", &format!("{}aa", "a ".repeat(400))).unwrap_err(), expected);
+    assert_eq!(lesson("a", &format!("{}aa", "a ".repeat(400))).unwrap_err(), expected);
 }
 
 #[test]
@@ -221,6 +238,11 @@ const STEPS: Cases = &[
     (
         "",
         "3:1: step 1.camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
+    ),
+    ("scene = \"canonical\"\nlit = \"u\"\n", "7:7: step 1.lit: it is called highlight now"),
+    (
+        "scene = \"canonical\"\nledger = [\"basis\"]\n",
+        "7:10: step 1.ledger: it is called derivation now",
     ),
     ("scne = \"canonical\"\n", "6:1: step 1.scne is unknown: did you mean scene?"),
     (

@@ -31,7 +31,7 @@ struct Mention {
 
 #[derive(Default)]
 struct Modules {
-    of: BTreeMap<String, Module>,
+    by_name: BTreeMap<String, Module>,
     /// The modules of which everything is imported into another one.
     globs: BTreeMap<String, Vec<String>>,
     mentions: Vec<Mention>,
@@ -45,7 +45,7 @@ pub(super) fn uses(files: &[(String, String)]) -> Vec<Use> {
         files.iter().filter_map(|(file, _)| file.strip_suffix("/lib.rs")).collect();
     for (file, text) in files {
         let path = module_path(file, &crates);
-        modules.of.entry(path.clone()).or_default().file.clone_from(file);
+        modules.by_name.entry(path.clone()).or_default().file.clone_from(file);
         Reader { tokens: tokens(text), at: 0, file, modules: &mut modules }.read(&path);
     }
     modules.globs = modules.modules_of_globs();
@@ -53,7 +53,7 @@ pub(super) fn uses(files: &[(String, String)]) -> Vec<Use> {
     let mut known = BTreeSet::new();
     for Mention { module, line, path } in &modules.mentions {
         let Some((owner, _)) = modules.resolve(module, path, 0) else { continue };
-        let [from, to] = [module, &owner].map(|module| modules.of[module].file.clone());
+        let [from, to] = [module, &owner].map(|module| modules.by_name[module].file.clone());
         if from != to && known.insert((from.clone(), to.clone())) {
             found.push(Use { from, line: *line, to });
         }
@@ -86,7 +86,7 @@ impl Modules {
         let whole = |module: &str, path: &Vec<String>| {
             self.resolve(module, path, 0).filter(|(other, whole)| *whole && other != module)
         };
-        let modules = self.of.iter().map(|(name, module)| {
+        let modules = self.by_name.iter().map(|(name, module)| {
             let globs = module.globs.iter().filter_map(|path| whole(name, path));
             (name.clone(), globs.map(|(other, _)| other).collect())
         });
@@ -103,7 +103,7 @@ impl Modules {
             _ if self.home(module, first, &mut BTreeSet::new()).is_some() => {
                 self.walk(module, path, depth)
             }
-            name if self.of.contains_key(name) => self.walk(name, rest, depth),
+            name if self.by_name.contains_key(name) => self.walk(name, rest, depth),
             _ => None,
         }
     }
@@ -118,10 +118,10 @@ impl Modules {
         let home = self.home(module, first, &mut BTreeSet::new());
         let home = home.unwrap_or_else(|| module.to_owned());
         let child = format!("{home}::{first}");
-        if self.of.contains_key(&child) {
+        if self.by_name.contains_key(&child) {
             return self.walk(&child, rest, depth);
         }
-        match self.of.get(&home)?.imports.get(first) {
+        match self.by_name.get(&home)?.imports.get(first) {
             // Names that stand for each other lead nowhere.
             Some(import) if depth < 20 => self.resolve(&home, &[import, rest].concat(), depth + 1),
             Some(_) => None,
@@ -131,11 +131,11 @@ impl Modules {
 
     /// Returns the module in which a name is written down that is known in this one.
     fn home(&self, module: &str, name: &str, seen: &mut BTreeSet<String>) -> Option<String> {
-        let own = self.of.get(module).filter(|_| seen.insert(module.to_owned()))?;
+        let own = self.by_name.get(module).filter(|_| seen.insert(module.to_owned()))?;
         let is_other = |path: &Vec<String>| path.first().is_some_and(|first| first != name);
         if own.items.contains(name)
             || own.imports.get(name).is_some_and(is_other)
-            || self.of.contains_key(&format!("{module}::{name}"))
+            || self.by_name.contains_key(&format!("{module}::{name}"))
         {
             return Some(module.to_owned());
         }
@@ -172,7 +172,8 @@ impl<'a> Reader<'a> {
                 }
                 "mod" if self.token(2) == "{" => {
                     let inner = format!("{module}::{}", self.token(1));
-                    self.modules.of.entry(inner.clone()).or_default().file = self.file.to_owned();
+                    self.modules.by_name.entry(inner.clone()).or_default().file =
+                        self.file.to_owned();
                     open.push((inner, 0));
                     self.at += 3;
                     continue;
@@ -182,7 +183,7 @@ impl<'a> Reader<'a> {
                 "}" => *braces = braces.saturating_sub(1),
                 "struct" | "enum" | "trait" | "type" | "fn" | "const" | "static" | "macro" => {
                     let item = self.token(1).to_owned();
-                    self.modules.of.entry(module.clone()).or_default().items.insert(item);
+                    self.modules.by_name.entry(module.clone()).or_default().items.insert(item);
                 }
                 word if is_word(word) && self.token(1) == "::" => {
                     let module = module.clone();
@@ -226,7 +227,12 @@ impl<'a> Reader<'a> {
                 }
                 "*" => {
                     self.at += 1;
-                    self.modules.of.entry(module.to_owned()).or_default().globs.push(path.clone());
+                    self.modules
+                        .by_name
+                        .entry(module.to_owned())
+                        .or_default()
+                        .globs
+                        .push(path.clone());
                     break;
                 }
                 "::" => self.at += 1,
@@ -241,7 +247,7 @@ impl<'a> Reader<'a> {
                 }
                 _ => {
                     let name = name.or_else(|| path.last().cloned()).unwrap_or_default();
-                    let own = self.modules.of.entry(module.to_owned()).or_default();
+                    let own = self.modules.by_name.entry(module.to_owned()).or_default();
                     own.imports.insert(name, path.clone());
                     // Whatever else ends a path is no part of another one.
                     self.at += usize::from(![",", "}"].contains(&self.token(0)));

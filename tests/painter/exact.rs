@@ -162,8 +162,8 @@ fn triangles_that_only_look_like_a_rectangle() {
     for case in 0..4_u32.pow(6) {
         let vertices: Vec<_> = (0..6).map(|i| corner(case / 4_u32.pow(i) % 4)).collect();
         let primitives = [clipped(Rect::EVERYTHING, mesh_of(&vertices, WHITE_TEXTURE))];
-        let [fast, general] = [Painter::new(), Painter::triangles_only()].map(|of| {
-            let painter = painter(of, &four_texels(), TextureOptions::NEAREST);
+        let [fast, general] = [Painter::new(), Painter::triangles_only()].map(|made| {
+            let painter = painter(made, &four_texels(), TextureOptions::NEAREST);
             draw(&painter, [6, 5], Color32::BLACK, &primitives)
         });
         assert!(fast == general, "{vertices:?}");

@@ -132,7 +132,7 @@ proptest! {
     ) {
         let primitives: Vec<_> =
             meshes.into_iter().map(|mesh| clipped(rect(2.0, 1.0, 22.6, 23.0), mesh)).collect();
-        let draw = |of| draw(&painter(of, &picture, options), [SIDE, SIDE], Color32::BLACK, &primitives);
+        let draw = |made| draw(&painter(made, &picture, options), [SIDE, SIDE], Color32::BLACK, &primitives);
         prop_assert_eq!(draw(Painter::new()), draw(Painter::triangles_only()));
     }
 

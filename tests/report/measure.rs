@@ -83,24 +83,24 @@ fn what_a_scene_does_not_have_is_left_out_in_words() {
     let names = |report: &Report| -> Vec<String> {
         report.cases.iter().map(|case| case.name.clone()).collect()
     };
-    let of = |report: &Report, what: &str| report.left_out.contains(&format!("small: {what}"));
+    let says = |report: &Report, what: &str| report.left_out.contains(&format!("small: {what}"));
     let no_planes = "no plane rows: the scene has no planes";
     let no_inside = "no inside rows: the eye is outside every sphere";
 
     let report = finished(run_of(&[ball], &[]));
     assert_eq!(names(&report), ["small"]);
-    assert!(of(&report, no_planes) && of(&report, no_inside), "{:?}", report.left_out);
+    assert!(says(&report, no_planes) && says(&report, no_inside), "{:?}", report.left_out);
 
     let report = finished(run_of(&[ball, sky], &[floor()]));
     let parts = ["small", "small: spheres around the eye, alone", "small: planes, alone"];
     assert_eq!(names(&report), parts);
-    assert!(!of(&report, no_planes) && !of(&report, no_inside), "{:?}", report.left_out);
+    assert!(!says(&report, no_planes) && !says(&report, no_inside), "{:?}", report.left_out);
     let planes: Vec<_> = report.cases[2].methods.iter().map(|row| row.name.as_str()).collect();
     assert!(planes.contains(&"ladder") && planes.contains(&"textbook-f32"), "{planes:?}");
     assert!(!planes.contains(&"kahan-f32"), "{planes:?}");
 
     let report = finished(run_of(&[], &[]));
-    assert!(of(&report, "no sphere rows and no plane rows: the scene is empty"));
+    assert!(says(&report, "no sphere rows and no plane rows: the scene is empty"));
     assert_eq!(report.cases[0].coverage, 0.0);
 }
 

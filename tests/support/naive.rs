@@ -31,8 +31,8 @@ pub(crate) fn draw(
             continue;
         }
         let parts = [cross(q, r, centre), cross(r, p, centre), cross(p, q, centre)];
-        let mean = |of: &dyn Fn(&Vertex) -> f64| -> f64 {
-            (0..3).map(|i| of(t[i]) * parts[i] / area).sum()
+        let mean = |value: &dyn Fn(&Vertex) -> f64| -> f64 {
+            (0..3).map(|i| value(t[i]) * parts[i] / area).sum()
         };
         let [u, v] = [mean(&|v| v.uv.x.into()), mean(&|v| v.uv.y.into())];
         let [texture_width, texture_height] = texture.size.map(|n| n as f64);

@@ -20,7 +20,7 @@ fn camera() -> ResolvedCamera {
 /// A grid of equal spheres before the eye, which cover about 60 % of the picture.
 fn grid(across: u32, down: u32, away: f64) -> Scene {
     let step = 1.92 * away / f64::from(across);
-    let at = |k: u32, of: u32| (f64::from(k) - 0.5 * f64::from(of - 1)) * step;
+    let at = |k: u32, count: u32| (f64::from(k) - 0.5 * f64::from(count - 1)) * step;
     let spheres = (0..down).flat_map(|j| {
         (0..across).map(move |i| Sphere {
             center: DVec3::new(0.1 + at(i, across), at(j, down), -away),

@@ -57,7 +57,7 @@ pub struct UpAngle {
     pub conditioning: f64,
 }
 
-/// Why there is no basis. Each case carries the numbers at fault.
+/// Reason why there is no basis. Each case carries the numbers at fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BasisError {

@@ -43,7 +43,7 @@ impl Camera {
     /// small turns and of those near 180 degrees.
     ///
     /// # Errors
-    /// Where one of the two has no basis.
+    /// Returns an error if one of the two has no basis.
     pub fn difference_from(&self, other: &Camera) -> Result<CameraDifference, BasisError> {
         let (here, there) = (self.basis()?, other.basis()?);
         let pairs = [(here.u, there.u), (here.v, there.v), (here.w, there.w)];

@@ -52,7 +52,7 @@ impl ResolvedCamera {
     /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
     ///
     /// # Errors
-    /// Where u or v is not finite.
+    /// Returns an error if u or v is not finite.
     pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
         if !uv.is_finite() {
             return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
@@ -65,7 +65,7 @@ impl<'a> ExactRay<'a> {
     /// The ray as given.
     ///
     /// # Errors
-    /// Where a coordinate is not finite or the direction is zero.
+    /// Returns an error if a coordinate is not finite or the direction is zero.
     pub fn from_ray(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
         ray.check()?;
         let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));

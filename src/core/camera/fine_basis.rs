@@ -62,7 +62,7 @@ pub(crate) struct BigBasis {
     pub(crate) right: Exact3,
     /// `R x f`
     pub(crate) upward: Exact3,
-    pub(crate) of: Radicands,
+    pub(crate) radicands: Radicands,
 }
 
 impl BigBasis {
@@ -70,8 +70,8 @@ impl BigBasis {
         let view = view.big();
         let right = cross(&view, &exact3(up));
         let upward = cross(&right, &view);
-        let of = Radicands::new(dot(&view, &view), dot(&right, &right));
-        BigBasis { view, right, upward, of }
+        let radicands = Radicands::new(dot(&view, &view), dot(&right, &right));
+        BigBasis { view, right, upward, radicands }
     }
 }
 
@@ -114,14 +114,14 @@ impl FineBasis {
 
     /// Computes the basis from exact numbers: each coordinate is off by `3 u^2` at most.
     pub(crate) fn from_exact(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
-        let BigBasis { view, right, upward, of } = BigBasis::new(view, up);
-        if of.b.is_zero() {
+        let BigBasis { view, right, upward, radicands } = BigBasis::new(view, up);
+        if radicands.b.is_zero() {
             return None;
         }
-        let ab = &of.a * &of.b;
-        let u = over_root(&right, &of.b);
+        let ab = &radicands.a * &radicands.b;
+        let u = over_root(&right, &radicands.b);
         let v = over_root(&upward, &ab);
-        let w = over_root(&view, &of.a).map(|x| -x);
+        let w = over_root(&view, &radicands.a).map(|x| -x);
         Some(FineBasis { u, v, w, doubt: 3.0 * U2 })
     }
 
@@ -170,7 +170,7 @@ pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     if right > LEAST_SINE * lengths {
         return (right, along, lengths);
     }
-    let (square, k) = BigBasis::new(view, up).of.b.to_double_double();
+    let (square, k) = BigBasis::new(view, up).radicands.b.to_double_double();
     // An even power of two goes through the root.
     let odd = k.rem_euclid(2);
     let right =
@@ -247,7 +247,7 @@ impl Basis {
     /// parallel to view is decided exactly.
     ///
     /// # Errors
-    /// Where a value is not finite, a vector is zero, or up is parallel to view.
+    /// Returns an error if a value is not finite, a vector is zero, or up is parallel to view.
     pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
         Ok(Aim::along(view, up)?.fine_basis()?.rounded())
     }
@@ -256,7 +256,8 @@ impl Basis {
     /// `view = at - eye`, which is not rounded.
     ///
     /// # Errors
-    /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
+    /// Returns an error if a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to
+    /// `at - eye`.
     pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
         Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
     }

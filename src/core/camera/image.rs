@@ -44,7 +44,7 @@ impl ImageSize {
     /// An image of `width` x `height` pixels.
     ///
     /// # Errors
-    /// Where one of them is 0 or above [`ImageSize::MAX`].
+    /// Returns an error if one of them is 0 or above [`ImageSize::MAX`].
     pub const fn new(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         ImageSize::within(ImageSize::MAX, width, height)
     }

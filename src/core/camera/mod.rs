@@ -72,7 +72,7 @@ pub struct Camera {
     pub image: ImageSize,
 }
 
-/// Why a camera sees nothing.
+/// Reason why a camera sees nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CameraError {
@@ -130,7 +130,7 @@ impl Camera {
     /// The camera's basis.
     ///
     /// # Errors
-    /// Where there is none, see [`BasisError`].
+    /// Returns an error if there is none, see [`BasisError`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
         Ok(self.aim()?.1.rounded())
     }
@@ -155,7 +155,7 @@ impl Camera {
     /// basis given by hand has v for its up: a right angle, conditioning 1.
     ///
     /// # Errors
-    /// Where there is no basis.
+    /// Returns an error if there is no basis.
     pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
         let (AimGiven::ViewUp(view, up), _) = self.aim()? else {
             return Ok(UpAngle { angle: FRAC_PI_2, conditioning: 1.0 });
@@ -186,7 +186,7 @@ impl Camera {
     /// The camera with everything that its view rays need.
     ///
     /// # Errors
-    /// Where it has no basis or its viewport is not a rectangle in front of the eye.
+    /// Returns an error if it has no basis or its viewport is not a rectangle in front of the eye.
     pub fn resolve(&self) -> Result<ResolvedCamera, CameraError> {
         let (aim, basis) = self.aim()?;
         self.viewport.check()?;

@@ -18,7 +18,7 @@ pub struct Ray {
     pub direction: DVec3,
 }
 
-/// Why a ray is none.
+/// Reason why numbers make no ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RayError {
@@ -53,7 +53,7 @@ impl Ray {
     /// `f32` are widened first, which changes none.
     ///
     /// # Errors
-    /// Where a coordinate is not finite or the direction is zero.
+    /// Returns an error if a coordinate is not finite or the direction is zero.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -74,7 +74,7 @@ impl Ray {
     /// Checks that origin and direction are finite and the direction is not zero.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), RayError> {
         for (field, value) in [("origin", self.origin), ("direction", self.direction)] {
             if !value.is_finite() {

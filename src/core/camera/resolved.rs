@@ -262,14 +262,14 @@ impl ResolvedCamera {
         match self.aim {
             AimGiven::ViewUp(view, up) => {
                 // x R / sqrt B + y (R x f) / sqrt (A B) + z f / sqrt A, times sqrt (A B).
-                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
+                let BigBasis { view, right, upward, radicands } = BigBasis::new(&view, up);
                 let parts = [times(&upward, y), times(&right, x), times(&view, z)];
                 let direction = std::array::from_fn(|i| {
                     let [rational, root_a, root_b] = parts.each_ref().map(|part| part[i].clone());
                     Surd([rational, root_a, root_b, Dyadic::zero()])
                 });
                 let scale = Radicands::root_of_product().scaled(&stretch);
-                BigRay::new(self.eye, direction, scale, of)
+                BigRay::new(self.eye, direction, scale, radicands)
             }
             AimGiven::Basis => {
                 let Basis { u, v, w } = self.basis;

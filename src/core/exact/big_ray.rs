@@ -16,7 +16,7 @@ pub(crate) struct BigRay {
     /// The direction times `scale`.
     pub(crate) direction: [Surd; 3],
     pub(crate) scale: Surd,
-    pub(crate) of: Radicands,
+    pub(crate) radicands: Radicands,
     /// `direction . direction`
     pub(crate) a: Surd,
 }
@@ -40,10 +40,15 @@ pub(crate) struct BigQuadratic {
 }
 
 impl BigRay {
-    pub(crate) fn new(origin: DVec3, direction: [Surd; 3], scale: Surd, of: Radicands) -> BigRay {
-        let squares = direction.each_ref().map(|x| x.square(&of));
+    pub(crate) fn new(
+        origin: DVec3,
+        direction: [Surd; 3],
+        scale: Surd,
+        radicands: Radicands,
+    ) -> BigRay {
+        let squares = direction.each_ref().map(|x| x.square(&radicands));
         let a = &(&squares[0] + &squares[1]) + &squares[2];
-        BigRay { origin: exact3(origin), direction, scale, of, a }
+        BigRay { origin: exact3(origin), direction, scale, radicands, a }
     }
 
     /// A ray as given.
@@ -59,12 +64,12 @@ impl BigRay {
 
     /// Sign of D: whether the line misses, touches or crosses the sphere.
     pub(crate) fn meets(&self, quadratic: &BigQuadratic) -> Ordering {
-        quadratic.discriminant.sign(&self.of)
+        quadratic.discriminant.sign(&self.radicands)
     }
 
     /// Sign of b: whether the sphere's centre lies ahead.
     pub(crate) fn is_ahead(&self, quadratic: &BigQuadratic) -> Ordering {
-        quadratic.b.sign(&self.of)
+        quadratic.b.sign(&self.radicands)
     }
 
     /// The nearer or the farther root: `sign` is that of the square root.
@@ -74,49 +79,49 @@ impl BigRay {
 
     /// `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly where it is.
     pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {
-        if value.sign(&self.of) == Ordering::Equal {
+        if value.sign(&self.radicands) == Ordering::Equal {
             return Precise::ZERO;
         }
-        let (numerator, n) = self.digits(|places| value.fixed(places, &self.of));
-        let (denominator, m) = self.digits(|places| unit.fixed(places, &self.of));
+        let (numerator, n) = self.digits(|places| value.fixed(places, &self.radicands));
+        let (denominator, m) = self.digits(|places| unit.fixed(places, &self.radicands));
         let (value, scale) = ratio(&numerator, &denominator, m - n);
         Precise { value, scale }
     }
 
     /// Compares two roots, exactly.
     pub(crate) fn compare(&self, one: &BigRoot, other: &BigRoot) -> Ordering {
-        let of = &self.of;
-        let (numerators, radicands) = match (&one.y, &other.y) {
+        let radicands = &self.radicands;
+        let (numerators, [p, q]) = match (&one.y, &other.y) {
             (None, None) => (&one.x - &other.x, [one.radicand.clone(), other.radicand.clone()]),
             (y1, y2) => {
                 let (y1, y2) = (y1.as_ref().unwrap_or(&self.a), y2.as_ref().unwrap_or(&self.a));
-                let numerators = &one.x.times(y2, of) - &other.x.times(y1, of);
-                let under = |radicand: &Surd, y: &Surd| radicand.times(&y.square(of), of);
+                let numerators = &one.x.times(y2, radicands) - &other.x.times(y1, radicands);
+                let under =
+                    |radicand: &Surd, y: &Surd| radicand.times(&y.square(radicands), radicands);
                 (numerators, [under(&one.radicand, y2), under(&other.radicand, y1)])
             }
         };
-        let [p, q] = &radicands;
-        sign_with_roots(&numerators, (one.sign, p), (other.sign.reverse(), q), of)
+        sign_with_roots(&numerators, (one.sign, &p), (other.sign.reverse(), &q), radicands)
     }
 
     /// `t` of a root that is not 0: relative error at most `2^-100`.
     pub(crate) fn t(&self, root: &BigRoot) -> Precise {
         let (numerator, n) = self.digits(|places| self.numerator(root, places));
         let (denominator, m) =
-            self.digits(|places| root.y.as_ref().unwrap_or(&self.a).fixed(places, &self.of));
-        let (scale, s) = self.digits(|places| self.scale.fixed(places, &self.of));
+            self.digits(|places| root.y.as_ref().unwrap_or(&self.a).fixed(places, &self.radicands));
+        let (scale, s) = self.digits(|places| self.scale.fixed(places, &self.radicands));
         let (value, scale) = ratio(&(numerator * scale), &denominator, m - n - s);
         Precise { value, scale }
     }
 
     /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.
     pub(crate) fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
-        let x = root.x.fixed(places, &self.of);
+        let x = root.x.fixed(places, &self.radicands);
         if root.sign == Ordering::Equal {
             return x;
         }
         // Off by less than 4 below the root, which makes at most 2 above it.
-        let square = root.radicand.fixed(2 * places, &self.of);
+        let square = root.radicand.fixed(2 * places, &self.radicands);
         let swing = BigInt::from(square.magnitude().sqrt());
         if root.sign == Ordering::Less { x - swing } else { x + swing }
     }
@@ -124,7 +129,7 @@ impl BigRay {
     /// A fixed-point number with enough places that 128 bits of it are right, and its places.
     /// The number itself, which `fixed` gives with an error below 8, must not be 0.
     fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
-        let mut places = 160 - self.a.log2_bound(&self.of) / 2;
+        let mut places = 160 - self.a.log2_bound(&self.radicands) / 2;
         loop {
             let found = fixed(places);
             let bits = found.bits() as i32;

@@ -51,15 +51,15 @@ impl Surd {
     }
 
     /// `x y`. `sqrt A sqrt A = A`, and likewise; coefficients of 0 cost nothing.
-    pub(crate) fn times(&self, other: &Surd, of: &Radicands) -> Surd {
+    pub(crate) fn times(&self, other: &Surd, radicands: &Radicands) -> Surd {
         /// The root under which the product of two coefficients goes: bit 0 for A, bit 1 for B.
         /// Where both have a root, its radicand comes out.
-        fn factor(i: usize, j: usize, of: &Radicands) -> Option<&Dyadic> {
+        fn factor(i: usize, j: usize, radicands: &Radicands) -> Option<&Dyadic> {
             match i & j {
                 0 => None,
-                1 => Some(&of.a),
-                2 => Some(&of.b),
-                _ => Some(&of.ab),
+                1 => Some(&radicands.a),
+                2 => Some(&radicands.b),
+                _ => Some(&radicands.ab),
             }
         }
         let mut product = Surd::zero();
@@ -70,7 +70,7 @@ impl Surd {
                     continue;
                 }
                 let term = x * y;
-                let term = match factor(i, j, of) {
+                let term = match factor(i, j, radicands) {
                     Some(radicand) => &term * radicand,
                     None => term,
                 };
@@ -81,8 +81,8 @@ impl Surd {
     }
 
     /// `x^2`
-    pub(crate) fn square(&self, of: &Radicands) -> Surd {
-        self.times(self, of)
+    pub(crate) fn square(&self, radicands: &Radicands) -> Surd {
+        self.times(self, radicands)
     }
 
     /// `x y` of an exact y.
@@ -95,24 +95,30 @@ impl Surd {
     /// `x + y sqrt B` has the sign that x and y share; where they differ, that of x if
     /// `x^2 > y^2 B`. x and y are numbers `p + q sqrt A`, whose signs follow in the same way from
     /// exact integers.
-    pub(crate) fn sign(&self, of: &Radicands) -> Ordering {
+    pub(crate) fn sign(&self, radicands: &Radicands) -> Ordering {
         let [x0, x1, y0, y1] = &self.0;
-        let (x, y) = (sign_with_root(x0, x1, &of.a), sign_with_root(y0, y1, &of.a));
+        let (x, y) = (sign_with_root(x0, x1, &radicands.a), sign_with_root(y0, y1, &radicands.a));
         larger_of(x, y, || {
             // x^2 - y^2 B, again p + q sqrt A.
             let square = |p: &Dyadic, q: &Dyadic| {
                 let pq = p * q;
-                (&p.square() + &(&q.square() * &of.a), &pq + &pq)
+                (&p.square() + &(&q.square() * &radicands.a), &pq + &pq)
             };
             let ((xp, xq), (yp, yq)) = (square(x0, x1), square(y0, y1));
-            sign_with_root(&(&xp - &(&yp * &of.b)), &(&xq - &(&yq * &of.b)), &of.a)
+            sign_with_root(
+                &(&xp - &(&yp * &radicands.b)),
+                &(&xq - &(&yq * &radicands.b)),
+                &radicands.a,
+            )
         })
     }
 
     /// The number times `2^places`, as an integer that is off by less than 4.
-    pub(crate) fn fixed(&self, places: i32, of: &Radicands) -> BigInt {
+    pub(crate) fn fixed(&self, places: i32, radicands: &Radicands) -> BigInt {
         let mut sum = self.0[0].fixed(places);
-        for (coefficient, radicand) in self.0[1..].iter().zip([&of.a, &of.b, &of.ab]) {
+        for (coefficient, radicand) in
+            self.0[1..].iter().zip([&radicands.a, &radicands.b, &radicands.ab])
+        {
             if coefficient.is_zero() {
                 continue;
             }
@@ -126,9 +132,9 @@ impl Surd {
     }
 
     /// An upper bound of `log2 |x|`.
-    pub(crate) fn log2_bound(&self, of: &Radicands) -> i32 {
+    pub(crate) fn log2_bound(&self, radicands: &Radicands) -> i32 {
         let one = Dyadic::from(1.0);
-        let terms = self.0.iter().zip([&one, &of.a, &of.b, &of.ab]);
+        let terms = self.0.iter().zip([&one, &radicands.a, &radicands.b, &radicands.ab]);
         let largest = terms.map(|(x, radicand)| {
             if x.is_zero() { i32::MIN / 4 } else { x.log2() + 1 + (radicand.log2() + 2) / 2 + 1 }
         });
@@ -159,26 +165,26 @@ pub(crate) fn sign_with_roots(
     x: &Surd,
     (s, p): (Ordering, &Surd),
     (t, q): (Ordering, &Surd),
-    of: &Radicands,
+    radicands: &Radicands,
 ) -> Ordering {
-    let root_sign = |sign: Ordering, radicand: &Surd| match radicand.sign(of) {
+    let root_sign = |sign: Ordering, radicand: &Surd| match radicand.sign(radicands) {
         Ordering::Greater => sign,
         _ => Ordering::Equal,
     };
     let (s, t) = (root_sign(s, p), root_sign(t, q));
-    let roots = larger_of(s, t, || (p - q).sign(of));
-    larger_of(x.sign(of), roots, || {
+    let roots = larger_of(s, t, || (p - q).sign(radicands));
+    larger_of(x.sign(radicands), roots, || {
         // x^2 - p - q - 2 s t sqrt(p q)
-        let y = &(&x.square(of) - p) - q;
-        let product = p.times(q, of);
+        let y = &(&x.square(radicands) - p) - q;
+        let product = p.times(q, radicands);
         let cross = match (s, t) {
             (Ordering::Equal, _) | (_, Ordering::Equal) => Ordering::Equal,
             (s, t) if s == t => Ordering::Less,
             _ => Ordering::Greater,
         };
-        larger_of(y.sign(of), cross, || {
+        larger_of(y.sign(radicands), cross, || {
             let four = Dyadic::from(4.0);
-            (&y.square(of) - &product.scaled(&four)).sign(of)
+            (&y.square(radicands) - &product.scaled(&four)).sign(radicands)
         })
     })
 }

@@ -24,13 +24,13 @@ impl BigRay {
         let q = self.to_center(sphere);
         let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
         let b = self.dot(&q);
-        let discriminant = &b.square(&self.of) - &self.a.scaled(&c);
+        let discriminant = &b.square(&self.radicands) - &self.a.scaled(&c);
         BigQuadratic { b, discriminant }
     }
 
     /// The sign of `normal . direction`: `Equal` where the ray is parallel to the plane.
     pub(crate) fn rate(&self, plane: &Plane) -> Ordering {
-        self.dot(&exact3(plane.normal)).sign(&self.of)
+        self.dot(&exact3(plane.normal)).sign(&self.radicands)
     }
 
     /// The root of a plane that is not parallel.
@@ -38,8 +38,11 @@ impl BigRay {
         let normal = exact3(plane.normal);
         let offset = Surd::from(dot(&normal, &minus(&exact3(plane.point), &self.origin)));
         let rate = self.dot(&normal);
-        let (x, y) =
-            if rate.sign(&self.of) == Ordering::Less { (-&offset, -&rate) } else { (offset, rate) };
+        let (x, y) = if rate.sign(&self.radicands) == Ordering::Less {
+            (-&offset, -&rate)
+        } else {
+            (offset, rate)
+        };
         BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
     }
 
@@ -48,17 +51,17 @@ impl BigRay {
         // Times the scale's square: t and the direction are free of it.
         let (q, t) = (self.to_center(sphere), Dyadic::from(t));
         let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
-        let (b, square) = (self.dot(&q), self.scale.square(&self.of));
-        let linear = b.times(&self.scale, &self.of).scaled(&(&t + &t));
+        let (b, square) = (self.dot(&q), self.scale.square(&self.radicands));
+        let linear = b.times(&self.scale, &self.radicands).scaled(&(&t + &t));
         let value = &(&self.a.scaled(&t.square()) - &linear) + &square.scaled(&c);
         self.value(&value, &square)
     }
 
     /// `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
     pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> Precise {
-        let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.of);
+        let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.radicands);
         let half = &self.a.scaled(&Dyadic::from(t)) - &b;
-        self.value(&(&half + &half), &self.scale.square(&self.of))
+        self.value(&(&half + &half), &self.scale.square(&self.radicands))
     }
 
     /// `normal . (origin + t direction - point)`, as [`BigRay::value`].
@@ -73,11 +76,11 @@ impl BigRay {
     /// off by its rounding to `f64`, and at most `2^-60` more.
     pub(crate) fn sphere_normal(&self, sphere: &Sphere, root: &BigRoot) -> DVec3 {
         let q = self.to_center(sphere);
-        let mut places = 200 - self.a.log2_bound(&self.of) / 2;
+        let mut places = 200 - self.a.log2_bound(&self.radicands) / 2;
         loop {
             let numerator = self.numerator(root, places);
-            let a = self.a.fixed(2 * places, &self.of);
-            let d = self.direction.each_ref().map(|x| x.fixed(places, &self.of));
+            let a = self.a.fixed(2 * places, &self.radicands);
+            let d = self.direction.each_ref().map(|x| x.fixed(places, &self.radicands));
             let q = q.each_ref().map(|x| x.fixed(places));
             // All in units of 2^(-3 places).
             let extent = &a * Dyadic::from(sphere.radius).fixed(places);

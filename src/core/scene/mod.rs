@@ -77,7 +77,8 @@ impl Scene {
     /// index are copied first (80 bytes a sphere), so that the clones stay what they are.
     ///
     /// # Errors
-    /// Where the new one is no sphere, or the index is no sphere's; nothing has changed then.
+    /// Returns an error if the new one is no sphere, or the index is no sphere's; nothing has
+    /// changed then.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -102,7 +103,8 @@ impl Scene {
     /// it. This costs nothing.
     ///
     /// # Errors
-    /// Where the new one is no plane, or the index is no plane's; nothing has changed then.
+    /// Returns an error if the new one is no plane, or the index is no plane's; nothing has changed
+    /// then.
     pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
         let index = index as usize;
         let place = index.checked_sub(self.spheres().len());

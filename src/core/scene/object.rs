@@ -47,7 +47,7 @@ impl Object {
     /// Checks what [`Scene::new`](crate::Scene::new) checks.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), ObjectError> {
         match self {
             Object::Sphere(sphere) => sphere.check(),

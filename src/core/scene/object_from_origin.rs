@@ -276,7 +276,7 @@ impl Object {
     /// The roots of the ray's line with the object, which is given `index` in them; decided exactly.
     ///
     /// # Errors
-    /// Where the object is none, see [`Object::check`].
+    /// Returns an error if the object is none, see [`Object::check`].
     pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
         self.check()?;
         let (seen, steps) = (ObjectFromOrigin::new(self, ray.origin()), &mut Steps::default());

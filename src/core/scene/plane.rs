@@ -32,7 +32,7 @@ impl Plane {
     /// makes a [`DVec3`].
     ///
     /// # Errors
-    /// Where a coordinate is not finite or the normal is zero.
+    /// Returns an error if a coordinate is not finite or the normal is zero.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -51,7 +51,7 @@ impl Plane {
     /// Checks that point and normal are finite and the normal is not zero.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), ObjectError> {
         for (field, value) in [("point", self.point), ("normal", self.normal)] {
             if !value.is_finite() {

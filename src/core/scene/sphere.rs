@@ -44,7 +44,7 @@ impl Sphere {
     /// A checked sphere, from whatever makes a [`DVec3`].
     ///
     /// # Errors
-    /// Where the centre is not finite or the radius not positive and finite.
+    /// Returns an error if the centre is not finite or the radius not positive and finite.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -64,7 +64,7 @@ impl Sphere {
     /// Checks that the centre is finite and the radius positive and finite.
     ///
     /// # Errors
-    /// What is wrong.
+    /// Returns what is wrong.
     pub fn check(&self) -> Result<(), ObjectError> {
         if !self.center.is_finite() {
             return Err(ObjectError::NotFinite { field: "center", value: self.center });

@@ -88,8 +88,8 @@ impl Camera {
     /// A camera without a basis is led out of that: its fields are set and nothing else.
     ///
     /// # Errors
-    /// Where there is no basis afterwards (the eye is put to the pivot), or rounding would turn it
-    /// ([`SteerError::Unsteady`]).
+    /// Returns an error if there is no basis afterwards (the eye is put to the pivot), or rounding
+    /// would turn it ([`SteerError::Unsteady`]).
     pub fn with_eye_at(&self, point: DVec3, keep: Keep) -> Result<Steered, SteerError> {
         check_point("eye", point)?;
         let moved = Camera { eye: point, ..*self };
@@ -115,7 +115,7 @@ impl Camera {
     /// A camera without a basis is led out of that: its fields are set and nothing else.
     ///
     /// # Errors
-    /// Where the point is the eye, or there is no basis.
+    /// Returns an error if the point is the eye, or there is no basis.
     pub fn with_at(&self, point: DVec3) -> Result<Steered, SteerError> {
         check_point("at", point)?;
         let view = difference_with_rest(point, self.eye).0;
@@ -141,8 +141,8 @@ impl Camera {
     /// With a ratio to keep, the corner is the point nearest to (u, v) on the line of that ratio.
     ///
     /// # Errors
-    /// Where there is no basis, or the corner is dragged to or past the middle: width or height is 0 or
-    /// negative. With a ratio to keep also where there is none.
+    /// Returns an error if there is no basis, or the corner is dragged to or past the middle: width
+    /// or height is 0 or negative. With a ratio to keep also where there is none.
     pub fn with_viewport_corner(
         &self,
         corner: ViewportCorner,
@@ -178,8 +178,8 @@ impl Camera {
     /// `distance = -(point - eye).W`.
     ///
     /// # Errors
-    /// Where there is no basis, the point is not in front of the eye (the distance is 0 or negative), or
-    /// the viewport is none.
+    /// Returns an error if there is no basis, the point is not in front of the eye (the distance is
+    /// 0 or negative), or the viewport is none.
     pub fn with_viewport_through(
         &self,
         point: DVec3,
@@ -269,7 +269,7 @@ impl Sphere {
     /// The sphere with this centre whose surface passes through a point: `radius = |point - center|`.
     ///
     /// # Errors
-    /// Where the point is the centre: the radius is 0.
+    /// Returns an error if the point is the centre: the radius is 0.
     pub fn with_surface_through(&self, point: DVec3) -> Result<Sphere, ObjectError> {
         Sphere::new(self.center, length(point - self.center))
     }

@@ -18,8 +18,9 @@ impl Camera {
     /// and there and back again is where it began, but for rounding.
     ///
     /// # Errors
-    /// Where `forward` is not finite, there is no basis, the eye overflows or has come so close to `at`
-    /// that rounding makes them the same point or turns the view ([`SteerError::Unsteady`]).
+    /// Returns an error if `forward` is not finite, there is no basis, the eye overflows or has
+    /// come so close to `at` that rounding makes them the same point or turns the view
+    /// ([`SteerError::Unsteady`]).
     pub fn dollied(&self, forward: f64) -> Result<Camera, SteerError> {
         check_finite("forward", forward)?;
         let basis = self.basis()?;
@@ -44,7 +45,8 @@ impl Camera {
     /// viewport is as before but for rounding.
     ///
     /// # Errors
-    /// Where the factor is not positive and finite, or the viewport is none, before or after.
+    /// Returns an error if the factor is not positive and finite, or the viewport is none, before
+    /// or after.
     pub fn zoomed(&self, factor: f64) -> Result<Camera, SteerError> {
         check_positive("factor", factor)?;
         let Viewport { width, height, distance } = self.viewport;

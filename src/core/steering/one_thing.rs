@@ -22,8 +22,8 @@ impl Camera {
     /// changes nothing.
     ///
     /// # Errors
-    /// Where the angle is not finite, or there is no basis before or (up within rounding of the view)
-    /// after.
+    /// Returns an error if the angle is not finite, or there is no basis before or (up within
+    /// rounding of the view) after.
     pub fn swung(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let basis = self.basis()?;
@@ -50,9 +50,9 @@ impl Camera {
     /// ```
     ///
     /// # Errors
-    /// Where the angle is not finite or not between 0 and 180 degrees (up would be parallel to the
-    /// view at either), or so close to these that up is parallel once it is rounded; where there is no
-    /// basis before, or one set by hand.
+    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be
+    /// parallel to the view at either), or so close to these that up is parallel once it is
+    /// rounded; where there is no basis before, or one set by hand.
     pub fn up_tilted(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let Basis { v, w, .. } = self.basis()?;
@@ -67,7 +67,7 @@ impl Camera {
     /// same picture, but every t is divided by what distance is multiplied by.
     ///
     /// # Errors
-    /// Where the viewport is none, before or after.
+    /// Returns an error if the viewport is none, before or after.
     pub fn scaled_picture(&self, distance: f64) -> Result<Camera, ViewportError> {
         let old = self.viewport;
         old.check()?;
@@ -86,7 +86,7 @@ impl Camera {
     /// the distance, or else the width.
     ///
     /// # Errors
-    /// Where the viewport is none, before or after.
+    /// Returns an error if the viewport is none, before or after.
     pub fn picture_scaled_as(
         &self,
         before: &Viewport,

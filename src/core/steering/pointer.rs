@@ -27,7 +27,7 @@ pub enum DragAlong {
     Plane(DVec3, DVec3),
 }
 
-/// Why the pointer is nowhere in the world.
+/// Reason why the pointer is at no point of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DragError {
@@ -147,7 +147,7 @@ impl Drag {
 /// parallel to the picture: `depth / distance * height / H`.
 ///
 /// # Errors
-/// Where the point is not in front of the observer.
+/// Returns an error if the point is not in front of the observer.
 pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
     let ObserverAnchor { depth, distance, .. } = ObserverAnchor::new(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());

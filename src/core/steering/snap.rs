@@ -13,7 +13,7 @@ use super::steered::{SteerError, check_finite, check_positive};
 /// ```
 ///
 /// # Errors
-/// Where the value is not finite or the step not positive and finite.
+/// Returns an error if the value is not finite or the step not positive and finite.
 pub fn snapped(value: f64, step: f64) -> Result<f64, SteerError> {
     check_finite("value", value)?;
     check_positive("step", step)?;
@@ -40,7 +40,7 @@ pub fn snapped(value: f64, step: f64) -> Result<f64, SteerError> {
 /// ```
 ///
 /// # Errors
-/// Where `at_least` is not positive and finite, or there is no such number.
+/// Returns an error if `at_least` is not positive and finite, or there is no such number.
 pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
     check_positive("step", at_least)?;
     let power = at_least.log10().floor() as i32;
@@ -64,7 +64,7 @@ pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
 /// ```
 ///
 /// # Errors
-/// Where the value is not finite or the pixel not positive and finite.
+/// Returns an error if the value is not finite or the pixel not positive and finite.
 pub fn rounded_to(value: f64, pixel: f64) -> Result<f64, SteerError> {
     check_finite("value", value)?;
     check_positive("pixel", pixel)?;

@@ -31,7 +31,7 @@ pub struct Steered {
     pub up_went_along: bool,
 }
 
-/// Why a camera cannot be steered so.
+/// Reason why a camera cannot be steered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SteerError {

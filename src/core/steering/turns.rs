@@ -16,7 +16,7 @@ impl Camera {
     /// of the viewport, `eye - distance*w`.
     ///
     /// # Errors
-    /// Where the camera has no basis, by hand also where it has no viewport.
+    /// Returns an error if the camera has no basis, by hand also where it has no viewport.
     pub fn pivot(&self) -> Result<DVec3, SteerError> {
         let w = self.basis()?.w;
         let (field, value) = match self.orientation {
@@ -81,8 +81,8 @@ impl Camera {
     /// rounding, unless the pitch was stopped.
     ///
     /// # Errors
-    /// Where an angle is not finite, there is no basis, or rounding would turn it more than the hand
-    /// ([`SteerError::Unsteady`]).
+    /// Returns an error if an angle is not finite, there is no basis, or rounding would turn it
+    /// more than the hand ([`SteerError::Unsteady`]).
     pub fn looked_round(&self, yaw: f64, pitch: f64) -> Result<Camera, SteerError> {
         let Some(turned) = self.turned(yaw, pitch)? else {
             return Ok(*self);

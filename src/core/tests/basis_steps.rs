@@ -1,4 +1,4 @@
-//! Each step of the basis's ladder is reached, and is needed.
+//! Bases where the textbook's formula in f64 is not enough.
 
 use pinhole_core::*;
 use pinhole_reference::{Orientation as Given, Real, Status, angle_between};
@@ -55,7 +55,7 @@ fn by_textbook(camera: &Camera) -> Option<Basis> {
 
 /// The textbook's formula rounds u, v and w more often than once.
 #[test]
-fn an_ordinary_basis_needs_double_double() {
+fn an_ordinary_basis_is_closer_than_the_textbook_gets() {
     let mut wrong = 0;
     let mut numbers = Numbers(3);
     for _ in 0..100 {
@@ -70,7 +70,7 @@ fn an_ordinary_basis_needs_double_double() {
 
 /// An up within 1e-16 rad of the view, and far closer: f64 turns the camera by anything.
 #[test]
-fn up_nearly_parallel_to_view_needs_the_exact_step() {
+fn up_nearly_parallel_to_view_is_beyond_f64() {
     let mut worst = 0.0_f64;
     for up in UPS {
         for aside in [1.0, 0.5_f64.powi(10), 0.5_f64.powi(20)] {
@@ -84,9 +84,9 @@ fn up_nearly_parallel_to_view_needs_the_exact_step() {
     assert!(worst > 1e-3, "{worst:?}");
 }
 
-/// An up exactly parallel to the view: only the exact step knows that there is no basis.
+/// An up exactly parallel to the view: there is no basis, which rounded numbers cannot tell.
 #[test]
-fn up_exactly_parallel_to_view_needs_the_exact_step() {
+fn up_exactly_parallel_to_view_is_beyond_f64() {
     let mut made_up = 0;
     for up in UPS {
         for factor in [(1 << 30) + 3, (1 << 29) + 12347, 3_u64.pow(19)] {

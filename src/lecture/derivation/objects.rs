@@ -103,7 +103,7 @@ impl ObjectDerivation {
     /// The derivation for one ray and one object, which is given `index` in its roots.
     ///
     /// # Errors
-    /// Where the object is none, see [`Object::check`].
+    /// Returns an error if the object is none, see [`Object::check`].
     pub fn new(
         object: &Object,
         index: u32,

@@ -65,7 +65,7 @@ impl RayDerivation {
     /// The view ray through a (u, v).
     ///
     /// # Errors
-    /// Where u or v is not finite.
+    /// Returns an error if u or v is not finite.
     pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
         let direction = camera.exact_ray_at(uv)?.rounded();
         Ok(RayDerivation::new(camera.direction_parts_at(uv), None, uv, direction))

@@ -79,8 +79,8 @@ impl Dice {
         ((u128::from(self.bits()) * count as u128) >> 64) as usize
     }
 
-    fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len())]
+    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len())]
     }
 
     /// A whole number, both ends included.

@@ -152,18 +152,6 @@ pub struct Question {
     pub parts: Vec<QuestionPart>,
 }
 
-/// Each exercise's name in files and its title, in their order.
-const NAMES: [(&str, &str); Exercise::ALL.len()] = [
-    ("warm-up-ray", "Warm-up 1a: a viewing ray"),
-    ("warm-up-plane", "Warm-up 1b: the wall it meets"),
-    ("distance", "What if the distance is another"),
-    ("turned-basis", "A basis turned by 45°"),
-    ("view-up", "A basis from view and up"),
-    ("eye-at-up", "A basis from eye, at and up"),
-    ("sphere", "A ray and a sphere"),
-    ("lines", "A line and a ray in two dimensions"),
-];
-
 impl Exercise {
     /// All of them, in the lecture's order.
     pub const ALL: &'static [Exercise] = &[
@@ -177,9 +165,23 @@ impl Exercise {
         Exercise::Lines,
     ];
 
+    /// Returns the name in files and the title.
+    fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Exercise::WarmUpRay => ("warm-up-ray", "Warm-up 1a: a viewing ray"),
+            Exercise::WarmUpPlane => ("warm-up-plane", "Warm-up 1b: the wall it meets"),
+            Exercise::Distance => ("distance", "What if the distance is another"),
+            Exercise::Turned => ("turned-basis", "A basis turned by 45°"),
+            Exercise::ViewUp => ("view-up", "A basis from view and up"),
+            Exercise::EyeAtUp => ("eye-at-up", "A basis from eye, at and up"),
+            Exercise::Sphere => ("sphere", "A ray and a sphere"),
+            Exercise::Lines => ("lines", "A line and a ray in two dimensions"),
+        }
+    }
+
     /// The name in files.
     pub fn id(self) -> &'static str {
-        NAMES[self as usize].0
+        self.names().0
     }
 
     /// The exercise of this [`Exercise::id`].
@@ -190,7 +192,7 @@ impl Exercise {
 
 /// The title of an exercise in a list.
 pub fn title(exercise: Exercise) -> &'static str {
-    NAMES[exercise as usize].1
+    exercise.names().1
 }
 
 impl Asked {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use pinhole_core::{CameraError, ImageSize};
 
-/// Why answers cannot be graded.
+/// Reason why answers cannot be graded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GradeError {

@@ -67,8 +67,8 @@ use self::grader::Grader;
 /// ```
 ///
 /// # Errors
-/// Where the camera sees nothing, there is no answer, a picture has not as many pixels as the
-/// camera's image, or the tolerance is negative or no number.
+/// Returns an error if the camera sees nothing, there is no answer, a picture has not as many
+/// pixels as the camera's image, or the tolerance is negative or no number.
 pub fn grade(
     truth: &Truth,
     answers: &Answers,

@@ -46,6 +46,9 @@ entry! {
 
 macro_rules! mistakes {
     (
+        {$($(#[$graded_doc:meta])* $graded:ident $graded_id:literal {
+            $($graded_field:ident: $graded_value:expr,)*
+        })*}
         {$($(#[$doc:meta])* $name:ident $id:literal { $($field:ident: $value:expr,)* })*}
         {$($told_name:ident $told_id:literal: $told:literal,)*}
     ) => {
@@ -55,6 +58,7 @@ macro_rules! mistakes {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Mistake {
+            $($(#[$graded_doc])* $graded,)*
             $($(#[$doc])* $name,)*
             $(#[doc = $told] $told_name,)*
         }
@@ -62,11 +66,18 @@ macro_rules! mistakes {
         impl Mistake {
             /// All of them.
             pub const ALL: &'static [Mistake] =
-                &[$(Mistake::$name,)* $(Mistake::$told_name,)*];
+                &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$told_name,)*];
+
+            /// The mistakes that a graded program is tried for, in the order in which they are tried
+            /// and named.
+            pub const GRADED: &'static [Mistake] = &[$(Mistake::$graded,)*];
 
             #[expect(clippy::needless_update, reason = "one mistake has all of an entry")]
             fn entry(self) -> &'static Entry {
                 match self {
+                    $(Mistake::$graded => const {
+                        &Entry { id: $graded_id, $($graded_field: $graded_value,)* ..Entry::EMPTY }
+                    })*
                     $(Mistake::$name => const {
                         &Entry { id: $id, $($field: $value,)* ..Entry::EMPTY }
                     })*
@@ -80,6 +91,7 @@ macro_rules! mistakes {
 }
 
 mistakes! {
+// A program that is graded is tried for these.
 {
     /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
     WAsPrinted "w-as-printed" {
@@ -295,7 +307,10 @@ mistakes! {
             |p| p.measure = Measure::PointOfDistance,
         ],
     }
+}
 
+// Seen in the gallery or in an answer, and no program is tried for them.
+{
     /// `w = normalize(at - eye)`: the same, from points.
     WIsAtMinusEye "w-is-at-minus-eye" {
         name: "𝐰 from at − eye",
@@ -478,11 +493,6 @@ impl Mistake {
         Mistake::CountedFromOne,
         Mistake::AspectDropped,
     ];
-
-    /// The mistakes that a graded program is tried for, in the order in which they are tried and
-    /// named: the first of the table, up to this one.
-    pub const GRADED: &'static [Mistake] =
-        Mistake::ALL.split_at(Mistake::TForDistance as usize + 1).0;
 
     /// The name in files and commands: `w-as-printed`, ...
     pub fn id(self) -> &'static str {

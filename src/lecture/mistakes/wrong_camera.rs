@@ -67,7 +67,8 @@ impl WrongCamera {
     /// The camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
     ///
     /// # Errors
-    /// Where the camera sees nothing, the mistake cannot be made with it, or changes nothing.
+    /// Returns an error if the camera sees nothing, the mistake cannot be made with it, or changes
+    /// nothing.
     pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, NoWrongCamera> {
         let right = WrongCamera::right(camera).map_err(NoWrongCamera::Camera)?;
         let pipeline = mistake.usual();
@@ -91,7 +92,7 @@ impl WrongCamera {
     /// The camera without any mistake, to be checked as the wrong ones are.
     ///
     /// # Errors
-    /// Where the camera sees nothing.
+    /// Returns an error if the camera sees nothing.
     pub fn right(camera: &Camera) -> Result<WrongCamera, CameraError> {
         let given = GivenCamera::new(camera)?;
         Ok(WrongCamera { made: given.camera_of(Pipeline::RIGHT), given })
@@ -148,7 +149,7 @@ impl WrongCamera {
     /// The ray that the wrong camera sends through a pixel.
     ///
     /// # Errors
-    /// Where its numbers are beyond the range of `f64`.
+    /// Returns an error if its numbers are beyond the range of `f64`.
     pub fn ray(&self, pixel: Pixel) -> Result<Ray, RayError> {
         self.ray_at(self.uv_of_pixel(pixel))
     }
@@ -156,7 +157,7 @@ impl WrongCamera {
     /// The ray that the wrong camera sends through a (u, v).
     ///
     /// # Errors
-    /// Where its numbers are beyond the range of `f64`.
+    /// Returns an error if its numbers are beyond the range of `f64`.
     pub fn ray_at(&self, uv: DVec2) -> Result<Ray, RayError> {
         Ray::new(self.given.resolved.eye(), self.direction_at(uv))
     }

@@ -66,7 +66,7 @@ impl WrongPicture {
     /// Traces the pixels of `raster`, which is one of the camera's image.
     ///
     /// # Errors
-    /// Where the wrong camera's numbers make no camera at all.
+    /// Returns an error if the wrong camera's numbers make no camera at all.
     pub fn trace(
         scene: &Scene,
         camera: &WrongCamera,

@@ -55,6 +55,9 @@ const STEP: [&str; 21] = [
     "seed",
 ];
 
+/// Keys of earlier versions, and the name that each has now.
+const RENAMED: [(&str, &str); 2] = [("ledger", "derivation"), ("lit", "highlight")];
+
 /// Reads a lesson file.
 ///
 /// # Errors
@@ -125,6 +128,11 @@ fn line(field: &Field, longest: usize) -> Result<String, FileError> {
 
 /// Reads a step; it takes over all that it does not specify from the step before it.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
+    for (before, now) in RENAMED {
+        if let Some(field) = section.get(before) {
+            return Err(field.fault(format!("it is called {now} now")));
+        }
+    }
     let known: Vec<&str> = STEP.into_iter().chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
     let title = section.need("title", "title = \"What the step is about\"")?;

@@ -147,10 +147,10 @@ impl Player {
                 format!("t = {}", crate::model::number::written(self.phase * self.start.end, 3))
             }
             Kind::Scan => {
-                let of = self.kind.steps(&self.start);
-                let so_far = (self.phase * of as f64).round() as u64;
+                let steps = self.kind.steps(&self.start);
+                let so_far = (self.phase * steps as f64).round() as u64;
                 let grouped = crate::model::number::grouped;
-                format!("{} of {} pixels", grouped(so_far), grouped(of))
+                format!("{} of {} pixels", grouped(so_far), grouped(steps))
             }
         }
     }

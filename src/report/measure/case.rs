@@ -160,7 +160,7 @@ impl Work {
 
     /// Share of the work that is done, up to 1.
     fn share(&self, rounds: usize) -> f64 {
-        let sum = |of: &dyn Fn(&SetWork) -> usize| self.sets.iter().map(of).sum::<usize>();
+        let sum = |count: &dyn Fn(&SetWork) -> usize| self.sets.iter().map(count).sum::<usize>();
         let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
         let done = sum(&|set| set.decided + set.timings);
         if all == 0 { 1.0 } else { done as f64 / all as f64 }
@@ -170,7 +170,7 @@ impl Work {
         if let Some(coverage) = self.coverage {
             return coverage;
         }
-        let sum = |of: fn(&SetWork) -> usize| self.sets.iter().map(of).sum::<usize>() as f64;
+        let sum = |count: fn(&SetWork) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
         let decided = sum(|set| set.decided);
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }

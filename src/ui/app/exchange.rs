@@ -6,6 +6,7 @@ use pinhole_exchange::format::{ExportScene, Exported};
 use super::scene::OpenScene;
 use crate::model::files::save_written;
 use crate::model::translator::with;
+use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
 
@@ -23,12 +24,14 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
 }
 
 /// Tells what became of the last paste, until the camera is another one.
-pub(super) fn paste_notice(ctx: &Context, scene: &mut OpenScene) {
+pub(super) fn paste_notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
     let pasted = &mut scene.session.translator.pasted;
+    let was_there = pasted.is_some();
     if pasted.as_ref().is_some_and(|said| said.camera != scene.open.document.camera) {
         *pasted = None;
     }
     translator::notice(ctx, pasted);
+    Changed::SESSION.when(pasted.is_some() != was_there)
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {

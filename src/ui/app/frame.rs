@@ -234,10 +234,9 @@ impl App {
     /// Shows the views, and what the workspace has beside them. Whatever they change of the session is
     /// derived in the next pass.
     fn outputs(&mut self, ui: &mut Ui, places: &Places) -> Changed {
-        let before = self.scene.session.clone();
         let workspace = self.workspace();
         let actions = &mut self.waiting;
-        self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
+        let mut changed = self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
         let settings = self.scene.session.settings;
         let mut desk = Desk {
             open: &self.scene.open,
@@ -254,14 +253,13 @@ impl App {
         if let (Some(beside), Some(area), Some(rect)) =
             (workspace.beside, places.beside_area, places.beside)
         {
-            (beside.show)(ui, &mut desk, Frame { area, rect });
+            changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
             ui.set_clip_rect(places.rest);
-            (workspace.rest)(ui, &mut desk);
+            changed |= (workspace.rest)(ui, &mut desk);
         });
-        exchange::paste_notice(ui.ctx(), &mut self.scene);
-        Changed::SESSION.when(self.scene.session != before)
+        changed | exchange::paste_notice(ui.ctx(), &mut self.scene)
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is

@@ -86,7 +86,15 @@ impl Playback {
             (PlayAction::Loop, Some(player)) => player.loops ^= true,
             (PlayAction::Keep, Some(_)) => self.keep(ctx, scene, history),
             (PlayAction::Close, Some(_)) => self.give_back(scene),
-            (_, None) => {}
+            (
+                PlayAction::Toggle
+                | PlayAction::Step(_)
+                | PlayAction::Faster(_)
+                | PlayAction::Loop
+                | PlayAction::Keep
+                | PlayAction::Close,
+                None,
+            ) => {}
         }
     }
 
@@ -173,7 +181,7 @@ impl Playback {
         Some(match Recorder::new(animation, path) {
             Ok(recorder) => {
                 self.recorder = Some(recorder);
-                Dialog::Progress { done: 0, of: frames.count }
+                Dialog::Progress { done: 0, frames: frames.count }
             }
             Err(problem) => Dialog::message("The animation was not exported", problem),
         })
@@ -183,15 +191,15 @@ impl Playback {
     /// closed.
     pub(super) fn record(&mut self, ctx: &Context, dialog: &mut Option<Dialog>) {
         let Some(recorder) = &mut self.recorder else { return };
-        let Some(Dialog::Progress { done, of }) = dialog else {
+        let Some(Dialog::Progress { done, frames }) = dialog else {
             self.recorder = None;
             return;
         };
         let stepped = recorder.step();
-        (*done, *of) = recorder.progress();
+        (*done, *frames) = recorder.progress();
         ctx.request_repaint();
         let ended = match stepped {
-            Ok(()) if *done < *of => return,
+            Ok(()) if *done < *frames => return,
             Ok(()) => self.recorder.take().map_or(Ok(()), Recorder::finish),
             Err(problem) => Err(problem),
         };

@@ -10,6 +10,7 @@ use super::scene::OpenScene;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::ui::action::{Action, Observe};
+use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::places::Places;
 use crate::ui::scene::{framing, views};
@@ -89,11 +90,14 @@ impl Views {
         scene: &mut OpenScene,
         hand: &mut InHand,
         actions: &mut Vec<Action>,
-    ) {
+    ) -> Changed {
         let derived = &self.derived;
+        let mut changed = Changed::NOTHING;
         if scene.session.presenting.is_none() {
             let image = scene.open.document.camera.image;
-            views::strips(ui, places, &mut scene.session.settings, image);
+            let settings = &mut scene.session.settings;
+            changed =
+                Changed::edited(settings, |settings| views::strips(ui, places, settings, image));
         }
         let (document, session) = (&scene.open.document, &scene.session);
         if let (Some(rect), Some(shown)) = (places.world, &derived.world_view) {
@@ -130,6 +134,7 @@ impl Views {
             actions.push(Observe::FrameCamera.into());
             ui.ctx().request_repaint();
         }
+        changed
     }
 }
 

@@ -178,8 +178,8 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let with_keys: Vec<&UiCommand> =
         all().iter().filter(|command| !command.keys.is_empty()).collect();
     let same = |a: &&UiCommand, b: &&UiCommand| {
-        let of = |command: &UiCommand| family(&command.action);
-        of(a).is_some() && of(a) == of(b)
+        let name = |command: &UiCommand| family(&command.action);
+        name(a).is_some() && name(a) == name(b)
     };
     let commands = with_keys.chunk_by(same).map(|commands| {
         let name = family(&commands[0].action).map_or(commands[0].name.to_string(), str::to_owned);
@@ -214,8 +214,8 @@ mod tests {
         let keys =
             || all().iter().flat_map(|command| command.keys.iter().map(move |key| (key, command)));
         for (k, (key, command)) in keys().enumerate() {
-            for (other, of) in keys().take(k) {
-                assert_ne!(key, other, "{} and {}", command.title(), of.title());
+            for (other, owner) in keys().take(k) {
+                assert_ne!(key, other, "{} and {}", command.title(), owner.title());
             }
         }
     }

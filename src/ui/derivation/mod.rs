@@ -30,7 +30,7 @@ pub(crate) struct DerivationPanel {
 
 /// All lines with their layout.
 struct Laid {
-    of: Arc<Derivation>,
+    derivation: Arc<Derivation>,
     width: f32,
     per_point: f32,
     lines: Vec<Vec<LaidLine>>,
@@ -43,7 +43,7 @@ impl DerivationPanel {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
         let (mut hovered, mut has_focus) = (None, None);
-        for (section, lines) in laid.of.sections.iter().zip(&laid.lines) {
+        for (section, lines) in laid.derivation.sections.iter().zip(&laid.lines) {
             for (line, place) in section.lines.iter().zip(lines) {
                 if focused == Some(place.id) {
                     has_focus = line.concept;
@@ -129,7 +129,9 @@ impl DerivationPanel {
     fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>) {
         let (width, per_point) = (ui.available_width(), ui.ctx().pixels_per_point());
         let known = self.laid.as_ref().is_some_and(|laid| {
-            Arc::ptr_eq(&laid.of, derivation) && laid.width == width && laid.per_point == per_point
+            Arc::ptr_eq(&laid.derivation, derivation)
+                && laid.width == width
+                && laid.per_point == per_point
         });
         if known {
             return;
@@ -141,8 +143,12 @@ impl DerivationPanel {
             };
             section.lines.iter().enumerate().map(line).collect()
         });
-        self.laid =
-            Some(Laid { of: Arc::clone(derivation), width, per_point, lines: lines.collect() });
+        self.laid = Some(Laid {
+            derivation: Arc::clone(derivation),
+            width,
+            per_point,
+            lines: lines.collect(),
+        });
     }
 
     fn section(
@@ -220,7 +226,7 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
         response.request_focus();
     }
     if is_lit {
-        ui.ctx().accesskit_node_builder(place.id, |node| node.set_description("lit"));
+        ui.ctx().accesskit_node_builder(place.id, |node| node.set_description("highlighted"));
     }
     if response.gained_focus() {
         response.scroll_to_me(None);

@@ -26,7 +26,7 @@ pub(crate) enum Dialog {
     /// Asks for a figure and a file to write it to.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
-    Progress { done: u32, of: u32 },
+    Progress { done: u32, frames: u32 },
     /// Asks for a decision about unsaved changes before they are left.
     Unsaved { title: String, then: Leave },
     /// Something to read and close.
@@ -224,10 +224,10 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
             }
             Dialog::Export(form) => form.ui(ui, &mut close),
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, &mut close),
-            Dialog::Progress { done, of } => {
+            Dialog::Progress { done, frames } => {
                 ui.heading("Exporting the animation");
-                ui.add(ProgressBar::new(*done as f32 / (*of).max(1) as f32));
-                ui.label(format!("{done} of {of} frames"));
+                ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));
+                ui.label(format!("{done} of {frames} frames"));
                 ui.add_space(8.0);
                 close |= ui.button("Cancel").clicked();
                 None

@@ -57,8 +57,8 @@ fn text(ui: &mut Ui, open: &OpenLesson) {
 fn titles(ui: &mut Ui, open: &OpenLesson) {
     ui.spacing_mut().item_spacing.x = 10.0;
     ui.label(RichText::new(open.title()).size(TEXT).strong());
-    let (step, of) = (open.place().step + 1, open.lesson().steps.len());
-    ui.label(RichText::new(format!("{step} of {of}")).size(TEXT).weak());
+    let (step, steps) = (open.place().step + 1, open.lesson().steps.len());
+    ui.label(RichText::new(format!("{step} of {steps}")).size(TEXT).weak());
     let title = RichText::new(&open.step().title).size(TEXT).strong();
     ui.add(Label::new(title).truncate());
 }

@@ -5,7 +5,7 @@ use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -178,7 +178,7 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     if !response.has_focus() {
         return response.drag_delta();
     }
-    let response = response.keep_arrows(vertical, !vertical);
+    keep_arrows(&response, vertical, !vertical);
     let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
     let along = |back, forth| PUSH * (presses(forth) - presses(back));
     response.drag_delta()

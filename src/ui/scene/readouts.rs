@@ -314,7 +314,7 @@ fn listed_parts(
 ) -> Vec<(String, String)> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
     let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
-    listed.map(|(index, of)| (document.title_of(index), parts(of, style))).collect()
+    listed.map(|(index, found)| (document.title_of(index), parts(found, style))).collect()
 }
 
 fn copied_hits(
@@ -330,9 +330,9 @@ fn copied_hits(
 }
 
 /// Returns the numbers that decide hit or miss for one object.
-fn parts(of: &Parts, style: NumberStyle) -> String {
+fn parts(found: &Parts, style: NumberStyle) -> String {
     let number = |x| style.number(x);
-    match of {
+    match found {
         Parts::Sphere(q) => {
             let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
             let meaning = match q.discriminant {

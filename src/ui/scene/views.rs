@@ -15,7 +15,7 @@ use crate::ui::scene::handles::sphere_at;
 use crate::ui::scene::places::{Places, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::{label_text, theme};
@@ -106,7 +106,8 @@ fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    response.keep_arrows(true, true).with_role(Role::Image).named(name)
+    keep_arrows(&response, true, true);
+    response.with_role(Role::Image).named(name)
 }
 
 /// Sets the description of a view for screen readers.

@@ -56,7 +56,7 @@ impl Measuring {
         let now = ctx.input(|input| input.time);
         let subject = self.subject.as_ref();
         let place = Arc::as_ptr(scene);
-        if subject.is_none_or(|(known, of)| known != camera || of.as_ptr() != place) {
+        if subject.is_none_or(|(known, objects)| known != camera || objects.as_ptr() != place) {
             self.subject = Some((*camera, Arc::downgrade(scene)));
             self.share = Some(0.0);
             (self.since, self.run, self.is_current) = (now, None, false);

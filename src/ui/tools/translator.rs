@@ -11,7 +11,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Text;
 
 use crate::model::letters::typeset_message;
-use crate::model::session::{Selection, Session};
+use crate::model::session::Selection;
 use crate::model::translator::conventions::Row;
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
@@ -51,14 +51,14 @@ impl TranslatorPanel {
         &mut self,
         ui: &mut Ui,
         document: &Document,
-        session: &mut Session,
+        choice: &mut Translator,
+        selection: Selection,
+        digits: usize,
         actions: &mut Vec<Action>,
     ) {
         ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
-        let digits = session.settings.digits;
-        let pixel = pixel_of(document, session.selection);
-        choice(ui, &mut session.translator);
-        let choice = &mut session.translator;
+        let pixel = pixel_of(document, selection);
+        targets(ui, choice);
         let translation = self.translation(document, choice, pixel, digits);
         ui.horizontal_wrapped(|ui| {
             let can = translation.written.is_ok();
@@ -122,7 +122,7 @@ fn pixel_of(document: &Document, selection: Selection) -> Pixel {
 }
 
 /// Shows a button for each format, and below them one for each language.
-fn choice(ui: &mut Ui, translator: &mut Translator) {
+fn targets(ui: &mut Ui, translator: &mut Translator) {
     let mut row = |ui: &mut Ui, title: &str, is_code: bool| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
@@ -148,21 +148,21 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
             return;
         }
     };
-    for (name, sheet) in &written.files {
+    for (name, text) in &written.files {
         if written.files.len() > 1 {
             ui.label(RichText::new(*name).strong());
         }
         Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            let exact = sheet.text.trim_end();
-            let shown = shortened(sheet, digits);
+            let exact = text.text.trim_end();
+            let shown = shortened(text, digits);
             let size = code_size(ui, &shown.text);
             let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
             let response = response.with_role(egui::accesskit::Role::Code);
             response.named("translation").spoken(exact);
         });
     }
-    let is_marked = written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty());
+    let is_marked = written.files.iter().any(|(_, text)| !text.flipped.is_empty());
     if is_marked || translation.rows.iter().any(|row| row.flipped) {
         ui.horizontal_wrapped(|ui| {
             let format = underlined(ui, FontId::proportional(TEXT));
@@ -189,13 +189,13 @@ fn underlined(ui: &Ui, font: FontId) -> TextFormat {
     TextFormat { underline: Stroke::new(1.5, color), ..TextFormat::simple(font, color) }
 }
 
-fn marked(ui: &Ui, sheet: &Text, size: f32) -> LayoutJob {
+fn marked(ui: &Ui, written: &Text, size: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let font = FontId::monospace(size);
     let plain = TextFormat::simple(font.clone(), ui.visuals().text_color());
-    let text = sheet.text.trim_end();
+    let text = written.text.trim_end();
     let mut from = 0;
-    for mark in &sheet.flipped {
+    for mark in &written.flipped {
         job.append(&text[from..mark.start], 0.0, plain.clone());
         job.append(&text[mark.clone()], 0.0, underlined(ui, font.clone()));
         from = mark.end;

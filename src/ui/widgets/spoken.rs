@@ -14,9 +14,6 @@ pub(crate) trait Spoken: Sized {
 
     /// Sets the kind of widget.
     fn with_role(self, role: Role) -> Self;
-
-    /// Keeps arrow keys from moving the focus away.
-    fn keep_arrows(self, horizontal: bool, vertical: bool) -> Self;
 }
 
 impl Spoken for Response {
@@ -34,14 +31,14 @@ impl Spoken for Response {
         self.ctx.accesskit_node_builder(self.id, |node| node.set_role(role));
         self
     }
+}
 
-    fn keep_arrows(self, horizontal: bool, vertical: bool) -> Self {
-        let arrows = EventFilter {
-            horizontal_arrows: horizontal,
-            vertical_arrows: vertical,
-            ..EventFilter::default()
-        };
-        self.ctx.memory_mut(|memory| memory.set_focus_lock_filter(self.id, arrows));
-        self
-    }
+/// Keeps arrow keys from moving the focus away from a widget.
+pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool) {
+    let arrows = EventFilter {
+        horizontal_arrows: horizontal,
+        vertical_arrows: vertical,
+        ..EventFilter::default()
+    };
+    response.ctx.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
 }

@@ -6,6 +6,7 @@ use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::figures::Subject;
 use crate::model::files::title_of;
 use crate::model::session::Split;
+use crate::ui::changed::Changed;
 use crate::ui::scene::places::{Areas, STRIP, halves};
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
@@ -26,15 +27,19 @@ pub(super) const ACCURACY: Workspace = Workspace {
     rest: |ui, desk| {
         let (document, measuring) = (&desk.open.document, &mut desk.tools.measuring);
         measuring.step(ui.ctx(), &title_of(desk.open.origin()), &document.camera, desk.derived);
+        let before = desk.session.settings.compared;
         accuracy::ui(ui, measuring, desk.derived, document, desk.session);
+        Changed::SESSION.when(desk.session.settings.compared != before)
     },
     figure: Subject::Camera,
     ..Workspace::VIEWS
 };
 
-fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
+fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
     let derived = desk.derived;
-    accuracy::strip(ui, area, &mut desk.session.settings);
+    let changed = Changed::edited(&mut desk.session.settings.compared, |compared| {
+        accuracy::strip(ui, area, compared);
+    });
     if let (Some(shown), Some(compared)) = (&derived.error_map, &derived.compared) {
         desk.picture(ui, rect, shown, derived.fault.is_some());
         views::speak(ui, views::MAP, &accuracy::summary(compared));
@@ -42,4 +47,5 @@ fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     } else if let Some(why) = derived.too_many {
         accuracy::no_map(ui, rect, why);
     }
+    changed
 }

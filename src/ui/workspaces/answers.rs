@@ -4,7 +4,8 @@ use egui::Ui;
 
 use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::figures::Subject;
-use crate::model::session::Split;
+use crate::model::session::{Session, Split};
+use crate::ui::changed::Changed;
 use crate::ui::practice::answers;
 use crate::ui::scene::views;
 
@@ -15,12 +16,19 @@ pub(super) const ANSWERS: Workspace = Workspace {
         derive: |sizes, size| sizes.answers = Some(size),
         show: map,
     }),
-    rest: |ui, desk| answers::ui(ui, desk.derived, desk.session, desk.actions),
+    rest: |ui, desk| {
+        let chosen = |session: &Session| {
+            (session.selection, session.answers.as_ref().map(|answers| answers.count_from))
+        };
+        let before = chosen(desk.session);
+        answers::ui(ui, desk.derived, desk.session, desk.actions);
+        Changed::SESSION.when(chosen(desk.session) != before)
+    },
     figure: Subject::Camera,
     ..Workspace::VIEWS
 };
 
-fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
+fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
     let derived = desk.derived;
     let has_map = derived.answers_view.is_some();
     answers::strip(ui, area, desk.session.answers.as_ref(), has_map);
@@ -29,4 +37,5 @@ fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
         Some(shown) => desk.picture(ui, rect, shown, false),
         None => answers::no_map(ui, rect, derived, desk.session),
     }
+    Changed::NOTHING
 }

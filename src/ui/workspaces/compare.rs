@@ -4,6 +4,7 @@ use egui::Ui;
 
 use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::model::session::Split;
+use crate::ui::changed::Changed;
 use crate::ui::scene::places::{Areas, halves};
 use crate::ui::scene::{compare, views};
 
@@ -22,16 +23,18 @@ pub(super) const COMPARE: Workspace = Workspace {
     rest: |ui, desk| {
         let (document, ghost) = (&desk.open.document, desk.session.ghost.as_ref());
         compare::ui(ui, desk.derived, document, ghost, desk.style, desk.actions);
+        Changed::NOTHING
     },
     ..Workspace::VIEWS
 };
 
-fn ghost(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
+fn ghost(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
     let derived = desk.derived;
-    compare::strip(ui, area, &mut desk.session.ghost);
+    let changed = Changed::edited(&mut desk.session.ghost, |ghost| compare::strip(ui, area, ghost));
     views::speak(ui, views::GHOST, &compare::spoken(derived.against_ghost.as_deref()));
     match &derived.ghost_view {
         Some(shown) => desk.picture(ui, rect, shown, false),
         None => compare::no_picture(ui, rect, desk.session.ghost.as_ref()),
     }
+    changed
 }

@@ -4,7 +4,8 @@ use egui::Ui;
 
 use super::workspace::{Desk, Workspace};
 use crate::figures::Subject;
-use crate::model::session::{Session, Split};
+use crate::model::session::Split;
+use crate::ui::changed::Changed;
 
 pub(super) const DERIVATION: Workspace = Workspace {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
@@ -16,9 +17,11 @@ pub(super) const DERIVATION: Workspace = Workspace {
 
 pub(super) const ALONE: Workspace = Workspace { areas: |divider| divider.no_views(), ..DERIVATION };
 
-fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) {
-    let Some(derivation) = &desk.derived.derivation else { return };
+fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
+    let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };
     let highlighted = desk.session.highlighted();
-    let Session { sections, hovered, .. } = &mut *desk.session;
-    desk.tools.derivation.ui(ui, derivation, sections, *hovered, highlighted);
+    let hovered = desk.session.hovered;
+    Changed::edited(&mut desk.session.sections, |sections| {
+        desk.tools.derivation.ui(ui, derivation, sections, hovered, highlighted);
+    })
 }

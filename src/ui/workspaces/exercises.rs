@@ -1,11 +1,16 @@
 //! Questions with fields for the answers.
 
 use super::workspace::Workspace;
+use crate::ui::changed::Changed;
 use crate::ui::practice::exercises;
 
 pub(super) const EXERCISES: Workspace = Workspace {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, desk| exercises::ui(ui, &mut desk.session.exercises, desk.style, desk.actions),
+    rest: |ui, desk| {
+        Changed::edited(&mut desk.session.exercises, |open| {
+            exercises::ui(ui, open, desk.style, desk.actions);
+        })
+    },
     ..Workspace::VIEWS
 };

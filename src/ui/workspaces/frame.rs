@@ -2,10 +2,14 @@
 
 use super::workspace::Workspace;
 use crate::model::session::Split;
+use crate::ui::changed::Changed;
 use crate::ui::tools::frame;
 
 pub(super) const FRAME: Workspace = Workspace {
     areas: |divider| divider.both_above(Split::Frame),
-    rest: |ui, desk| frame::ui(ui, desk.derived),
+    rest: |ui, desk| {
+        frame::ui(ui, desk.derived);
+        Changed::NOTHING
+    },
     ..Workspace::VIEWS
 };

@@ -2,12 +2,15 @@
 
 use super::workspace::Workspace;
 use crate::figures::Subject;
+use crate::ui::changed::Changed;
 use crate::ui::ray::lines;
 
 pub(super) const LINES: Workspace = Workspace {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, desk| lines::ui(ui, &mut desk.session.lines, desk.style.digits),
+    rest: |ui, desk| {
+        Changed::edited(&mut desk.session.lines, |lab| lines::ui(ui, lab, desk.style.digits))
+    },
     figure: Subject::Lines,
     ..Workspace::VIEWS
 };

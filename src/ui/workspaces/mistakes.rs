@@ -5,6 +5,7 @@ use egui::Ui;
 use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::figures::Subject;
 use crate::model::session::Split;
+use crate::ui::changed::Changed;
 use crate::ui::practice::mistakes;
 use crate::ui::scene::views;
 
@@ -16,19 +17,22 @@ pub(super) const MISTAKES: Workspace = Workspace {
         show: wrong_camera,
     }),
     rest: |ui, desk| {
-        mistakes::ui(ui, desk.derived, &desk.open.document, desk.session, desk.style);
+        Changed::edited(&mut desk.session.mistakes_view, |view| {
+            mistakes::ui(ui, desk.derived, &desk.open.document, view, desk.style);
+        })
     },
     figure: Subject::Camera,
     ..Workspace::VIEWS
 };
 
-fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
+fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
     let (derived, mistakes_view) = (desk.derived, desk.session.mistakes_view);
     mistakes::strip(ui, area, &mistakes_view);
-    let Some(wrong) = &derived.wrong else { return };
+    let Some(wrong) = &derived.wrong else { return Changed::NOTHING };
     views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &mistakes_view));
     match &derived.wrong_view {
         Some(shown) => desk.picture(ui, rect, shown, derived.fault.is_some()),
         None => mistakes::no_picture(ui, rect, wrong, &mistakes_view),
     }
+    Changed::NOTHING
 }

@@ -1,12 +1,18 @@
 //! The camera in other programs' terms, beside both views.
 
 use super::workspace::Workspace;
-use crate::model::session::Split;
+use crate::model::session::{Session, Split};
+use crate::ui::changed::Changed;
 
 pub(super) const TRANSLATOR: Workspace = Workspace {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
     rest: |ui, desk| {
-        desk.tools.translator.ui(ui, &desk.open.document, desk.session, desk.actions);
+        let document = &desk.open.document;
+        let Session { translator, selection, settings, .. } = &mut *desk.session;
+        Changed::edited(translator, |choice| {
+            let panel = &mut desk.tools.translator;
+            panel.ui(ui, document, choice, *selection, settings.digits, desk.actions);
+        })
     },
     ..Workspace::VIEWS
 };

@@ -4,6 +4,7 @@ use egui::Ui;
 
 use super::workspace::{Desk, Workspace};
 use crate::figures::Subject;
+use crate::ui::changed::Changed;
 use crate::ui::scene::places::Areas;
 use crate::ui::scene::readouts;
 
@@ -35,8 +36,9 @@ pub(super) const CAMERA: Workspace = Workspace {
     ..Workspace::VIEWS
 };
 
-fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
+fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
     if desk.session.presenting.is_none() {
         readouts::ui(ui, desk.derived, &desk.open.document, desk.style);
     }
+    Changed::NOTHING
 }

@@ -7,6 +7,7 @@ use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
 use crate::model::session::{Session, Split};
 use crate::ui::action::Action;
+use crate::ui::changed::Changed;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::places::{Areas, Divider};
 use crate::ui::scene::readouts::NumberStyle;
@@ -25,7 +26,7 @@ pub(crate) struct Workspace {
     /// The picture beside the camera's, if it has one.
     pub(crate) beside: Option<&'static Beside>,
     /// Shows what it has below the views, beside them or in their place.
-    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
+    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>) -> Changed,
     /// Returns the concept that the mouse or the focus is on in that.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The figure that it is about.
@@ -39,7 +40,7 @@ pub(crate) struct Beside {
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
     /// Shows it in a place, with its title above the area.
-    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame),
+    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
 }
 
 /// The area of a picture, and where in it the picture is.
@@ -76,7 +77,7 @@ impl Workspace {
         has_panel: true,
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
-        rest: |_, _| {},
+        rest: |_, _| Changed::NOTHING,
         hovered: |_, _, _| None,
         figure: Subject::World,
     };

@@ -17,34 +17,34 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
     }
 }
 
-fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
+fn derived(derivation: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
     let given =
         |name, value, concept| Line::new(concept, row([name, numbers.equals_vector(value)]));
-    let mut lines = vec![given(EYE, of.eye, Concept::Eye)];
-    lines.extend(of.at.map(|at| given(AT, at, Concept::At)));
-    lines.extend(of.up.map(|up| given(UP, up.vector, Concept::Up)));
-    if let Some(view) = of.view {
+    let mut lines = vec![given(EYE, derivation.eye, Concept::Eye)];
+    lines.extend(derivation.at.map(|at| given(AT, at, Concept::At)));
+    lines.extend(derivation.up.map(|up| given(UP, up.vector, Concept::Up)));
+    if let Some(view) = derivation.view {
         let found = numbers.equals_vector(view.vector);
         lines.push(Line::new(
             Concept::View,
-            match of.at {
+            match derivation.at {
                 Some(at) => {
-                    let put_in = minus(numbers.vector(at), numbers.vector(of.eye));
+                    let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
                     row([equation(equation(VIEW, minus(AT, EYE)), put_in), found])
                 }
                 None => row([VIEW, found]),
             },
         ));
     }
-    if let Some(backwards) = of.backwards {
+    if let Some(backwards) = derivation.backwards {
         let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
         lines.push(Line::new(Concept::Backwards, formula));
     }
-    lines.extend(normalized(of, numbers));
-    if let Some(cross) = &of.up_cross_w {
+    lines.extend(normalized(derivation, numbers));
+    if let Some(cross) = &derivation.up_cross_w {
         lines.extend(crossed(cross, numbers));
     }
-    match (of.u, &of.up_cross_w) {
+    match (derivation.u, &derivation.up_cross_w) {
         (Some(u), Some(cross)) => {
             let formula = equation(U, normalize(times(UP, W)));
             let quotient = quotient(cross.product, cross.area, numbers);
@@ -53,11 +53,11 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         }
         (None, Some(_)) => {
             let formula = equation(U, normalize(times(UP, W)));
-            lines.push(failed(Concept::U, formula, of.basis.err()));
+            lines.push(failed(Concept::U, formula, derivation.basis.err()));
         }
         _ => {}
     }
-    if let Some(cross) = &of.w_cross_u {
+    if let Some(cross) = &derivation.w_cross_u {
         let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
         let formula = equation(V, equation(times(W, U), put_in));
         let formula = row([formula, numbers.equals_vector(cross.product)]);
@@ -67,10 +67,12 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
 }
 
 /// Returns the line of w, or of the reason why there is none.
-fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
+fn normalized(derivation: &BasisFromUp, numbers: Numbers) -> Option<Line> {
     let formula = equation(W, normalize(negative(VIEW)));
-    let (Some(view), Some(backwards), Some(w)) = (of.view, of.backwards, of.w) else {
-        return Some(failed(Concept::W, formula, of.basis.err()));
+    let (Some(view), Some(backwards), Some(w)) =
+        (derivation.view, derivation.backwards, derivation.w)
+    else {
+        return Some(failed(Concept::W, formula, derivation.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);
     Some(Line::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
@@ -115,10 +117,11 @@ fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
     Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
 }
 
-fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
-    let mut lines = vec![Line::new(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
+fn checked(derivation: &BasisByHand, numbers: Numbers) -> Vec<Line> {
+    let mut lines =
+        vec![Line::new(Concept::Eye, row([EYE, numbers.equals_vector(derivation.eye)]))];
     let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
-    for ((name, concept), value) in names().zip([of.u, of.v, of.w]) {
+    for ((name, concept), value) in names().zip([derivation.u, derivation.v, derivation.w]) {
         lines.push(
             Line::new(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
         );
@@ -127,18 +130,18 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
         is_fault: !passes,
         ..line.noted(if passes { right } else { wrong })
     };
-    for ((name, concept), check) in names().zip(of.lengths) {
+    for ((name, concept), check) in names().zip(derivation.lengths) {
         let Some(check) = check else { continue };
         let line = Line::new(concept, row([norm(name), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
-    for ((a, b, concept), check) in pairs.into_iter().zip(of.dots) {
+    for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
         let Some(check) = check else { continue };
         let line = Line::new(concept, row([dot(a, b), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "at right angles", "must be 0"));
     }
-    if let Some(check) = of.handedness {
+    if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);
         let line = Line::new(Concept::W, row([formula, numbers.equals(check.value)]));
         lines.push(verdict(
@@ -148,7 +151,7 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
             "left-handed: must be greater than 0",
         ));
     }
-    if let Err(error) = of.basis {
+    if let Err(error) = derivation.basis {
         let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };
         lines.push(Line { is_fault: true, ..line.noted(letters::typeset_message(error)) });
     }

@@ -126,7 +126,7 @@ pub fn left_out(count: usize) -> String {
 
 /// The inputs of the derivation.
 #[derive(Clone, Copy, Debug)]
-pub struct Sources<'a> {
+pub struct DerivationInputs<'a> {
     /// The document.
     pub document: &'a Document,
     /// The camera with its basis.
@@ -135,13 +135,13 @@ pub struct Sources<'a> {
     pub scene: Option<&'a Scene>,
     /// The selected ray.
     pub inspection: Option<&'a Inspection>,
-    /// The settings of the view.
-    pub view: View,
+    /// Selection, sections and digits.
+    pub settings: DerivationSettings,
 }
 
-/// The settings of the derivation's view.
+/// The choices that the derivation is shown with.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct DerivationSettings {
     /// The selected pixel or position.
     pub selection: Selection,
     /// The sections to show.
@@ -155,21 +155,22 @@ pub struct View {
 }
 
 /// Computes the derivation.
-pub fn derivation(of: &Sources) -> Derivation {
-    let numbers = Numbers { digits: of.view.digits, from_one: of.view.from_one };
+pub fn derivation(inputs: &DerivationInputs) -> Derivation {
+    let numbers = Numbers { digits: inputs.settings.digits, from_one: inputs.settings.from_one };
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<Line>| {
         let title = section.label().to_owned();
         derivation.sections.push(Section { section, object: None, title, lines });
     };
-    if of.view.sections.shows(DerivationSection::Basis) {
-        add(DerivationSection::Basis, basis::lines(&of.document.camera, numbers));
+    if inputs.settings.sections.shows(DerivationSection::Basis) {
+        add(DerivationSection::Basis, basis::lines(&inputs.document.camera, numbers));
     }
-    let exact = of.resolved.and_then(|resolved| exact_ray(resolved, of.view.selection));
-    let derived =
-        exact.as_ref().and_then(|(_, derived)| Some((of.resolved?, derived, of.inspection?)));
-    if of.view.sections.shows(DerivationSection::PixelToRay) {
-        let lines = match (derived, of.view.fault) {
+    let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, inputs.settings.selection));
+    let derived = exact
+        .as_ref()
+        .and_then(|(_, derived)| Some((inputs.resolved?, derived, inputs.inspection?)));
+    if inputs.settings.sections.shows(DerivationSection::PixelToRay) {
+        let lines = match (derived, inputs.settings.fault) {
             (Some((resolved, derived, inspection)), _) => {
                 ray::lines(resolved, derived, inspection, numbers)
             }
@@ -178,10 +179,16 @@ pub fn derivation(of: &Sources) -> Derivation {
         };
         add(DerivationSection::PixelToRay, lines);
     }
-    if of.view.sections.shows(DerivationSection::Objects) {
-        match (exact, of.scene, of.inspection, of.view.fault) {
+    if inputs.settings.sections.shows(DerivationSection::Objects) {
+        match (exact, inputs.scene, inputs.inspection, inputs.settings.fault) {
             (Some((exact, derived)), Some(scene), Some(inspection), _) => {
-                add_objects(&mut derivation, of, (&exact, &derived), (scene, inspection), numbers);
+                add_objects(
+                    &mut derivation,
+                    inputs,
+                    (&exact, &derived),
+                    (scene, inspection),
+                    numbers,
+                );
             }
             (.., Some(fault @ Fault::Scene(_))) => {
                 add(DerivationSection::Objects, vec![fault_line(&fault)]);
@@ -217,7 +224,7 @@ fn fault_line(fault: &Fault) -> Line {
 
 fn add_objects(
     derivation: &mut Derivation,
-    of: &Sources,
+    inputs: &DerivationInputs,
     (exact, derived): (&ExactRay, &RayDerivation),
     (scene, inspection): (&Scene, &Inspection),
     numbers: Numbers,
@@ -231,7 +238,7 @@ fn add_objects(
         derivation.sections.push(Section {
             section: DerivationSection::Objects,
             object: Some(object),
-            title: of.document.title_of(object as usize),
+            title: inputs.document.title_of(object as usize),
             lines,
         });
     }

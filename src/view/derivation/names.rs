@@ -45,6 +45,6 @@ pub(super) fn dot(a: Formula, b: Formula) -> Formula {
 }
 
 /// Returns `normalize(x)`.
-pub(super) fn normalize(of: Formula) -> Formula {
-    row([word("normalize"), parentheses(of)])
+pub(super) fn normalize(inner: Formula) -> Formula {
+    row([word("normalize"), parentheses(inner)])
 }

@@ -55,38 +55,41 @@ impl ObjectLines<'_> {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
-    fn sphere(&mut self, of: &SphereDerivation) {
+    fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
-        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(of.sphere.center));
-        let radius = row([R, numbers.equals(of.sphere.radius)]);
-        let given = row([CENTRE, numbers.equals_vector(of.sphere.center), Operator::Comma.into()]);
+        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
+        let radius = row([R, numbers.equals(derivation.sphere.radius)]);
+        let given =
+            row([CENTRE, numbers.equals_vector(derivation.sphere.center), Operator::Comma.into()]);
         self.line(row([given, radius]));
         let difference = equation(minus(P, CENTRE), minus(p, c));
-        self.line(row([difference, numbers.equals_vector(of.from_center)]));
-        self.quadratic(of);
-        let found: Vec<Root> = of.roots.iter().flatten().copied().collect();
+        self.line(row([difference, numbers.equals_vector(derivation.from_center)]));
+        self.quadratic(derivation);
+        let found: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
         for (k, root) in found.iter().enumerate() {
-            self.sphere_root(of, k, root, found.len() == 1);
+            self.sphere_root(derivation, k, root, found.len() == 1);
         }
-        if let Some((k, hit)) = of.first.and_then(|k| Some((k, found.get(k)?))) {
+        if let Some((k, hit)) = derivation.first.and_then(|k| Some((k, found.get(k)?))) {
             let t = if found.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
             self.hit(t, k, hit);
-            let above = minus(numbers.vector(hit.point), numbers.vector(of.sphere.center));
+            let above = minus(numbers.vector(hit.point), numbers.vector(derivation.sphere.center));
             let symbols = fraction(minus(HIT, CENTRE), R);
-            let put_in = fraction(above, numbers.divisor(of.sphere.radius));
+            let put_in = fraction(above, numbers.divisor(derivation.sphere.radius));
             self.normal(k, hit, symbols, Some(put_in));
         }
     }
 
     /// Adds a, b, c and D, and the meaning of D.
-    fn quadratic(&mut self, of: &SphereDerivation) {
-        let (numbers, quadratic) = (self.numbers, &of.quadratic);
+    fn quadratic(&mut self, derivation: &SphereDerivation) {
+        let (numbers, quadratic) = (self.numbers, &derivation.quadratic);
         let d = || numbers.vector(self.ray.direction);
-        let oc = || numbers.vector(of.from_center);
+        let oc = || numbers.vector(derivation.from_center);
         let from_centre = minus(P, CENTRE);
-        let radius = numbers.scalar(of.sphere.radius);
+        let radius = numbers.scalar(derivation.sphere.radius);
         let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
-        let squares = |of: Formula, minus_of: Formula| minus(power(of, "2"), power(minus_of, "2"));
+        let squares = |derivation: Formula, minus_of: Formula| {
+            minus(power(derivation, "2"), power(minus_of, "2"))
+        };
         let parts = [
             (A, dot(D, D), dot(d(), d()), quadratic.a),
             (B, dot(D, parentheses(from_centre.clone())), dot(d(), oc()), quadratic.b),
@@ -103,13 +106,19 @@ impl ObjectLines<'_> {
             self.line(row([formula, numbers.equals(value)]));
         }
         if let Some(last) = self.lines.last_mut() {
-            last.note = meaning(of.meeting).to_owned();
+            last.note = meaning(derivation.meeting).to_owned();
         }
     }
 
-    fn sphere_root(&mut self, of: &SphereDerivation, k: usize, found: &Root, is_only: bool) {
+    fn sphere_root(
+        &mut self,
+        derivation: &SphereDerivation,
+        k: usize,
+        found: &Root,
+        is_only: bool,
+    ) {
         let numbers = self.numbers;
-        let quadratic = &of.quadratic;
+        let quadratic = &derivation.quadratic;
         let a = || numbers.divisor(quadratic.a);
         let minus_b = numbers.scalar(0.0 - quadratic.b);
         let sign = if k == 0 { Operator::Minus } else { Operator::Plus };
@@ -123,21 +132,22 @@ impl ObjectLines<'_> {
         self.lines.push(line.noted(verdict));
     }
 
-    fn plane(&mut self, of: &PlaneDerivation) {
+    fn plane(&mut self, derivation: &PlaneDerivation) {
         let numbers = self.numbers;
-        let point = row([POINT, numbers.equals_vector(of.plane.point), Operator::Comma.into()]);
-        self.line(row([point, N, numbers.equals_vector(of.plane.normal)]));
-        let n = || numbers.vector(of.plane.normal);
+        let point =
+            row([POINT, numbers.equals_vector(derivation.plane.point), Operator::Comma.into()]);
+        self.line(row([point, N, numbers.equals_vector(derivation.plane.normal)]));
+        let n = || numbers.vector(derivation.plane.normal);
         let rate = equation(dot(N, D), dot(n(), numbers.vector(self.ray.direction)));
-        self.line(row([rate, numbers.equals(of.terms.rate)]));
-        let (point, p) = (numbers.vector(of.plane.point), numbers.vector(self.ray.origin));
+        self.line(row([rate, numbers.equals(derivation.terms.rate)]));
+        let (point, p) = (numbers.vector(derivation.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
         let put_in = dot(n(), parentheses(minus(point, p)));
         let offset = equation(dot(N, to_point.clone()), put_in);
-        self.line(row([offset, numbers.equals(of.terms.offset)]));
+        self.line(row([offset, numbers.equals(derivation.terms.offset)]));
         let quotient = equation(T, fraction(dot(N, to_point), dot(N, D)));
-        let Some(found) = of.root else {
-            let note = match of.meeting {
+        let Some(found) = derivation.root else {
+            let note = match derivation.meeting {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
@@ -145,12 +155,15 @@ impl ObjectLines<'_> {
             self.lines.push(line.noted(note));
             return;
         };
-        let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
+        let put_in = fraction(
+            numbers.scalar(derivation.terms.offset),
+            numbers.divisor(derivation.terms.rate),
+        );
         let formula = equation(quotient, put_in);
         let line = Line::new(self.root_concept(0), row([formula, numbers.equals(found.t)]));
         let verdict = self.inspection.verdict(&found);
         self.lines.push(line.noted(verdict));
-        if of.hit().is_some() {
+        if derivation.hit().is_some() {
             self.hit(T, 0, &found);
             self.normal(0, &found, fraction(N, norm(N)), None);
         }

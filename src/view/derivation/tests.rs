@@ -20,12 +20,18 @@ fn derive(document: &Document, selection: Selection, digits: usize, from_one: bo
         (_, Err(e)) => Some(Fault::Scene(*e)),
         _ => None,
     };
-    derivation(&Sources {
+    derivation(&DerivationInputs {
         document,
         resolved: resolved.as_ref().ok(),
         scene: scene.as_ref().ok(),
         inspection: inspection.as_ref(),
-        view: View { selection, sections: DerivationSections::default(), digits, from_one, fault },
+        settings: DerivationSettings {
+            selection,
+            sections: DerivationSections::default(),
+            digits,
+            from_one,
+            fault,
+        },
     })
 }
 

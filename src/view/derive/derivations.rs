@@ -7,11 +7,11 @@ use pinhole_exchange::document::Document;
 use super::Derived;
 use super::derived::Inputs;
 use super::memo::Memo;
-use crate::view::derivation::{Derivation, Sources, View, derivation};
+use crate::view::derivation::{Derivation, DerivationInputs, DerivationSettings, derivation};
 
 /// The last derivation and its inputs.
 #[derive(Debug, Default)]
-pub(super) struct Derivations(Memo<(Document, View), Arc<Derivation>>);
+pub(super) struct Derivations(Memo<(Document, DerivationSettings), Arc<Derivation>>);
 
 impl Derivations {
     /// Returns the derivation, if the layout shows it.
@@ -23,7 +23,7 @@ impl Derivations {
         if !session.settings.layout.shows_derivation() {
             return None;
         }
-        let view = View {
+        let settings = DerivationSettings {
             selection: session.selection,
             sections: session.sections,
             digits: session.settings.digits,
@@ -31,18 +31,19 @@ impl Derivations {
             fault: derived.fault,
         };
         // The document is compared before it is cloned, because it can be large.
-        let is_same =
-            |(known, as_viewed): &(Document, View)| *as_viewed == view && known == document;
+        let is_same = |(known, chosen): &(Document, DerivationSettings)| {
+            *chosen == settings && known == document
+        };
         if let Some(made) = self.0.known(is_same) {
             return Some(Arc::clone(made));
         }
-        Some(self.0.get((document.clone(), view), |_| {
-            Arc::new(derivation(&Sources {
+        Some(self.0.get((document.clone(), settings), |_| {
+            Arc::new(derivation(&DerivationInputs {
                 document,
                 resolved: derived.resolved.as_ref(),
                 scene: derived.scene.as_deref(),
                 inspection: derived.inspection.as_deref(),
-                view,
+                settings,
             }))
         }))
     }

@@ -50,7 +50,7 @@ pub struct ViewSizes {
     pub style: Style,
     /// The purpose of the pictures.
     pub purpose: Purpose,
-    /// The resolution of new pictures of the scene.
+    /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
     /// True if something is being dragged: slow work that can wait is put off.
     pub under_hand: bool,
@@ -98,7 +98,7 @@ pub struct Derived {
     pub steps: Option<Steps>,
     /// Counts of the objects that the camera's picture dropped and looked at.
     pub counts: Option<Counts>,
-    /// The resolution of the camera's and of the observer's picture.
+    /// The subsampling of the camera's and of the observer's picture.
     pub subsampling: [Subsampling; 2],
     /// The reason why only the ladder drew the scene, if another method should have.
     pub too_many: Option<TooMany>,

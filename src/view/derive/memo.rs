@@ -44,7 +44,7 @@ impl<T> PartialEq for Same<T> {
     }
 }
 
-/// The resolution of a picture of something: a coarser picture never replaces a finer one.
+/// The subsampling of a picture of something: a coarser picture never replaces a finer one.
 #[derive(Debug)]
 pub(super) struct Fineness<K>(Option<(K, Subsampling)>);
 
@@ -55,7 +55,7 @@ impl<K> Default for Fineness<K> {
 }
 
 impl<K: PartialEq> Fineness<K> {
-    /// Returns the resolution to use: the wanted one, or a finer one if there already was one.
+    /// Returns the subsampling to use: the wanted one, or a finer one if there already was one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let known = self.0.as_ref().filter(|(known, _)| *known == key);
         let subsampling = known.map_or(wanted, |(_, known)| wanted.min(*known));

@@ -76,7 +76,7 @@ pub(super) struct GoodPicture {
     pub(super) inspection: Arc<Inspection>,
     /// Number of decisions at each step of the ladder.
     pub(super) steps: Steps,
-    /// The picture's resolution.
+    /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
     /// Counts of the objects that the picture dropped and looked at.
     pub(super) counts: Counts,

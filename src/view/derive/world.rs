@@ -20,7 +20,7 @@ pub(super) struct WorldPicture {
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
     pub(super) enclosing: Enclosing,
-    /// The picture's resolution.
+    /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
 }
 

@@ -84,13 +84,13 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn Measure)
 fn upright(formula: &Formula) -> Formula {
     match formula {
         Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
-        Formula::Norm(of) => Formula::Norm(Box::new(upright(of))),
-        Formula::Parentheses(of) => Formula::Parentheses(Box::new(upright(of))),
+        Formula::Norm(inner) => Formula::Norm(Box::new(upright(inner))),
+        Formula::Parentheses(inner) => Formula::Parentheses(Box::new(upright(inner))),
         Formula::Row(parts) => Formula::Row(parts.iter().map(upright).collect()),
         Formula::Fraction(above, below) => {
             Formula::Fraction(Box::new(upright(above)), Box::new(upright(below)))
         }
-        Formula::Root(of) => Formula::Root(Box::new(upright(of))),
+        Formula::Root(inner) => Formula::Root(Box::new(upright(inner))),
         other => other.clone(),
     }
 }

@@ -11,12 +11,12 @@ pub(crate) fn math(formula: &Formula) -> String {
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
         Formula::Operator(operator) => sign(*operator).to_owned(),
         Formula::Row(parts) => row(parts),
-        Formula::Root(of) => format!(r"\sqrt{{{}}}", math(of)),
+        Formula::Root(inner) => format!(r"\sqrt{{{}}}", math(inner)),
         Formula::Fraction(above, below) => format!(r"\frac{{{}}}{{{}}}", math(above), math(below)),
         Formula::Power(base, small) => format!("{{{}}}^{{{}}}", math(base), math(small)),
         Formula::Index(base, small) => format!("{{{}}}_{{{}}}", math(base), math(small)),
-        Formula::Norm(of) => format!(r"\left| {} \right|", math(of)),
-        Formula::Parentheses(of) => format!(r"\left( {} \right)", math(of)),
+        Formula::Norm(inner) => format!(r"\left| {} \right|", math(inner)),
+        Formula::Parentheses(inner) => format!(r"\left( {} \right)", math(inner)),
         Formula::Tuple(coordinates, direction) => {
             let coordinates: Vec<String> = coordinates.iter().map(math).collect();
             match direction {

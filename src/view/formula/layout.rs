@@ -97,15 +97,15 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
             text_box(operator.sign().to_owned(), Face::Upright, Ink::Text, size, measure)
         }
         Formula::Row(parts) => row(parts, size, measure),
-        Formula::Root(of) => root(layout(of, size, measure), size),
+        Formula::Root(inner) => root(layout(inner, size, measure), size),
         Formula::Fraction(above, below) => {
             let small = FRACTION * size;
             fraction(layout(above, small, measure), layout(below, small, measure), size)
         }
         Formula::Power(base, small) => script(base, small, -0.38, size, measure),
         Formula::Index(base, small) => script(base, small, 0.2, size, measure),
-        Formula::Norm(of) => fenced(layout(of, size, measure), Fence::Bar, size),
-        Formula::Parentheses(of) => in_parentheses(layout(of, size, measure), size, measure),
+        Formula::Norm(inner) => fenced(layout(inner, size, measure), Fence::Bar, size),
+        Formula::Parentheses(inner) => in_parentheses(layout(inner, size, measure), size, measure),
         Formula::Tuple(coordinates, Direction::Row) => {
             let mut parts = Vec::new();
             for coordinate in coordinates {
@@ -192,14 +192,14 @@ fn fraction(above: Layout, below: Layout, size: f32) -> Layout {
     whole
 }
 
-fn root(of: Layout, size: f32) -> Layout {
+fn root(inner: Layout, size: f32) -> Layout {
     let sign = 0.62 * size;
     let over = 0.1 * size;
-    let top = -(of.ascent + over);
-    let (bottom, end) = (of.descent - 0.1 * size, sign + of.width + 0.06 * size);
+    let top = -(inner.ascent + over);
+    let (bottom, end) = (inner.descent - 0.1 * size, sign + inner.width + 0.06 * size);
     let middle = 0.45 * (top + bottom);
     let mut whole = Layout::default();
-    whole.put(of, sign, 0.0);
+    whole.put(inner, sign, 0.0);
     whole.rule(
         vec![
             [0.06 * size, middle + 0.1 * size],
@@ -254,12 +254,12 @@ enum Fence {
     Parenthesis,
 }
 
-fn in_parentheses(of: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
-    if of.height() > TALL * size {
-        return fenced(of, Fence::Parenthesis, size);
+fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
+    if inner.height() > TALL * size {
+        return fenced(inner, Fence::Parenthesis, size);
     }
     let mut whole = text_box("(".to_owned(), Face::Upright, Ink::Text, size, measure);
-    for part in [of, text_box(")".to_owned(), Face::Upright, Ink::Text, size, measure)] {
+    for part in [inner, text_box(")".to_owned(), Face::Upright, Ink::Text, size, measure)] {
         let x = whole.width;
         whole.put(part, x, 0.0);
     }
@@ -267,16 +267,16 @@ fn in_parentheses(of: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
 }
 
 /// Encloses a part in two strokes of its height.
-fn fenced(of: Layout, fence: Fence, size: f32) -> Layout {
-    let (top, bottom) = (-of.ascent - 0.04 * size, of.descent + 0.04 * size);
+fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
+    let (top, bottom) = (-inner.ascent - 0.04 * size, inner.descent + 0.04 * size);
     let pad = match fence {
         Fence::Bar => 0.24 * size,
         Fence::Bracket | Fence::Parenthesis => 0.32 * size,
     };
     let (left, hook) = (0.1 * size, 0.14 * size);
-    let width = of.width + 2.0 * pad;
+    let width = inner.width + 2.0 * pad;
     let mut whole = Layout::default();
-    whole.put(of, pad, 0.0);
+    whole.put(inner, pad, 0.0);
     let side = |outer: f32, inward: f32| match fence {
         Fence::Bar => vec![[outer, top], [outer, bottom]],
         Fence::Bracket => {

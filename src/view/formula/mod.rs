@@ -171,8 +171,8 @@ pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 /// Returns `√x`.
-pub fn root(of: Formula) -> Formula {
-    Formula::Root(Box::new(of))
+pub fn root(inner: Formula) -> Formula {
+    Formula::Root(Box::new(inner))
 }
 
 /// Returns `above / below`.
@@ -191,18 +191,18 @@ pub fn index(base: Formula, index: Formula) -> Formula {
 }
 
 /// Returns `|x|`.
-pub fn norm(of: Formula) -> Formula {
-    Formula::Norm(Box::new(of))
+pub fn norm(inner: Formula) -> Formula {
+    Formula::Norm(Box::new(inner))
 }
 
 /// Returns `(x)`.
-pub fn parentheses(of: Formula) -> Formula {
-    Formula::Parentheses(Box::new(of))
+pub fn parentheses(inner: Formula) -> Formula {
+    Formula::Parentheses(Box::new(inner))
 }
 
 /// Returns `−x`.
-pub fn negative(of: Formula) -> Formula {
-    row([Operator::Negative.into(), of])
+pub fn negative(inner: Formula) -> Formula {
+    row([Operator::Negative.into(), inner])
 }
 
 /// Returns `(x, y, z)`.
@@ -241,7 +241,9 @@ impl Formula {
             Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
                 a.is_rounded() || b.is_rounded()
             }
-            Formula::Root(of) | Formula::Norm(of) | Formula::Parentheses(of) => of.is_rounded(),
+            Formula::Root(inner) | Formula::Norm(inner) | Formula::Parentheses(inner) => {
+                inner.is_rounded()
+            }
             Formula::Scalar(_)
             | Formula::Vector(..)
             | Formula::Word(_)

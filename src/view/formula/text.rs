@@ -16,15 +16,15 @@ impl fmt::Display for Formula {
             }
             Formula::Operator(operator) => f.write_str(operator.sign()),
             Formula::Row(parts) => row(parts, f),
-            Formula::Root(of) => guarded("√", of, f),
+            Formula::Root(inner) => guarded("√", inner, f),
             Formula::Fraction(above, below) => {
                 numerator(above, f)?;
                 guarded("/", below, f)
             }
             Formula::Power(base, exponent) => script(base, exponent, '^', &SUPERSCRIPTS, f),
             Formula::Index(base, index) => script(base, index, '_', &SUBSCRIPTS, f),
-            Formula::Norm(of) => write!(f, "|{of}|"),
-            Formula::Parentheses(of) => write!(f, "({of})"),
+            Formula::Norm(inner) => write!(f, "|{inner}|"),
+            Formula::Parentheses(inner) => write!(f, "({inner})"),
             Formula::Tuple(coordinates, _) => {
                 for (k, coordinate) in coordinates.iter().enumerate() {
                     write!(f, "{}{coordinate}", if k == 0 { "(" } else { ", " })?;
@@ -58,18 +58,18 @@ fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
 }
 
 /// Writes an operator that applies only to the next part, with parentheses around several parts.
-fn guarded(sign: &str, of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    match of {
-        Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({of})"),
-        _ => write!(f, "{sign}{of}"),
+fn guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    match inner {
+        Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({inner})"),
+        _ => write!(f, "{sign}{inner}"),
     }
 }
 
 /// Writes the numerator of `/`; a product needs no parentheses there.
-fn numerator(of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+fn numerator(inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
-    match of {
-        Formula::Row(parts) if !parts.iter().any(joins) => write!(f, "{of}"),
+    match inner {
+        Formula::Row(parts) if !parts.iter().any(joins) => write!(f, "{inner}"),
         other => guarded("", other, f),
     }
 }

@@ -11,7 +11,7 @@ use crate::model::session::hand::Handle;
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {
-    let of = |k: usize, what: &str| format!("{}: {what}", document.title_of(k));
+    let titled = |k: usize, what: &str| format!("{}: {what}", document.title_of(k));
     let name = match handle {
         Handle::Eye => "eye",
         Handle::At => match document.camera.orientation {
@@ -27,10 +27,10 @@ pub fn label(handle: Handle, document: &Document) -> String {
         Handle::Corner(ViewportCorner::BottomRight) => "viewport, bottom right corner",
         Handle::Distance => "viewport's distance",
         Handle::Pixel => "selected pixel",
-        Handle::Center(k) => return of(k, "centre"),
-        Handle::Radius(k) => return of(k, "radius"),
-        Handle::Point(k) => return of(k, "point"),
-        Handle::Normal(k) => return of(k, "normal"),
+        Handle::Center(k) => return titled(k, "centre"),
+        Handle::Radius(k) => return titled(k, "radius"),
+        Handle::Point(k) => return titled(k, "point"),
+        Handle::Normal(k) => return titled(k, "normal"),
     };
     name.to_owned()
 }

@@ -49,7 +49,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         ("keep_picture", keep_picture.is_none_or(|said| settings.keep_picture == said)),
         ("teaching", teaching.is_none_or(|said| settings.teaching == said)),
         ("derivation", derivation.is_none_or(|said| session.sections == said)),
-        ("lit", highlighted.is_none_or(|said| session.highlighted == said)),
+        ("highlight", highlighted.is_none_or(|said| session.highlighted == said)),
         ("mistake", mistake.is_none_or(|said| session.mistakes_view.shown() == said)),
         ("t", session.ray_point_t == t),
         ("play", app.player().map(|player| player.kind) == play),

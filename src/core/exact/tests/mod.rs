@@ -269,8 +269,8 @@ type Case = (f64, f64, f64);
 
 #[inline(always)]
 fn by_lanes<S: Simd>(simd: S, cases: &[Case]) -> Vec<[f64; RESULTS]> {
-    let lanes = |of: fn(&Case) -> f64, chunk: &[Case]| {
-        let numbers: Vec<f64> = chunk.iter().map(of).collect();
+    let lanes = |get: fn(&Case) -> f64, chunk: &[Case]| {
+        let numbers: Vec<f64> = chunk.iter().map(get).collect();
         Lanes::<S>(S::f64s::from_slice(simd, &numbers))
     };
     let mut all = Vec::new();

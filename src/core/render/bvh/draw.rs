@@ -223,22 +223,31 @@ impl Drawing<'_> {
 
 /// Finds the spheres of a vector that reach rows of the raster.
 #[inline(always)]
-fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget, rows: Range<usize>) -> u64 {
+fn rows_meet<S: Simd>(
+    simd: S,
+    outlines: &Outlines,
+    target: &SpanTarget,
+    rows: Range<usize>,
+) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
     let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
     let (first, last) = (number(rows.start), number(rows.end - 1));
-    let (first_row, last_row) = (load(&of.first_row), load(&of.last_row));
+    let (first_row, last_row) = (load(&outlines.first_row), load(&outlines.last_row));
     let meets = last_row.simd_ge(first) & first_row.simd_le(last) & first_row.simd_le(last_row);
     meets.to_bitmask()
 }
 
 /// Rows of the target and columns that a sphere can cover.
 #[inline(always)]
-fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
-    let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
+fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
+    let rows = target.axes.rows_between(outlines.first_row[lane], outlines.last_row[lane]);
     // The middle moves by the shear, the half width is at most that of the widest row.
-    let (above, below) = (of.row[lane] - of.first_row[lane], of.last_row[lane] - of.row[lane]);
-    let reach = of.size[lane].sqrt() + of.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
-    let (left, right) = (of.column[lane] - reach, of.column[lane] + reach);
+    let (above, below) = (
+        outlines.row[lane] - outlines.first_row[lane],
+        outlines.last_row[lane] - outlines.row[lane],
+    );
+    let reach =
+        outlines.size[lane].sqrt() + outlines.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
+    let (left, right) = (outlines.column[lane] - reach, outlines.column[lane] + reach);
     (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
 }

@@ -47,7 +47,7 @@ pub(crate) struct VisibleSpheres<'a> {
     pub(crate) keeps_outlines: bool,
 }
 
-/// Why nothing of a box can be seen.
+/// Reason why nothing of a box can be seen.
 enum Unseen {
     Behind,
     Outside,
@@ -82,7 +82,8 @@ impl<'a> VisibleSpheres<'a> {
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
-        let in_groups: u32 = groups.iter().map(|of| index.groups[of.place as usize].count).sum();
+        let in_groups: u32 =
+            groups.iter().map(|group| index.groups[group.place as usize].count).sum();
         let keeps_outlines = in_groups <= KEPT;
         let found: Vec<(VisibleGroup, Counts)> = groups
             .into_par_iter()

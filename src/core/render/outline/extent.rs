@@ -90,8 +90,8 @@ impl<'a> Extents<'a> {
         } else {
             (0..u32::MAX, 0..u32::MAX)
         };
-        let part = |cells: Range<u32>, of: &[u32]| {
-            [cells.start, cells.end].map(|cell| of.partition_point(|x| *x < cell) as u16)
+        let part = |cells: Range<u32>, cells_shown: &[u32]| {
+            [cells.start, cells.end].map(|cell| cells_shown.partition_point(|x| *x < cell) as u16)
         };
         let (rows, columns) =
             (part(rows, self.raster.rows()), part(columns, self.raster.columns()));

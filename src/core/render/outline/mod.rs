@@ -134,9 +134,9 @@ impl Outlines {
     /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
     /// adds less than `0.2 2^-24`.
     #[inline(always)]
-    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &SphereSlots) {
+    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, slots: &SphereSlots) {
         let splat = |x: f64| S::f64s::splat(simd, x);
-        let centers = Centers::<S>::new(simd, space, of);
+        let centers = Centers::<S>::new(simd, space, slots);
         let Centers { x, y, z, r, qq } = centers;
         let (one, two) = (splat(1.0), splat(2.0));
         let (yy, zz, rr) = (y * y, z * z, r * r);
@@ -257,18 +257,18 @@ struct Centers<S: Simd> {
 
 impl<S: Simd> Centers<S> {
     #[inline(always)]
-    fn new(simd: S, space: &CameraSpace, of: &SphereSlots) -> Self {
+    fn new(simd: S, space: &CameraSpace, slots: &SphereSlots) -> Self {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
         let q = [
-            load(of[0]) - splat(space.eye[0]),
-            load(of[1]) - splat(space.eye[1]),
-            load(of[2]) - splat(space.eye[2]),
+            load(slots[0]) - splat(space.eye[0]),
+            load(slots[1]) - splat(space.eye[1]),
+            load(slots[2]) - splat(space.eye[2]),
         ];
         let x = along(simd, q, space.u);
         let y = along(simd, q, space.v);
         let z = -along(simd, q, space.w);
-        Centers { x, y, z, r: load(of[3]), qq: x * x + y * y + z * z }
+        Centers { x, y, z, r: load(slots[3]), qq: x * x + y * y + z * z }
     }
 
     /// Lanes whose centres lie in front of the eye, of ordinary size, nothing lost in h.

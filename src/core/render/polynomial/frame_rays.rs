@@ -91,8 +91,9 @@ impl<'a> FrameRays<'a> {
     pub(crate) fn patch(&self, rows: &Range<usize>, columns: &Range<usize>) -> Patch {
         let (n, l) = (&self.n[columns.clone()], &self.l[rows.clone()]);
         let (n0, l0) = (n[n.len() / 2], l[l.len() / 2]);
-        let reach =
-            |of: &[f64], from: f64| (of[0] - from).abs().max((of[of.len() - 1] - from).abs());
+        let reach = |values: &[f64], from: f64| {
+            (values[0] - from).abs().max((values[values.len() - 1] - from).abs())
+        };
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
     }
 

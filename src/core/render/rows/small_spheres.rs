@@ -97,15 +97,15 @@ pub(crate) fn draw_small<S: Simd>(
 impl SmallSpheres {
     /// Computes the spheres' numbers, and the anchors: each sphere's b at its centre.
     #[inline(always)]
-    fn new<S: Simd>(simd: S, of: &Outlines) -> (SmallSpheres, S::f64s) {
+    fn new<S: Simd>(simd: S, outlines: &Outlines) -> (SmallSpheres, S::f64s) {
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
-        let anchor = load(&of.b0) + load(&of.b_column) * load(&of.column);
+        let anchor = load(&outlines.b0) + load(&outlines.b_column) * load(&outlines.column);
         let inverse = S::f64s::splat(simd, 1.0) / anchor;
-        let quotient = load(&of.numerator) * inverse;
+        let quotient = load(&outlines.numerator) * inverse;
         let high = quotient.narrow(quotient);
         let spheres = SmallSpheres {
             inverse: narrowed::<S>(inverse),
-            slope: narrowed::<S>(load(&of.b_column) * inverse),
+            slope: narrowed::<S>(load(&outlines.b_column) * inverse),
             quotient: [narrowed::<S>(quotient), narrowed::<S>(quotient - high.widen().0)],
         };
         (spheres, anchor)
@@ -168,26 +168,27 @@ impl Runs {
     fn find<S: Simd>(
         &mut self,
         simd: S,
-        (of, spheres, anchor): (&Outlines, &SmallSpheres, S::f64s),
+        (outlines, spheres, anchor): (&Outlines, &SmallSpheres, S::f64s),
         step: usize,
         target: &SpanTarget,
     ) -> FoundRows {
         let n = S::f64s::LEN;
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..n]);
-        let number = load(&of.first_row) + splat(step as f64);
-        let j = number - load(&of.row);
-        let middle = load(&of.column) + load(&of.shear) * j;
-        let squared = load(&of.square[0]) + (load(&of.square[1]) + load(&of.square[2]) * j) * j;
+        let number = load(&outlines.first_row) + splat(step as f64);
+        let j = number - load(&outlines.row);
+        let middle = load(&outlines.column) + load(&outlines.shear) * j;
+        let squared = load(&outlines.square[0])
+            + (load(&outlines.square[1]) + load(&outlines.square[2]) * j) * j;
         let RowEnds { start, end, first, last, is_sure } =
-            RowEnds::<S>::new(simd, middle, squared, load(&of.thin));
-        let is_left = number.simd_le(load(&of.last_row)).to_bitmask();
-        let is_near = squared.simd_ge(-load(&of.square_doubt)).to_bitmask();
+            RowEnds::<S>::new(simd, middle, squared, load(&outlines.thin));
+        let is_left = number.simd_le(load(&outlines.last_row)).to_bitmask();
+        let is_near = squared.simd_ge(-load(&outlines.square_doubt)).to_bitmask();
         let (row, is_here) = target.axes.place_rows(simd, number, &target.rows);
         let (from, _, is_there) = target.axes.clip(simd, first, last);
         let is_sure = is_sure.to_bitmask();
 
-        let b = load(&of.b0) + load(&of.b_row) * j + load(&of.b_column) * first;
+        let b = load(&outlines.b0) + load(&outlines.b_row) * j + load(&outlines.b_column) * first;
         let inverse = S::f32s::from_slice(simd, &spheres.inverse[..S::f32s::LEN]).widen().0;
         let moved = (b - anchor) * inverse;
         let at = step * n;
@@ -297,14 +298,14 @@ fn note_ties(
 /// Leaves all pixels that a row, so many below the first, may cover to the ladder.
 #[cold]
 #[inline(never)]
-fn note_doubts(of: &Outlines, lane: usize, index: u32, step: usize, target: &mut SpanTarget) {
-    let number = of.first_row[lane] + step as f64;
+fn note_doubts(outlines: &Outlines, lane: usize, index: u32, step: usize, target: &mut SpanTarget) {
+    let number = outlines.first_row[lane] + step as f64;
     let Some(row) = target.axes.row_at(number) else { return };
-    let j = number - of.row[lane];
-    let middle = of.column[lane] + of.shear[lane] * j;
-    let [square0, square1, square2] = [0, 1, 2].map(|power| of.square[power][lane]);
+    let j = number - outlines.row[lane];
+    let middle = outlines.column[lane] + outlines.shear[lane] * j;
+    let [square0, square1, square2] = [0, 1, 2].map(|power| outlines.square[power][lane]);
     let squared = square0 + (square1 + square2 * j) * j;
-    let reach = squared.max(0.0).sqrt() + MARGIN + (2.0 * of.thin[lane]).sqrt();
+    let reach = squared.max(0.0).sqrt() + MARGIN + (2.0 * outlines.thin[lane]).sqrt();
     let (first, last) = ((middle - reach).ceil(), (middle + reach).floor());
     let Some((from, to)) = target.axes.columns_between(first, last) else { return };
     target.is_reached[row - target.rows.start] = true;

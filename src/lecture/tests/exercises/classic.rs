@@ -98,28 +98,28 @@ fn the_wall() {
 
 #[test]
 fn another_distance() {
-    let of = |d: [f64; 3], of_d: &[Mistake], t: f64, of_t: &[Mistake]| {
+    let check = |d: [f64; 3], of_d: &[Mistake], t: f64, of_t: &[Mistake]| {
         sheet(Exercise::Distance, &[(Direction, &d, of_d), (T, &[t], of_t)]);
     };
     let dropped = [Mistake::DistanceDropped];
     // -6 = -t; -6 = -2 t; -6 = -t; the right line with -6 = -t.
-    of([0.2, -0.1, -1.0], &dropped, 6.0, &dropped);
-    of([0.4, -0.2, -2.0], &[Mistake::DistanceOnAll], 3.0, &[]);
-    of([0.4, -0.2, -1.0], &[Mistake::DistanceOnUv], 6.0, &[Mistake::DistanceOnUv]);
-    of([0.1, -0.05, -1.0], &[Mistake::ViewportAtOne], 6.0, &[Mistake::ViewportAtOne]);
-    of([0.2, -0.1, 2.0], &[Mistake::SignOfZ], -3.0, &[Mistake::SignOfZ]);
-    of([0.2, -0.1, 0.0], &[Mistake::FlatDirection], 3.0, &[]);
-    of([-0.1, 0.2, -2.0], &[Mistake::UvSwapped], 3.0, &[]);
-    of([0.2, 0.1, -2.0], &[Mistake::VDown], 3.0, &[]);
+    check([0.2, -0.1, -1.0], &dropped, 6.0, &dropped);
+    check([0.4, -0.2, -2.0], &[Mistake::DistanceOnAll], 3.0, &[]);
+    check([0.4, -0.2, -1.0], &[Mistake::DistanceOnUv], 6.0, &[Mistake::DistanceOnUv]);
+    check([0.1, -0.05, -1.0], &[Mistake::ViewportAtOne], 6.0, &[Mistake::ViewportAtOne]);
+    check([0.2, -0.1, 2.0], &[Mistake::SignOfZ], -3.0, &[Mistake::SignOfZ]);
+    check([0.2, -0.1, 0.0], &[Mistake::FlatDirection], 3.0, &[]);
+    check([-0.1, 0.2, -2.0], &[Mistake::UvSwapped], 3.0, &[]);
+    check([0.2, 0.1, -2.0], &[Mistake::VDown], 3.0, &[]);
     let right = [0.2, -0.1, -2.0];
-    of(right, &[], -6.0, &[Mistake::CoordinateForT]);
-    of(right, &[], 6.0, &[Mistake::CoordinateForT]);
-    of(right, &[], -3.0, &[Mistake::SignOfT]);
+    check(right, &[], -6.0, &[Mistake::CoordinateForT]);
+    check(right, &[], 6.0, &[Mistake::CoordinateForT]);
+    check(right, &[], -3.0, &[Mistake::SignOfT]);
     // 3 |d| = 3 sqrt 4.05; 2 units and 2 d's, or 4 world units, from the viewport on.
-    of(right, &[], 3.0 * 4.05f64.sqrt(), &[Mistake::TForDistance]);
-    of(right, &[], 2.0, &[Mistake::FromViewport]);
-    of(right, &[], 4.0, &[Mistake::FromViewport]);
-    of(right, &[], 1.0 / 3.0, &[Mistake::TInverted]);
+    check(right, &[], 3.0 * 4.05f64.sqrt(), &[Mistake::TForDistance]);
+    check(right, &[], 2.0, &[Mistake::FromViewport]);
+    check(right, &[], 4.0, &[Mistake::FromViewport]);
+    check(right, &[], 1.0 / 3.0, &[Mistake::TInverted]);
 }
 
 #[test]

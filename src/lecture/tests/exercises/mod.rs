@@ -204,24 +204,29 @@ fn lessons_name_exercises_by_ids_that_stay() {
 
 #[test]
 fn a_direction_may_be_any_positive_multiple_where_the_question_allows_it() {
-    let of = |exercise, d: [f64; 3]| judged(exercise, Asked::Direction, numbers(&d));
+    let verdict = |exercise, d: [f64; 3]| judged(exercise, Asked::Direction, numbers(&d));
     let ray = Exercise::WarmUpRay;
-    assert_eq!(of(ray, [0.4, -0.2, -2.0]), Verdict::Multiple { times: 2.0 });
-    assert!(of(ray, [0.4, -0.2, -2.0]).is_right());
-    let Verdict::Backwards { times } = of(ray, [-0.2, 0.1, 1.0]) else { panic!() };
+    assert_eq!(verdict(ray, [0.4, -0.2, -2.0]), Verdict::Multiple { times: 2.0 });
+    assert!(verdict(ray, [0.4, -0.2, -2.0]).is_right());
+    let Verdict::Backwards { times } = verdict(ray, [-0.2, 0.1, 1.0]) else { panic!() };
     assert_eq!(times, -1.0);
     let length = 1.05f64.sqrt();
-    let Verdict::Multiple { times } = of(ray, [0.2 / length, -0.1 / length, -1.0 / length]) else {
+    let Verdict::Multiple { times } = verdict(ray, [0.2 / length, -0.1 / length, -1.0 / length])
+    else {
         panic!()
     };
     assert!((times * length - 1.0).abs() < 1e-15);
-    assert_eq!(of(ray, [0.195, -0.0976, -0.976]), Verdict::Rounded { digits: 3 });
+    assert_eq!(verdict(ray, [0.195, -0.0976, -0.976]), Verdict::Rounded { digits: 3 });
     // Where t is asked for too, the length matters.
-    let Verdict::OtherLength { times } = of(Exercise::Turned, [-1.6 * S, -0.2, -2.4 * S]) else {
+    let Verdict::OtherLength { times } = verdict(Exercise::Turned, [-1.6 * S, -0.2, -2.4 * S])
+    else {
         panic!()
     };
     assert!((times - 2.0).abs() < 1e-15);
-    assert!(matches!(of(Exercise::Turned, [0.8 * S, 0.1, 1.2 * S]), Verdict::Backwards { .. }));
+    assert!(matches!(
+        verdict(Exercise::Turned, [0.8 * S, 0.1, 1.2 * S]),
+        Verdict::Backwards { .. }
+    ));
 }
 
 #[test]
@@ -278,13 +283,13 @@ fn digits_cut_off_are_told_like_rounded_ones() {
 
 #[test]
 fn otherwise_it_says_what_is_wrong() {
-    let of = |asked, v: [f64; 3]| match judged(Exercise::ViewUp, asked, numbers(&v)) {
+    let verdict = |asked, v: [f64; 3]| match judged(Exercise::ViewUp, asked, numbers(&v)) {
         Verdict::Wrong(findings) => findings,
         other => panic!("{other:?}"),
     };
-    assert_eq!(of(Asked::U, [0.0; 3]), [Finding::Zero]);
+    assert_eq!(verdict(Asked::U, [0.0; 3]), [Finding::Zero]);
     assert_eq!(
-        of(Asked::U, [0.0, 3.0, 1.0]),
+        verdict(Asked::U, [0.0, 3.0, 1.0]),
         [
             Finding::Coordinate(1),
             Finding::Length(10f64.sqrt()),
@@ -293,7 +298,7 @@ fn otherwise_it_says_what_is_wrong() {
         ]
     );
     assert_eq!(
-        of(Asked::V, [0.6, 0.0, 0.8]),
+        verdict(Asked::V, [0.6, 0.0, 0.8]),
         [
             Finding::Coordinate(0),
             Finding::Coordinate(2),

@@ -152,8 +152,8 @@ fn pairs_are_found_wherever_they_can_be_told() {
         for (second, _) in &MISTAKES[place + 1..] {
             let pair = [*first, *second];
             let student = Student { exercise: &exercise, mistakes: &pair };
-            let of = |known: &[&str]| pair.iter().all(|id| known.contains(id));
-            if of(&OF_BASIS) {
+            let are_in = |known: &[&str]| pair.iter().all(|id| known.contains(id));
+            if are_in(&OF_BASIS) {
                 let expected: &[&str] = match pair {
                     // u = w x up, v = u x w is what makes it left-handed already.
                     ["v-is-u-cross-w", "left-handed"] => &["left-handed"],

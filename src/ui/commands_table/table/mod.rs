@@ -314,8 +314,8 @@ fn places() -> Vec<UiCommand> {
 /// A command for each step of a lesson.
 pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let title = title_of(which, lesson);
-    let steps = lesson.steps.iter().enumerate().map(|(step, of)| {
-        let name = format!("{title}, {}. {}", step + 1, of.title);
+    let steps = lesson.steps.iter().enumerate().map(|(step, shown)| {
+        let name = format!("{title}, {}. {}", step + 1, shown.title);
         let about = "Shows this step of the lesson.";
         command(Group::Step, name, about, Leave::GoTo(Place { lesson: which, step }))
     });

@@ -10,7 +10,6 @@ use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::number::grouped;
 use crate::model::practice::mistakes_view::MistakesView;
-use crate::model::session::Session;
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::views;
@@ -94,7 +93,7 @@ pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
     document: &Document,
-    session: &mut Session,
+    mistakes_view: &mut MistakesView,
     style: NumberStyle,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
@@ -107,10 +106,9 @@ pub(crate) fn ui(
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
         let (camera, resolved) = (&document.camera, derived.resolved.as_ref());
         let scene = derived.scene.as_deref();
-        guess::buttons(ui, &mut session.mistakes_view, camera, resolved.zip(scene));
-        list(ui, &mut session.mistakes_view);
+        guess::buttons(ui, mistakes_view, camera, resolved.zip(scene));
+        list(ui, mistakes_view);
     });
-    let mistakes_view = &mut session.mistakes_view;
     let Some(wrong) = derived.wrong.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
         if mistakes_view.guess.is_some() {

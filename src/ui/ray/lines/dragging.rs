@@ -5,7 +5,7 @@ use egui::{CursorIcon, Key, Rect, Response, Sense, Ui, Vec2};
 use pinhole_core::DVec2;
 
 use crate::model::lines::{Handle, LinesLab};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::lines::canvas::Canvas;
 use crate::view::lines::drawing::{Ink, paint};
 use crate::view::lines::handles::{GRASP, in_sight};
@@ -59,7 +59,8 @@ fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
     let response = ui.interact(around, id, Sense::click_and_drag());
-    let response = response.on_hover_cursor(CursorIcon::Grab).keep_arrows(true, true);
+    let response = response.on_hover_cursor(CursorIcon::Grab);
+    keep_arrows(&response, true, true);
     // Round to hundredths, or finer if a pixel is finer.
     let dots = canvas.scale * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());

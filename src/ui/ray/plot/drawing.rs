@@ -10,7 +10,7 @@ use egui::{
 use super::captions::Captions;
 use crate::model::session::Heights;
 use crate::ui::ray::lines::{number, round_step};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::label_layout::{Font, LabelLayout};
 use crate::view::typesetting::notation::formula;
@@ -120,7 +120,8 @@ pub(super) fn ui(
 /// Sets t by a press or a drag in the plot, and moves it by arrow keys.
 fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
     let id = ui.scope_id().with("plot of f");
-    let response = ui.interact(axes.rect, id, Sense::click_and_drag()).keep_arrows(true, false);
+    let response = ui.interact(axes.rect, id, Sense::click_and_drag());
+    keep_arrows(&response, true, false);
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }

@@ -8,7 +8,6 @@ use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder
 
 use super::lines::number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::session::Session;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -22,8 +21,13 @@ const TEXT: f32 = 15.5;
 const WORDS: (f32, f32) = (430.0, 0.44);
 
 /// Shows the plot and the text beside it.
-pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: usize) {
-    let ray_point_t = &mut session.ray_point_t;
+pub(crate) fn ui(
+    ui: &mut Ui,
+    ray_point_t: &mut Option<f64>,
+    compressed: &mut bool,
+    derived: &Derived,
+    digits: usize,
+) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
         ui.label(fault_text(ui, fault).strong());
@@ -50,7 +54,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: 
             }
             let text = "Compress values beyond ±1 unit";
             let hint = "The axis is then logarithmic there: lines and parabolas are bent";
-            ui.checkbox(&mut session.settings.plot_compressed, text).on_hover_text(hint);
+            ui.checkbox(compressed, text).on_hover_text(hint);
             if plot.left_out > 0 {
                 ui.label(left_out(plot.left_out));
             }

@@ -16,7 +16,7 @@ use crate::model::number::written;
 use crate::model::session::Session;
 use crate::model::session::hand::{Along, Axis, Handle};
 use crate::ui::widgets::fault::fault_text;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::derive::Derived;
 use crate::view::handles::{HandleValues, grips, label, value};
 
@@ -175,9 +175,9 @@ pub(crate) fn say(
     refused: Option<&str>,
 ) {
     let side = |right: bool, below: bool| {
-        let of = |far: bool| if far { Align::Max } else { Align::Min };
-        let parent = Align2([of(right), of(below)]);
-        RectAlign { parent, child: Align2([of(!right), of(!below)]) }
+        let align = |far: bool| if far { Align::Max } else { Align::Min };
+        let parent = Align2([align(right), align(below)]);
+        RectAlign { parent, child: Align2([align(!right), align(!below)]) }
     };
     let (right, below) = (away.x >= 0.0, away.y >= 0.0);
     let anchor = PopupAnchor::ParentRect(Rect::from_center_size(place, Vec2::splat(2.0 * GAP)));
@@ -212,7 +212,8 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
         let part = HandleValues::read(grip.handle, document, session.selection);
         let value = value(grip.handle, &part, settings.digits, settings.count_from_one);
         let response = ui.interact(rect, id, Sense::focusable_noninteractive());
-        let response = response.keep_arrows(true, true).with_role(Role::Slider).spoken(value);
+        keep_arrows(&response, true, true);
+        let response = response.with_role(Role::Slider).spoken(value);
         response.named(format!("{} handle", label(grip.handle, document)));
     }
 }

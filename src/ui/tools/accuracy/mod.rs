@@ -10,7 +10,7 @@ use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, shortest, 
 use pinhole_exchange::document::Document;
 
 use crate::model::number::short;
-use crate::model::session::{MethodName, Selection, Session, Settings};
+use crate::model::session::{MethodName, Selection, Session};
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts;
 use crate::ui::scene::views::MAP;
@@ -42,10 +42,10 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
 }
 
 /// Shows the title above the map, with the choice of its method.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, compared: &mut MethodName) {
     strip_above(ui, area, |ui| {
         ui.strong(MAP);
-        method(ui, "error map of", &mut settings.compared);
+        method(ui, "error map of", compared);
     });
 }
 

@@ -134,8 +134,9 @@ impl Flat {
         let span = start..span.end.max(start);
         row.resize(&span);
         let first = DVec2::new(span.start as f64 + 0.5, y);
-        let of = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
-        let (rate, a, b, offset) = (of(self.rate), of(self.a), of(self.b), self.offset as f32);
+        let terms = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
+        let (rate, a, b, offset) =
+            (terms(self.rate), terms(self.a), terms(self.b), self.offset as f32);
         let values = row.t.iter_mut().zip(&mut row.a).zip(&mut row.b).zip(&mut row.inverse_rate);
         for (k, (((t_of, a_of), b_of), inverse_of)) in values.enumerate() {
             let x = k as f32;

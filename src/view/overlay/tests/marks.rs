@@ -109,9 +109,9 @@ fn each_item_can_be_drawn_alone_and_left_out() {
     let of_marks = |stage: &Stage| {
         let view = WorldView { handles: &handles, ..stage.view() };
         let Drawing { marks, labels, .. } = view.drawing();
-        let of: Vec<Item> =
+        let items: Vec<Item> =
             marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
-        of
+        items
     };
     let all = of_marks(&stage);
     // The others have no marks of their own in the world view.
