@@ -1,6 +1,5 @@
 //! Rays from a CSV file: header `ox,oy,oz,dx,dy,dz`, a row a ray.
 
-use std::fs;
 use std::path::Path;
 
 use pinhole_core::{DVec3, Ray};
@@ -9,15 +8,6 @@ use super::table::CsvTable;
 use crate::FileError;
 
 const COLUMNS: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
-
-/// Reads the rays of a file.
-///
-/// # Errors
-/// A file that cannot be read, or the first row at fault with its line, column and value.
-pub fn load(path: &Path) -> Result<Vec<Ray>, FileError> {
-    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
-    parse(path, &bytes)
-}
 
 /// Reads the rays of a file's content; `path` is for the messages.
 ///

@@ -87,11 +87,11 @@ pub struct Imported {
 impl Format {
     /// The camera, and what else is asked for, in the format's words.
     ///
-    /// What an importer reads is read again: where the rays that come back differ by more than a
-    /// billionth, be it that the format gives a field of view near 180 degrees, a note says by how much.
+    /// The text is read again where there is an importer. A note says by how much the rays that come back
+    /// differ, if by more than a billionth, as those of a field of view near 180 degrees may.
     ///
     /// # Errors
-    /// What the format cannot say.
+    /// The first thing that the format cannot say.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         let mut written = (self.write)(subject)?;
         let alone = match subject.include {

@@ -52,7 +52,7 @@ impl Pose {
     /// The orientation, and what had to be straightened.
     ///
     /// # Errors
-    /// What is wrong with the three, as "up and backwards are parallel".
+    /// The fault of the three, as "up and backwards are parallel".
     pub(crate) fn orientation(&self, notes: &mut Vec<String>) -> Result<Orientation, String> {
         let [right, up, backwards] = [self.right, self.up, self.backwards].map(without_noise);
         if let Ok(basis) = Basis::by_hand(right, up, backwards) {

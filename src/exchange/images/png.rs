@@ -147,7 +147,7 @@ pub fn is_png(bytes: &[u8]) -> bool {
 /// be sRGB.
 ///
 /// # Errors
-/// What is none, is damaged, or is larger than any image.
+/// Bytes that are no PNG, are damaged, or hold more than any image may.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
     let at_fault = |error: &dyn std::fmt::Display| {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))

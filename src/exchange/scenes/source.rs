@@ -46,7 +46,7 @@ impl SceneSource {
     /// Reads the scene.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The first thing that is wrong with the file.
     pub fn load(&self) -> Result<Document, FileError> {
         match self {
             SceneSource::File(path) => scene_file::load(path),

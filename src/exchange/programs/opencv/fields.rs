@@ -23,10 +23,10 @@ pub(super) struct Field {
 const RIGHT: &str = "only K, R (or rvec) and t, the image's width and height and the distortion may be given, \
                      each by numbers";
 
-/// Every field of a text that has one of these names.
+/// Returns every field of a text that has one of these names.
 ///
 /// # Errors
-/// What is no JSON, or a statement that gives none of these names.
+/// A text that is no JSON, or a statement that gives none of these names.
 pub(super) fn fields(
     text: &Input,
     is_known: impl Fn(&str) -> bool,

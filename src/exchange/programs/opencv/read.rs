@@ -5,11 +5,11 @@ use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 
 use super::fields::{Field, fields};
 use super::{off_centre, pose_of, viewport_of};
-use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, size_note};
 use crate::format::text::n;
 use crate::format::{Imported, Input};
+use crate::{FileError, Place};
 
 const K_NAMES: [&str; 7] = [
     "K",
@@ -201,7 +201,11 @@ fn size(
     Ok(at_hand.image)
 }
 
-/// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix; R as a matrix or by Rodrigues' vector.
+/// Maximum difference of one rotation's numbers in two forms, as they are printed: to eight digits.
+const AGREE: f64 = 1e-6;
+
+/// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix; R as a matrix, by Rodrigues' vector, or by
+/// both where they agree.
 fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3), FileError> {
     let whole = reader.one_of(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = reader.one_of(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
@@ -215,17 +219,21 @@ fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3),
             .ok_or_else(|| reader.fault(whole.field, "its last row must be 0 0 0 1"))?;
         return Ok((rows(&affine), affine.at));
     }
-    let rotation = match (matrix, vector) {
-        (Some(matrix), Some(vector)) => {
-            return Err(reader.given_too(vector.field, matrix.field));
-        }
-        (Some(matrix), None) => [0, 3, 6].map(|k| DVec3::from_slice(&matrix.numbers[k..])),
-        (None, Some(vector)) => by_vector(&vector, notes),
-        (None, None) => {
-            let right = "the rotation must be nine numbers, or rvec three";
-            return Err(reader.missing("R", right));
-        }
-    };
+    let by_matrix =
+        matrix.map(|m| (m.field, [0, 3, 6].map(|k| DVec3::from_slice(&m.numbers[k..]))));
+    let by_vector = vector.map(|vector| (vector.field, turned(&vector, notes)));
+    if let (Some((matrix, rows)), Some((vector, others))) = (by_matrix, by_vector)
+        && !rows.iter().zip(others).all(|(row, other)| row.abs_diff_eq(other, AGREE))
+    {
+        let line = Place::of_byte(reader.text.text.as_bytes(), matrix.at).line;
+        let name = &matrix.name;
+        let right =
+            format!("{name} in line {line} is another rotation: only one of them may be given");
+        return Err(reader.fault(vector, &right));
+    }
+    let (_, rotation) = by_matrix
+        .or(by_vector)
+        .ok_or_else(|| reader.missing("R", "the rotation must be nine numbers, or rvec three"))?;
     let translation =
         translation.ok_or_else(|| reader.missing("t", "the translation must be three numbers"))?;
     Ok((rotation, DVec3::from_slice(translation.numbers)))
@@ -236,7 +244,7 @@ fn rows(turn: &Affine) -> [DVec3; 3] {
 }
 
 /// The rows of the rotation that a vector gives as OpenCV has it: about it, by its length in radians.
-fn by_vector(value: &Value, notes: &mut Vec<String>) -> [DVec3; 3] {
+fn turned(value: &Value, notes: &mut Vec<String>) -> [DVec3; 3] {
     let vector = DVec3::from_slice(value.numbers);
     if vector.length() > std::f64::consts::TAU {
         let note =

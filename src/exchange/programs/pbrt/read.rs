@@ -15,11 +15,35 @@ use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
 
 /// Directives with strings and parameters behind them, or nothing, in all versions of pbrt.
-const WITH_PARAMETERS: &str = "Accelerator AreaLightSource Attribute Camera ColorSpace Exterior Film Integrator \
-                               Interior LightSource MakeNamedMaterial MakeNamedMedium Material \
-                               MediumInterface NamedMaterial Option PixelFilter Renderer \
-                               ReverseOrientation Sampler SearchPath Shape SurfaceIntegrator Texture \
-                               Volume VolumeIntegrator WorldEnd";
+const WITH_PARAMETERS: [&str; 27] = [
+    "Accelerator",
+    "AreaLightSource",
+    "Attribute",
+    "Camera",
+    "ColorSpace",
+    "Exterior",
+    "Film",
+    "Integrator",
+    "Interior",
+    "LightSource",
+    "MakeNamedMaterial",
+    "MakeNamedMedium",
+    "Material",
+    "MediumInterface",
+    "NamedMaterial",
+    "Option",
+    "PixelFilter",
+    "Renderer",
+    "ReverseOrientation",
+    "Sampler",
+    "SearchPath",
+    "Shape",
+    "SurfaceIntegrator",
+    "Texture",
+    "Volume",
+    "VolumeIntegrator",
+    "WorldEnd",
+];
 
 /// Attributes in force.
 #[derive(Clone, Copy)]
@@ -147,9 +171,8 @@ impl<'t> Found<'t> {
             "AttributeBegin" | "TransformBegin" => self.saved.push((*state, false)),
             "ObjectBegin" => {
                 reader.name(word, at)?;
-                self.shapes
-                    .left
-                    .add(word, "left out with its parts: an object must stand by itself");
+                let said = "left out with its parts: an object must stand by itself";
+                self.shapes.left.add(word, said);
                 self.saved.push((*state, true));
                 self.objects += 1;
             }
@@ -163,25 +186,30 @@ impl<'t> Found<'t> {
                 *state = State::INITIAL;
                 self.systems.insert("world", Affine::IDENTITY);
             }
-            "ActiveTransform" | "TransformTimes" => {
-                let right = "nothing must move while the shutter is open";
-                return Err(reader.error(at, format!("{word}: {right}")));
+            "ActiveTransform" => {
+                let given = reader.name(word, at)?;
+                if given != "All" {
+                    let right = "it must be All: nothing must move while the shutter is open";
+                    return Err(reader.error(at, format!("{word} is {given}: {right}")));
+                }
+            }
+            // Nothing moves between these times.
+            "TransformTimes" => {
+                let _: [f64; 2] = reader.numbers(word, at)?;
             }
             "CoordinateSystem" => {
                 self.systems.insert(reader.name(word, at)?, state.transform);
             }
             "ObjectInstance" | "Include" | "Import" => {
                 reader.name(word, at)?;
-                self.shapes.left.add(
-                    word,
-                    match word {
-                        "ObjectInstance" => "left out: an object must stand by itself",
-                        _ => "left out: what is in other files is not read",
-                    },
-                );
+                let said = match word {
+                    "ObjectInstance" => "left out: an object must stand by itself",
+                    _ => "left out: what is in other files is not read",
+                };
+                self.shapes.left.add(word, said);
             }
-            _ if WITH_PARAMETERS.split(' ').any(|known| known == word) => {
-                self.with_parameters(reader, word, at, state)?
+            _ if WITH_PARAMETERS.contains(&word) => {
+                self.with_parameters(reader, word, at, state)?;
             }
             _ => return Err(reader.error(at, format!("{word}: no directive of pbrt"))),
         }
@@ -225,7 +253,7 @@ impl<'t> Found<'t> {
                 }
             }
             "Shape" if self.objects == 0 => {
-                self.shapes.take(reader, at, &parameters, &state.transform, state.paint);
+                self.shapes.take(at, &parameters, &state.transform, state.paint);
             }
             _ => (),
         }
@@ -311,7 +339,7 @@ impl<'t> Found<'t> {
                 (pose.eye, orientation)
             }
         };
-        self.shapes.tell(&mut self.notes);
+        self.shapes.tell(text, &mut self.notes);
         if is_mirrored {
             self.notes.push(MIRRORED.to_owned());
         }

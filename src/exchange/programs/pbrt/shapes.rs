@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use pinhole_core::Sphere;
 
-use super::tokens::{Parameters, Reader};
-use crate::FileError;
+use super::tokens::Parameters;
 use crate::document::Item;
+use crate::format::Input;
 use crate::format::affine::Affine;
 use crate::format::left_out::{LeftOut, readable};
 use crate::format::text::{byte_of_light, n};
@@ -34,8 +34,8 @@ pub(super) struct Shapes<'t> {
     pub(super) spheres: Vec<Item<Sphere>>,
     pub(super) left: LeftOut,
     materials: HashMap<&'t str, Paint>,
-    /// Faults of spheres whose numbers are wrong.
-    faults: Vec<FileError>,
+    /// Faults of spheres whose numbers are wrong, each with its byte.
+    faults: Vec<(usize, String)>,
     unpainted: usize,
 }
 
@@ -53,7 +53,6 @@ impl<'t> Shapes<'t> {
     /// Takes a sphere, and counts any other shape.
     pub(super) fn take(
         &mut self,
-        reader: &Reader,
         at: usize,
         parameters: &Parameters,
         place: &Affine,
@@ -81,7 +80,7 @@ impl<'t> Shapes<'t> {
                 true => "its numbers must be finite".to_owned(),
                 false => format!("radius is {}: it must be greater than 0", n(radius)),
             };
-            return self.faults.push(reader.error(at, problem));
+            return self.faults.push((at, problem));
         }
         let color = match paint {
             Paint::Plain(color) => Some(color),
@@ -96,8 +95,10 @@ impl<'t> Shapes<'t> {
     }
 
     /// Notes what was left out.
-    pub(super) fn tell(&mut self, notes: &mut Vec<String>) {
-        readable(self.faults.drain(..).map(Err::<(), _>), "sphere", notes);
+    pub(super) fn tell(&mut self, text: &Input, notes: &mut Vec<String>) {
+        let faults = self.faults.drain(..);
+        let faults = faults.map(|(at, problem)| Err::<(), _>(text.error_at(at, problem)));
+        readable(faults, "sphere", notes);
         self.left.tell(notes);
         if self.unpainted > 0 {
             notes.push(format!(

@@ -7,17 +7,67 @@ use crate::format::left_out::LeftOut;
 use crate::programs::pieces::{Piece, is_of_word};
 
 /// Other objects.
-const OTHERS: &str = "box cylinder cone torus mesh mesh2 blob disc triangle smooth_triangle polygon prism \
-                      lathe sor text height_field superellipsoid sphere_sweep isosurface parametric \
-                      julia_fractal bicubic_patch quadric quartic cubic poly object";
+const OTHERS: [&str; 27] = [
+    "box",
+    "cylinder",
+    "cone",
+    "torus",
+    "mesh",
+    "mesh2",
+    "blob",
+    "disc",
+    "triangle",
+    "smooth_triangle",
+    "polygon",
+    "prism",
+    "lathe",
+    "sor",
+    "text",
+    "height_field",
+    "superellipsoid",
+    "sphere_sweep",
+    "isosurface",
+    "parametric",
+    "julia_fractal",
+    "bicubic_patch",
+    "quadric",
+    "quartic",
+    "cubic",
+    "poly",
+    "object",
+];
 
 /// Objects made of others, which are parts of them and not there by themselves.
 const MADE_OF_OTHERS: [&str; 4] = ["union", "difference", "intersection", "merge"];
 
 /// POV-Ray's own files, which hold no camera and no object that stands in a scene.
-const STANDARD: &str = "arrays chars colors consts debug finish functions glass glass_old golds ior logo math \
-                        metals rand shapes shapes2 skies stars stones strings textures transforms \
-                        woodmaps woods";
+const STANDARD: [&str; 25] = [
+    "arrays",
+    "chars",
+    "colors",
+    "consts",
+    "debug",
+    "finish",
+    "functions",
+    "glass",
+    "glass_old",
+    "golds",
+    "ior",
+    "logo",
+    "math",
+    "metals",
+    "rand",
+    "shapes",
+    "shapes2",
+    "skies",
+    "stars",
+    "stones",
+    "strings",
+    "textures",
+    "transforms",
+    "woodmaps",
+    "woods",
+];
 
 /// A camera's block.
 struct Shot<'t> {
@@ -83,7 +133,7 @@ impl<'t> Blocks<'t> {
     fn include(&mut self, behind: Piece) {
         let file = behind.text.strip_prefix('"').and_then(|rest| rest.split(['"', '\n']).next());
         let name = file.and_then(|file| file.strip_suffix(".inc"));
-        if !name.is_some_and(|name| has(STANDARD, name)) {
+        if !name.is_some_and(|name| STANDARD.contains(&name)) {
             self.others.add("#include", "left out: what is in other files is not read");
         }
     }
@@ -119,30 +169,33 @@ impl<'t> Blocks<'t> {
         code: &Code,
         notes: &mut Vec<String>,
     ) -> Result<Piece<'t>, FileError> {
-        let placed = self.cameras.iter().rfind(|shot| shot.name.is_none());
+        let placed = self.cameras.iter().rposition(|shot| shot.name.is_none());
         if placed.is_none() && !self.cameras.is_empty() {
             notes.push("no camera is placed: the last that is declared is taken".to_owned());
         }
-        let shot = placed
-            .or(self.cameras.last())
+        let mut index = placed
+            .or(self.cameras.len().checked_sub(1))
             .ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
-        // `camera { Name }` is the one that is declared by this name.
-        let content = shot.inside.trimmed();
-        let name = content.word();
-        let mut before = self.cameras.iter().filter(|other| other.inside.at < shot.inside.at);
-        let declared = before.rfind(|other| other.name == Some(name.text));
-        if declared.is_some() && name.text.len() < content.text.len() {
-            let right = "what is added to it must stand in its declaration";
-            return Err(code.fault("camera", name, right));
+        loop {
+            let shot = &self.cameras[index];
+            if shot.is_conditional {
+                let right = "camera: it must stand by itself, not between #if, #while, #for, #switch or \
+                             #macro and #end";
+                return Err(code.error(shot.inside.at, right));
+            }
+            // `camera { Name }` is the one that is declared by this name before it.
+            let content = shot.inside.trimmed();
+            let name = content.word();
+            let mut before = self.cameras[..index].iter();
+            let Some(declared) = before.rposition(|other| other.name == Some(name.text)) else {
+                return Ok(shot.inside);
+            };
+            if name.text.len() < content.text.len() {
+                let right = "what is added to it must stand in its declaration";
+                return Err(code.fault("camera", name, right));
+            }
+            index = declared;
         }
-        if let Some(shot) =
-            [Some(shot), declared].into_iter().flatten().find(|shot| shot.is_conditional)
-        {
-            let right = "camera: it must stand by itself, not between #if, #while, #for, #switch or #macro \
-                         and #end";
-            return Err(code.error(shot.inside.at, right));
-        }
-        Ok(declared.unwrap_or(shot).inside)
     }
 
     /// Notes the blocks that are left out because of where or what they are.
@@ -161,10 +214,5 @@ impl<'t> Blocks<'t> {
 }
 
 fn is_object(word: &str) -> bool {
-    ["sphere", "plane"].contains(&word) || has(OTHERS, word) || MADE_OF_OTHERS.contains(&word)
-}
-
-/// Returns true where a word is one of these, which stand between blanks.
-fn has(words: &str, word: &str) -> bool {
-    words.split(' ').any(|other| other == word)
+    ["sphere", "plane"].contains(&word) || OTHERS.contains(&word) || MADE_OF_OTHERS.contains(&word)
 }

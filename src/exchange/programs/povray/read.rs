@@ -138,7 +138,8 @@ impl View {
     fn read(code: &Code, values: &Values, camera: Piece) -> Result<View, FileError> {
         let first = camera.trimmed().word().text;
         if !camera.trimmed().text.is_empty() && !camera_words().any(|word| word == first) {
-            let right = "it must begin with a word such as location, or be declared in this file";
+            let right = "it must begin with a word such as location, or be a name that is declared before it in this \
+                         file as = camera { ... }";
             return Err(code.fault("camera", camera.trimmed(), right));
         }
         if let Some(at) = camera.text.find('#') {

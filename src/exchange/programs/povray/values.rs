@@ -70,8 +70,10 @@ impl<'t> Values<'t> {
                 "for" | "macro" => {
                     // What a loop or a macro calls its numbers.
                     let list = if name.is_empty() { behind } else { rest };
-                    let variables = code.bracketed(list).map_or("", |inside| inside.text);
-                    let variables = variables.split(|c| !is_of_word(c));
+                    let inside = code.bracketed(list).map_or("", |inside| inside.text);
+                    // Up to a directive, so that lists in each other are not read again and again.
+                    let own = inside.split('#').next().unwrap_or_default();
+                    let variables = own.split(|c| !is_of_word(c));
                     values.names.extend(variables.map(|variable| (variable, None)));
                 }
                 _ => (),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pinhole_exchange::scene_file;
 
-/// What is at fault, behind what [`check`] puts before it, and the message behind `scene.toml:`.
+/// A text at fault, behind the one that [`check`] puts before it, and the message behind `scene.toml:`.
 type Cases = &'static [(&'static str, &'static str)];
 
 const WHOLE_FILES: Cases = &[

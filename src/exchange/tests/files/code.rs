@@ -59,7 +59,7 @@ fn pixels(camera: &ResolvedCamera) -> Vec<Pixel> {
     places.into_iter().chain(inside).map(|(row, column)| Pixel { row, column }).collect()
 }
 
-/// How far an origin and a direction are from the camera's, as a share of their length.
+/// Distance of an origin and a direction from the camera's, as a share of their length.
 fn error(camera: &ResolvedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) -> f64 {
     let ray = camera.ray_of_pixel(pixel);
     let apart = |a: DVec3, b: DVec3| a.distance(b) / a.length().max(f64::MIN_POSITIVE);
@@ -203,7 +203,7 @@ fn is_there(program: &[&str]) -> bool {
     command(program[0]).args(&program[1..]).output().is_ok_and(|output| output.status.success())
 }
 
-/// What the first command that prints the rays says.
+/// Numbers that the first command that prints the rays prints.
 fn numbers(runner: &Runner, code: &str, pixels: &[Pixel]) -> Vec<f64> {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in (runner.files)(code, pixels) {

@@ -67,7 +67,7 @@ fn text() -> impl Strategy<Value = String> {
     prop_oneof![hard.prop_map(str::to_owned), any::<String>()]
 }
 
-/// What can stand in a comment: no control characters but tabs, and lines.
+/// Lines that can stand in a comment, without control characters but tabs.
 fn note() -> impl Strategy<Value = String> {
     vec("[^\\p{Cc}]{0,12}|#|\t| x", 0..4).prop_map(|lines| lines.join("\n"))
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a text is told: file, line, field, value, what would be right.
+//! Messages on faults of a text: file, line, field, value, what would be right.
 
 use std::path::Path;
 

@@ -50,7 +50,7 @@ fn what_is_given_twice_or_makes_no_camera_is_refused() {
     for (text, message) in [
         (
             JSON.replace("\"R\":", "\"rvec\": [0, 1, 0], \"R\":"),
-            "R is given too: only one of them may be",
+            "in:2:1: rvec is [0,1,0]: R in line 2 is another rotation: only one of them may be given",
         ),
         (JSON.replace("\"t\":", "\"tvec\": [0, 1, 0], \"t\":"), "only one of them may be"),
         (
@@ -79,6 +79,24 @@ fn what_is_given_twice_or_makes_no_camera_is_refused() {
     }
     let degrees = JSON.replace("\"R\": [1, 0, 0, 0, -1, 0, 0, 0, -1]", "\"rvec\": [0, 45, 0]");
     assert!(camera(&degrees).1.iter().any(|note| note.starts_with("rvec turns by more than")));
+}
+
+#[test]
+fn a_rotation_given_twice_is_that_of_the_matrix() {
+    let both = |rvec: &str| JSON.replace("\"t\":", &format!("\"rvec\": {rvec}, \"t\":"));
+    // As NumPy prints it.
+    let (taken, notes) = camera(&both("[3.14159265, 0, 0]"));
+    assert_eq!((taken, notes), camera(JSON));
+    let refused = read("opencv", &both("[3.1416, 0, 0]")).unwrap_err().to_string();
+    let message = "in:3:1: rvec is [3.1416,0,0]: R in line 2 is another rotation: only one of them may be given";
+    assert_eq!(refused, message);
+    let whole = "K = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]\nrvec = [0.1, 0, 0]\nt = [0, 0, 5]\n\
+                 R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    let refused = read("opencv", whole).unwrap_err().to_string();
+    assert!(
+        refused.starts_with("in:2:8: rvec is [0.1, 0, 0]: R in line 4 is another"),
+        "{refused}"
+    );
 }
 
 #[test]

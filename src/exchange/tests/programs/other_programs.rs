@@ -18,7 +18,7 @@ use pinhole_exchange::format::Include;
 
 use super::{proofs, written};
 
-/// Whether a program is there; where it must be and is not, that is an error.
+/// Returns true where a program is there; one that must be there and is not is an error.
 pub(super) fn there(name: &str, probe: &mut Command) -> bool {
     let found = probe.output().is_ok_and(|output| output.status.success());
     let wanted = env::var("PINHOLE_TEST_PROGRAMS").unwrap_or_default();

@@ -49,6 +49,11 @@ fn the_last_camera_is_taken_and_must_stand_by_itself() {
         (format!("{a} /* {b} /* {b} */ {b} */"), 20.0),
         (format!("#debug \"/*\"\n// /*\n{a} // \" */"), 20.0),
         (format!("#declare A = {a} #declare B = {b} camera {{ A }}"), 20.0),
+        (format!("#declare A = {a}#declare B = camera {{ A }} camera {{ B }}"), 20.0),
+        (
+            format!("#declare A = {a}#declare A = camera {{ A }} #declare B = {b} camera {{ A }}"),
+            20.0,
+        ),
         (format!("#ifdef (Wide)\n{a}#end\n{b}"), 80.0),
         (format!("#if (1) #if (0) #else #end #end {b}"), 80.0),
     ] {
@@ -65,12 +70,22 @@ fn the_last_camera_is_taken_and_must_stand_by_itself() {
             "camera is A: what is added to it must stand in its declaration",
         ),
         (
-            "camera { Mine }".to_owned(),
-            "camera is Mine: it must begin with a word such as location, or be declared in this file",
+            format!("#declare A = {a}#declare B = camera {{ A angle 30 }} camera {{ B }}"),
+            "camera is A: what is added to it must stand in its declaration",
         ),
         (
-            format!("#declare A = {a}#declare B = camera {{ A }} camera {{ B }}"),
-            "camera is A: it must begin with a word such as location, or be declared in this file",
+            format!("#if (1) #declare A = {a}#end #declare B = camera {{ A }} camera {{ B }}"),
+            lonely,
+        ),
+        (
+            "camera { Mine }".to_owned(),
+            "camera is Mine: it must begin with a word such as location, or be a name that is declared \
+             before it in this file as = camera { ... }",
+        ),
+        (
+            format!("#declare B = camera {{ A }} #declare A = {a}camera {{ B }}"),
+            "camera is A: it must begin with a word such as location, or be a name that is declared \
+             before it in this file as = camera { ... }",
         ),
         (
             "camera { location 0 #if (Wide) angle 80 #end look_at z }".to_owned(),

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use super::{marker, read, scene_of, text_of};
 
-/// What is read again; of Blender's Python and the book's C++ nothing is.
+/// Formats that are read again: all but Blender's Python and the book's C++.
 fn with_importers() -> impl Iterator<Item = (&'static Format, &'static Importer)> {
     FORMATS.iter().filter_map(|format| Some((format, Importer::named(format.name)?)))
 }
@@ -97,7 +97,7 @@ proptest! {
         }
     }
 
-    /// What prints eye, at and up, prints them so that they read back to the bit.
+    /// Eye, at and up are printed so that they read back to the bit.
     #[test]
     fn points_read_back_to_the_bit(camera in cameras()) {
         let camera = camera.given_by(OrientationKind::At).unwrap();
@@ -137,7 +137,7 @@ fn what_says_the_distance_keeps_t() {
     assert_eq!(course, Viewport { width: 1.0, height: 0.5625, distance: 0.78125 });
 }
 
-/// What a text leaves open is as in the camera at hand.
+/// The camera at hand gives all that a text leaves open.
 #[test]
 fn what_is_left_open_is_as_at_hand() {
     let viewport = Viewport { width: 4.0, height: 3.0, distance: 2.0 };
@@ -182,7 +182,7 @@ fn spheres_and_planes_come_back() {
     }
 }
 
-/// What is far from everyday says how much of it is kept.
+/// An extreme camera is written with a note on how much of it is kept.
 #[test]
 fn a_field_of_view_near_180_degrees_is_told() {
     let viewport = Viewport { width: 1e9, height: 1e9, distance: 1.0 };

@@ -160,7 +160,10 @@ fn pbrt_s_objects_stand_where_they_belong_or_are_told() {
             "CoordSysTransform: it must be camera, world, or named by CoordinateSystem before it",
         ),
         ("Shear 1 2 3", "Shear: no directive of pbrt"),
-        ("ActiveTransform EndTime", "ActiveTransform: nothing must move while the shutter is open"),
+        (
+            "ActiveTransform EndTime",
+            "ActiveTransform is EndTime: it must be All: nothing must move while the shutter is open",
+        ),
         (
             "Attribute \"shape\" \"float radius\" 2",
             "Attribute: a sphere's parameters must stand in its Shape",
@@ -170,6 +173,12 @@ fn pbrt_s_objects_stand_where_they_belong_or_are_told() {
         let text = format!("{LOOK}WorldBegin\n{world}\nShape \"sphere\"");
         assert_eq!(read("pbrt", &text).unwrap_err().problem, said);
     }
+}
+
+#[test]
+fn pbrt_s_scene_without_motion_may_name_its_times() {
+    let world = "ActiveTransform All\nTranslate 1 2 3\nShape \"sphere\"";
+    assert_eq!(pbrt("TransformTimes 0 1", world), (vec![[1.0, 2.0, 3.0]], vec![]));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Which camera of a glTF's or three.js's tree is taken, and trees that no file may have.
+//! The camera that is taken of a glTF's or three.js's tree, and trees that no file may have.
 
 use pinhole_core::DVec3;
 
