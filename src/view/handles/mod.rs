@@ -5,6 +5,9 @@
 //! - `values`: the values that a handle changes, before and after; `drag`: from the pointer to a
 //!   point of the world, and on to those values through [`pinhole_core::steering`].
 //! - `text`: names and values; `marks`: marks for the overlay.
+//!
+//! No gizmo crate is used: those for egui edit one transform at a time, where a viewport has corners
+//! and a sphere a radius, and paint past the overlay, whose marks go into figures.
 
 mod drag;
 mod hit;
