@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel};
+use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel, Sphere};
 
 use super::harness::{assert_says, says, type_into, window};
 
@@ -152,6 +152,41 @@ fn the_pixels_shape_holds_until_let_go() {
     assert_eq!(window.state().document().camera.viewport.height, 2.0);
 }
 
+/// No field of view grows with the image, and what was typed back is as before.
+#[test]
+fn another_image_makes_no_field_of_view_larger() {
+    let mut window = window("canonical");
+    let viewport = |window: &Harness<'_, App>| {
+        let viewport = window.state().document().camera.viewport;
+        [viewport.width, viewport.height]
+    };
+    for (field, text, expected) in [
+        ("W", "8", [0.02, 1.0]),
+        ("W", "400", [1.0, 1.0]),
+        ("H", "100", [1.0, 0.25]),
+        ("W", "100", [1.0, 1.0]),
+    ] {
+        type_into(&mut window, field, text);
+        assert_eq!(viewport(&window), expected, "{field} = {text}");
+    }
+}
+
+#[test]
+fn an_image_that_is_none_is_refused() {
+    let mut window = window("canonical");
+    for (text, reason) in [
+        ("0", "0 is not between 1 and 16384"),
+        ("99999", "99999 is not between 1 and 16384"),
+        ("2.5", "2.5 is no whole number"),
+    ] {
+        type_into(&mut window, "W", text);
+        assert_says(&window, reason);
+        assert_eq!(window.state().document().camera.image.width(), 400);
+    }
+    type_into(&mut window, "W", "2*300");
+    assert_eq!(window.state().document().camera.image.width(), 600);
+}
+
 #[test]
 fn pixels_that_are_not_square_are_told_from_the_start() {
     assert!(says(
@@ -206,6 +241,28 @@ fn objects_are_added_edited_and_removed() {
     window.get_by_label("Remove").click();
     window.run();
     assert_eq!(window.state().document().object_count(), objects + 1);
+}
+
+#[test]
+fn new_spheres_are_seen_and_touch_no_other() {
+    let mut window = window("canonical");
+    for _ in 0..9 {
+        window.get_by_label("+ Sphere").click();
+        window.run();
+    }
+    let document = window.state().document();
+    let spheres: Vec<Sphere> = document.spheres.iter().map(|item| item.shape).collect();
+    for (k, a) in spheres.iter().enumerate() {
+        for b in &spheres[..k] {
+            assert!(a.center.distance(b.center) > a.radius + b.radius, "{a:?}, {b:?}");
+        }
+    }
+    let camera = document.camera.resolve().unwrap();
+    for sphere in &spheres {
+        let direction = sphere.center - camera.eye();
+        let [x, y] = [direction.x / -direction.z, direction.y / -direction.z];
+        assert!(direction.z < 0.0 && x.abs() < 0.5 && y.abs() < 0.5, "{sphere:?}");
+    }
 }
 
 #[test]

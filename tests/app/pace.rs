@@ -143,6 +143,25 @@ fn a_fine_picture_stays_while_the_hand_moves_something_else() {
     assert_eq!(window.state().pictures_traced(), traced);
 }
 
+/// Ctrl, Shift and = make +; where Shift is let go first, it is = that is let go.
+#[test]
+fn a_key_that_changes_its_name_while_it_is_held_leaves_nothing_coarse() {
+    let mut window = heavy();
+    let key = |key, pressed, modifiers| Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers,
+    };
+    window.event(key(Key::Plus, true, Modifiers::COMMAND | Modifiers::SHIFT));
+    window.step();
+    window.event(key(Key::Equals, false, Modifiers::COMMAND));
+    window.run();
+    look_at(&mut window, DVec3::new(0.3, 0.0, -1.0));
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
+}
+
 #[test]
 fn an_edit_that_is_no_drag_is_fine_at_once() {
     let mut window = heavy();

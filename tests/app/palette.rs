@@ -90,10 +90,8 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
     let before = harness.state().session().clone();
     look_for(&mut harness, "layout");
     let (titles, chosen) = listed(&harness);
-    assert!(
-        titles.iter().all(|title| commands_table::score("layout", title).is_some()),
-        "{titles:?}"
-    );
+    let layouts = titles.iter().take_while(|title| title.starts_with("Layout: ")).count();
+    assert!(layouts > 3, "{titles:?}");
     assert_eq!(chosen, titles[..1]);
     press(&mut harness, Modifiers::NONE, Key::ArrowDown);
     press(&mut harness, Modifiers::NONE, Key::ArrowDown);

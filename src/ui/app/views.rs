@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use egui::{Context, Key, Ui, Vec2};
+use egui::{Context, Event, Key, Ui, Vec2};
 
 use super::hand::InHand;
 use super::scene::OpenScene;
@@ -19,7 +19,7 @@ use crate::ui::view_texture::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 
-/// Keys that move the camera, the observer or a handle as long as they are held.
+/// Keys that move the camera, the observer or a handle, again and again while they are held.
 const STEERING: [Key; 7] = [
     Key::ArrowLeft,
     Key::ArrowRight,
@@ -143,6 +143,12 @@ fn is_hand_moving(ctx: &Context) -> bool {
     ctx.input(|i| {
         let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
         let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
-        drags || scrolls || STEERING.into_iter().any(|key| i.key_down(key))
+        // Not the keys that are down: of Shift and = pressed together, Shift may be let go first, and
+        // the key that is let go then is another one.
+        let is_steered = i.events.iter().any(|event| match event {
+            Event::Key { key, pressed, .. } => *pressed && STEERING.contains(key),
+            _ => false,
+        });
+        drags || scrolls || is_steered
     })
 }

@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 pub use keys::{Keys, When, pressed};
-pub use search::{found, score};
+pub use search::found;
 pub use table::{GESTURES, Gesture};
 pub(crate) use table::{command, of_lesson};
 

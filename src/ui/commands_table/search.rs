@@ -1,85 +1,125 @@
-//! Finding commands by a few of their letters.
-//!
-//! A few hundred short names need no index and no crate: each word that is typed has to be found in
-//! a command's title, its letters in order, and the better it fits the farther up the command
-//! stands. Pure.
+//! Finding commands by what is typed. A few hundred short names need no index and no crate. Pure.
 
-use super::UiCommand;
+use std::cmp::Reverse;
 
-/// The commands that fit what was typed, best first; all of them, in their order, where nothing was.
+use super::{Group, UiCommand};
+
+/// Words that people type, and the word that commands have for it.
+const SYNONYMS: [(&str, &str); 8] = [
+    ("ball", "sphere"),
+    ("color", "colour"),
+    ("fullscreen", "present"),
+    ("gimbal", "parallel"),
+    ("quiz", "exercise"),
+    ("screenshot", "export"),
+    ("slides", "present"),
+    ("wall", "plane"),
+];
+
+/// The way in which a typed word stands in a command, from the worst to the best.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Fit {
+    /// Its letters stand in the title, in order.
+    Scattered,
+    /// A word of the title has it inside.
+    Inside,
+    /// A word of the description begins with it.
+    Described,
+    /// A word of the title begins with it.
+    Begins,
+    /// It is a word of the title.
+    Whole,
+}
+
+/// Returns the commands that fit what was typed, best first: the one whose worst word fits best. All
+/// of them, in their order, if nothing was typed.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
-    if typed.trim().is_empty() {
+    let typed = typed.to_lowercase();
+    let words: Vec<&str> = typed.split_whitespace().collect();
+    if words.is_empty() {
         return commands.collect();
     }
-    let scored = commands.filter_map(|command| Some((score(typed, &command.title())?, command)));
-    let mut scored: Vec<(u32, &UiCommand)> = scored.collect();
+    let ranked = commands.filter_map(|command| {
+        let title = command.title().to_lowercase();
+        let about = command.about.to_lowercase();
+        let fits: Option<Vec<Fit>> = words.iter().map(|word| fit(word, &title, &about)).collect();
+        let mut fits = fits?;
+        fits.sort_unstable();
+        let is_step = command.group == Group::Step;
+        Some(((Reverse(fits), is_step, title.chars().count()), command))
+    });
+    let mut ranked: Vec<_> = ranked.collect();
     // Stable: equally good ones stay in the table's order.
-    scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    scored.into_iter().map(|(_, command)| command).collect()
+    ranked.sort_by(|(a, _), (b, _)| a.cmp(b));
+    ranked.into_iter().map(|(_, command)| command).collect()
 }
 
-/// Score of a title for what was typed: more is better, `None` where a word does not fit at all.
-/// Case does not count.
-pub fn score(typed: &str, title: &str) -> Option<u32> {
-    let title: Vec<char> = title.to_lowercase().chars().collect();
-    let typed = typed.to_lowercase();
-    // Of two that fit alike, the shorter one is fitted better.
-    let brevity = 60_u32.saturating_sub(title.len() as u32);
-    typed
-        .split_whitespace()
-        .map(|word| of_word(word, &title))
-        .try_fold(brevity, |sum, word| Some(sum + 64 * word?))
+/// Returns how a word stands in a command, in lower case; `None` if it does not.
+fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
+    let other = SYNONYMS.iter().find(|(typed, _)| *typed == word).map(|(_, word)| *word);
+    let in_words = |word: &str| {
+        let described = stands_in(word, about).filter(|fit| *fit >= Fit::Begins);
+        stands_in(word, title).max(described.map(|_| Fit::Described))
+    };
+    in_words(word).max(other.and_then(in_words)).or_else(|| {
+        let mut letters = title.chars();
+        let is_there = word.chars().all(|letter| letters.any(|other| other == letter));
+        is_there.then_some(Fit::Scattered)
+    })
 }
 
-/// One word's letters in a title, in order; the best of all ways to begin.
-fn of_word(word: &str, title: &[char]) -> Option<u32> {
-    let letters: Vec<char> = word.chars().collect();
-    (0..title.len()).filter_map(|start| from(&letters, title, start)).max()
-}
-
-/// The letters' score with the first one at `start` and each other one as early as it can be: three
-/// for a letter beside the one before, two for one that begins a word, one for any other.
-fn from(letters: &[char], title: &[char], start: usize) -> Option<u32> {
-    let begins_word = |at: usize| at == 0 || !title[at - 1].is_alphanumeric();
-    let mut sum = 0;
-    let mut last: Option<usize> = None;
-    for letter in letters {
-        let at = match last {
-            None => (title[start] == *letter).then_some(start)?,
-            Some(last) => {
-                let rest = || (last + 1..title.len()).filter(|at| title[*at] == *letter);
-                let beside = rest().next().filter(|at| *at == last + 1);
-                beside.or_else(|| rest().find(|at| begins_word(*at))).or_else(|| rest().next())?
-            }
-        };
-        let is_beside = last.is_some_and(|last| at == last + 1);
-        sum += if is_beside { 3 } else { 1 } + u32::from(begins_word(at));
-        last = Some(at);
-    }
-    Some(sum)
+/// Returns how a word stands in a text, at its best place.
+fn stands_in(word: &str, text: &str) -> Option<Fit> {
+    let places = text.match_indices(word).map(|(at, _)| {
+        let begins = !text[..at].ends_with(char::is_alphanumeric);
+        let ends = !text[at + word.len()..].starts_with(char::is_alphanumeric);
+        match (begins, ends) {
+            (true, true) => Fit::Whole,
+            (true, false) => Fit::Begins,
+            (false, _) => Fit::Inside,
+        }
+    });
+    places.max()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::commands_table::all;
 
-    #[test]
-    fn letters_in_order_fit_and_others_do_not() {
-        assert!(score("lay der", "Layout: Derivation").is_some());
-        assert!(score("derivation layout", "Layout: Derivation").is_some());
-        assert!(score("ldrv", "Layout: Derivation").is_some());
-        assert_eq!(score("derivatino", "Layout: Derivation"), None);
-        assert!(score("", "Layout: Derivation").is_some());
+    fn titles(typed: &str) -> Vec<String> {
+        found(typed, all().iter()).into_iter().map(UiCommand::title).collect()
     }
 
     #[test]
-    fn what_fits_better_stands_first() {
-        let better = |typed, first, second| {
-            assert!(score(typed, first) > score(typed, second), "{typed}: {first}, {second}");
-        };
-        better("undo", "Edit: Undo", "Colours: light under no dome");
-        better("cam", "Layout: Camera", "Colours: as the system");
-        better("der", "Layout: Derivation", "Overlay: labels under eye, dashed");
-        better("fa", "Views: Frame all", "Overlay: frustum");
+    fn letters_in_order_fit_and_others_do_not() {
+        for typed in ["lay der", "derivation layout", "ldrv", "LAYOUT: DERIVATION"] {
+            assert!(titles(typed).contains(&"Layout: Derivation".to_owned()), "{typed}");
+        }
+        assert!(!titles("derivatino").contains(&"Layout: Derivation".to_owned()));
+        assert_eq!(titles(" ").len(), all().len());
+    }
+
+    #[test]
+    fn what_fits_best_stands_first() {
+        for (typed, first) in [
+            ("undo", "Edit: Undo"),
+            ("cam", "Layout: Camera"),
+            ("der", "Layout: Derivation"),
+            ("add sphere", "Objects: + Sphere"),
+            ("ball", "Objects: + Sphere"),
+            ("add wall", "Objects: + Plane"),
+            ("gimbal", "Scene: almost-parallel-up"),
+        ] {
+            assert_eq!(titles(typed).first().map(String::as_str), Some(first), "{typed}");
+        }
+    }
+
+    #[test]
+    fn each_synonym_finds_something() {
+        for (typed, word) in SYNONYMS {
+            assert!(!titles(typed).is_empty(), "{typed}");
+            assert!(titles(word).iter().any(|title| titles(typed).contains(title)), "{typed}");
+        }
     }
 }

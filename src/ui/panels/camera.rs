@@ -12,7 +12,6 @@ use crate::model::symbols::{Kind, meaning};
 use crate::ui::changed::Changed;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
-use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
 /// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
@@ -151,10 +150,11 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
 /// Shows a field for the image's width or height.
 fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     ui.label(name);
-    let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
-    // While 1920 is typed, the value does not become 1, 19 and 192.
-    let field = field.update_while_editing(false);
-    ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y))).named(name);
+    let mut count = f64::from(*value);
+    let field = NumberField::new(name, &mut count).suffix(" px").whole();
+    if field.within(1.0..=f64::from(ImageSize::MAX)).show(ui).changed() {
+        *value = count as u32;
+    }
     ui.end_row();
 }
 
@@ -191,7 +191,8 @@ fn shape_of(camera: &Camera) -> f64 {
     camera.viewport.width / camera.viewport.height / camera.image.aspect()
 }
 
-/// Adapts another extent after an edit: the height, or the width if the height was edited.
+/// Adapts another extent after an edit: the height, or the width if the height was edited. After an
+/// edit of the image the larger of both extents is as large as before: no field of view grows.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     let shape = shape_of(before);
     let Viewport { width, height, .. } = camera.viewport;
@@ -201,8 +202,12 @@ fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     }
     if edited(height, before.viewport.height) {
         camera.viewport.width = height * shape * camera.image.aspect();
-    } else if edited(width, before.viewport.width) || camera.image != before.image {
+    } else if edited(width, before.viewport.width) {
         camera.viewport.height = width / (shape * camera.image.aspect());
+    } else if camera.image != before.image {
+        let (larger, ratio) = (width.max(height), shape * camera.image.aspect());
+        camera.viewport.width = larger * ratio.min(1.0);
+        camera.viewport.height = larger / ratio.max(1.0);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The scene's spheres and planes: a list for selection, and the fields of the selected object.
 
 use egui::{Button, ScrollArea, Ui};
-use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
+use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, Shared};
 
 use crate::ui::changed::Changed;
@@ -41,7 +41,8 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) -> Ch
 
 /// Adds a sphere that the camera sees. Returns its index.
 pub(crate) fn add_sphere(document: &mut Document) -> usize {
-    document.spheres.push(Item::plain(new_sphere(&document.camera)));
+    let sphere = new_sphere(document);
+    document.spheres.push(Item::plain(sphere));
     document.spheres.len() - 1
 }
 
@@ -75,15 +76,32 @@ fn row_of_file(document: &Document, index: usize) -> String {
     format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
-/// Returns a sphere that the camera sees, in the upper right quarter of the picture.
-fn new_sphere(camera: &Camera) -> Sphere {
-    let Ok(resolved) = camera.resolve() else {
-        return Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+/// The quarters of the picture, as shares of the viewport, and how far apart spheres lie behind each
+/// other, in viewport distances.
+const QUARTERS: [[f64; 2]; 4] = [[0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25], [0.25, -0.25]];
+const BEHIND: f64 = 1.5;
+
+/// Returns a sphere that the camera sees: in the upper right quarter of the picture, or where the next
+/// one touches no other.
+fn new_sphere(document: &Document) -> Sphere {
+    let camera = document.camera.resolve();
+    let at = |k: usize| {
+        let far = 4.0 + BEHIND * (k / QUARTERS.len()) as f64;
+        let Ok(camera) = &camera else {
+            return Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 };
+        };
+        let viewport = camera.viewport();
+        let [x, y] = QUARTERS[k % QUARTERS.len()];
+        let ray = camera.ray(DVec2::new(x * viewport.width, y * viewport.height));
+        // A diameter of a fifth of the picture's height.
+        Sphere { center: ray.at(far), radius: far * 0.1 * viewport.height }
     };
-    let viewport = resolved.viewport();
-    let ray = resolved.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
-    // Four viewport distances away, with a diameter of a fifth of the picture's height.
-    Sphere { center: ray.at(4.0), radius: 4.0 * 0.1 * viewport.height }
+    let is_free = |new: &Sphere| {
+        let touches = |old: &Sphere| new.center.distance(old.center) <= new.radius + old.radius;
+        !document.spheres.iter().any(|old| touches(&old.shape))
+    };
+    let most = QUARTERS.len() * (document.spheres.len() + 1);
+    (0..most).map(at).find(is_free).unwrap_or_else(|| at(most))
 }
 
 fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {

@@ -27,12 +27,14 @@ pub(crate) struct NumberField<'a> {
     suffix: &'a str,
     width: f32,
     range: RangeInclusive<f64>,
+    is_whole: bool,
 }
 
 impl<'a> NumberField<'a> {
     /// Creates a field with the accessible name `name`.
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
-        NumberField { name, value, suffix: "", width: 78.0, range: f64::MIN..=f64::MAX }
+        let range = f64::MIN..=f64::MAX;
+        NumberField { name, value, suffix: "", width: 78.0, range, is_whole: false }
     }
 
     /// Adds a unit after the number.
@@ -48,6 +50,12 @@ impl<'a> NumberField<'a> {
         self
     }
 
+    /// Takes whole numbers alone.
+    pub(crate) fn whole(mut self) -> Self {
+        self.is_whole = true;
+        self
+    }
+
     /// Sets the width of the field, in points.
     pub(crate) fn width(mut self, width: f32) -> Self {
         self.width = width;
@@ -58,7 +66,7 @@ impl<'a> NumberField<'a> {
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
-        let speed = drag_speed(ui, id, *self.value);
+        let speed = if self.is_whole { 1.0 } else { drag_speed(ui, id, *self.value) };
         let fault: RefCell<Option<String>> = RefCell::new(None);
         let exact = *self.value;
         let room = self.width - 2.0 * ui.spacing().button_padding.x;
@@ -72,6 +80,7 @@ impl<'a> NumberField<'a> {
             .clamp_existing_to_range(false)
             .suffix(if typing { "" } else { self.suffix })
             .clip_text(true)
+            .max_decimals_opt(self.is_whole.then_some(0))
             // While `0.5` is typed, the value does not become `0`.
             .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
@@ -79,14 +88,16 @@ impl<'a> NumberField<'a> {
                 true => shortest(value),
                 false => fitting(&ctx, value, suffix, &font, room),
             })
-            .custom_parser(|text| match evaluate(text).and_then(|x| in_range(x, &self.range)) {
-                Ok(value) => {
-                    *fault.borrow_mut() = Some(String::new());
-                    Some(value)
-                }
-                Err(reason) => {
-                    *fault.borrow_mut() = Some(reason);
-                    None
+            .custom_parser(|text| {
+                match evaluate(text).and_then(|x| in_range(x, &self.range, self.is_whole)) {
+                    Ok(value) => {
+                        *fault.borrow_mut() = Some(String::new());
+                        Some(value)
+                    }
+                    Err(reason) => {
+                        *fault.borrow_mut() = Some(reason);
+                        None
+                    }
                 }
             });
         let response = ui.add(field);
@@ -120,12 +131,16 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
 }
 
 /// Returns the number, or an error with the valid range.
-fn in_range(value: f64, range: &RangeInclusive<f64>) -> Result<f64, String> {
-    if range.contains(&value) {
+fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f64, String> {
+    let is_in_range = range.contains(&value);
+    if is_in_range && (!is_whole || value.fract() == 0.0) {
         return Ok(value);
     }
     let [value, from, to] = [value, *range.start(), *range.end()].map(shortest);
-    Err(format!("{value} is not between {from} and {to}"))
+    match is_in_range {
+        true => Err(format!("{value} is no whole number")),
+        false => Err(format!("{value} is not between {from} and {to}")),
+    }
 }
 
 /// Starts typing with the whole exact number selected; egui would select only as many characters as
