@@ -78,8 +78,11 @@ impl OpenDocument {
         OpenDocument { saved: document.clone(), document, text: None, origin, forgiving: true }
     }
 
-    /// Closes the lesson: from now on, changes count as unsaved.
+    /// Closes the lesson: from now on, the scene has no name, and changes count as unsaved.
     pub fn leave_lesson(&mut self) {
+        if let Origin::Step(title) = &mut self.origin {
+            "Unnamed scene".clone_into(title);
+        }
         self.forgiving = false;
     }
 

@@ -42,14 +42,10 @@ pub(super) fn builder(geometry: WindowGeometry, event_loop: &ActiveEventLoop) ->
             )
         })
         .collect();
-    let mut size = egui::Vec2::from(geometry.inner_size).max(egui::Vec2::splat(64.0));
-    if let Some(largest) = screens.iter().map(|screen| screen.size()).reduce(egui::Vec2::max) {
-        size = size.min(largest.max(egui::Vec2::splat(64.0)));
-    }
     let mut builder = ViewportBuilder::default()
         .with_title("Pinhole")
         .with_app_id("pinhole")
-        .with_inner_size(size)
+        .with_inner_size(size_on(&screens, geometry.inner_size.into()))
         .with_min_inner_size([320.0, 240.0])
         .with_maximized(geometry.maximized)
         .with_visible(false);
@@ -62,6 +58,17 @@ pub(super) fn builder(geometry: WindowGeometry, event_loop: &ActiveEventLoop) ->
         builder = builder.with_icon(icon);
     }
     builder
+}
+
+/// Room for the window's frame and the desktop's bar, in points.
+const FRAME: egui::Vec2 = egui::vec2(16.0, 80.0);
+
+/// Returns the size of the window's content, of which the largest screen has room for all.
+fn size_on(screens: &[egui::Rect], wanted: egui::Vec2) -> egui::Vec2 {
+    const LEAST: egui::Vec2 = egui::Vec2::splat(64.0);
+    let largest = screens.iter().map(|screen| screen.size()).reduce(egui::Vec2::max);
+    let room = largest.map_or(wanted, |screen| screen - FRAME);
+    wanted.min(room).max(LEAST)
 }
 
 /// Returns the icon of the window; `None` still lets the window open.
@@ -142,10 +149,25 @@ pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
 
 #[cfg(test)]
 mod tests {
+    use egui::{Rect, pos2, vec2};
+
+    use super::*;
+
     #[test]
     fn the_icon_is_a_picture() {
-        let icon = super::icon().expect("assets/icon.png is a PNG");
+        let icon = icon().expect("assets/icon.png is a PNG");
         assert_eq!(icon.rgba.len(), (icon.width * icon.height * 4) as usize);
         assert!(icon.rgba.chunks(4).any(|pixel| pixel != &icon.rgba[..4]));
+    }
+
+    #[test]
+    fn the_window_with_its_frame_fits_on_the_screen() {
+        let screen = |width, height| Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height));
+        let first = WindowGeometry::default().inner_size.into();
+        assert_eq!(size_on(&[screen(1920.0, 1080.0)], first), first);
+        assert_eq!(size_on(&[screen(1280.0, 800.0)], first), vec2(1264.0, 720.0));
+        assert_eq!(size_on(&[screen(1024.0, 768.0), screen(1920.0, 1080.0)], first), first);
+        assert_eq!(size_on(&[screen(10.0, 10.0)], first), vec2(64.0, 64.0));
+        assert_eq!(size_on(&[], first), first);
     }
 }

@@ -155,6 +155,18 @@ fn a_paste_says_what_it_could_not_take_over() {
 }
 
 #[test]
+fn the_notice_of_a_paste_goes_by_itself_and_an_error_stays() {
+    let mut harness = window("canonical");
+    paste(&mut harness, &text_of("povray", window("look-at").state().document()));
+    assert_says(&harness, "Camera pasted: POV-Ray");
+    harness.run_steps(100);
+    assert!(!says(&harness, "Camera pasted: POV-Ray"));
+    paste(&mut harness, "to whom it may concern");
+    harness.run_steps(100);
+    assert_says(&harness, "This text is no camera: nothing is changed");
+}
+
+#[test]
 fn a_bad_paste_changes_nothing() {
     let mut harness = window("canonical");
     let before = harness.state().document().clone();

@@ -144,6 +144,8 @@ pub struct Pasted {
     pub worked: bool,
     /// The camera after the paste; the notice is outdated once the camera has changed.
     pub camera: Camera,
+    /// Time in seconds at which this was first shown.
+    pub shown_at: Option<f64>,
 }
 
 /// The note on a left-handed camera among objects that stay as they are.
@@ -155,7 +157,10 @@ const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: its ev
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
     let failed = |title: &str, note: String| {
         let title = title.to_owned();
-        (None, Pasted { title, notes: vec![note], worked: false, camera: *at_hand })
+        (None, {
+            let notes = vec![note];
+            Pasted { title, notes, worked: false, camera: *at_hand, shown_at: None }
+        })
     };
     if let Some(scene) = own_scene(text) {
         return match scene {
@@ -196,7 +201,7 @@ fn taken_over(
         let things = if objects == 1 { "object is" } else { "objects are" };
         notes.push(format!("{objects} {things} left out: a paste sets the camera alone"));
     }
-    (Some(camera), Pasted { title, notes, worked: true, camera })
+    (Some(camera), Pasted { title, notes, worked: true, camera, shown_at: None })
 }
 
 /// Reads a scene file of this program, if the text is one.

@@ -1,6 +1,6 @@
 //! The scene's spheres and planes: a list for selection, and the fields of the selected object.
 
-use egui::{Button, ScrollArea, Ui};
+use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, Shared};
 
@@ -136,21 +136,23 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
     ui.data_mut(|data| data.insert_temp(shown, *chosen));
 }
 
-fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
-    let (rect, _) = ui.allocate_exact_size(egui::vec2(14.0, 14.0), egui::Sense::hover());
+fn swatch(ui: &mut Ui, [r, g, b]: Rgb) -> Response {
+    let (rect, response) = ui.allocate_exact_size(egui::vec2(14.0, 14.0), egui::Sense::hover());
     ui.painter().rect_filled(rect, 3.0, egui::Color32::from_rgb(r, g, b));
+    response
 }
 
 fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
     let first_plane = document.sphere_count();
-    let color = document.color_of(index as u32);
+    let own = document.color_of(index as u32);
+    let shown = theme::object_color(ui, document, index as u32);
     if index < document.spheres.len() {
-        edit(ui, &mut document.spheres, index, color, sphere)
+        edit(ui, &mut document.spheres, index, [own, shown], sphere)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
         Changed::NOTHING
     } else {
-        edit(ui, &mut document.planes, index - first_plane, color, plane)
+        edit(ui, &mut document.planes, index - first_plane, [own, shown], plane)
     }
 }
 
@@ -160,11 +162,11 @@ fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut Shared<Item<S>>,
     index: usize,
-    color: Rgb,
+    colors: [Rgb; 2],
     fields: fn(&mut Ui, &mut S),
 ) -> Changed {
     let mut item = items[index].clone();
-    if heading(ui, &mut item, color) {
+    if heading(ui, &mut item, colors) {
         items.remove(index);
         return Changed::OBJECTS;
     }
@@ -176,12 +178,15 @@ fn edit<S: Clone + PartialEq>(
     Changed::OBJECTS.when(is_new)
 }
 
-/// Shows the name, the colour (`shown` in the views) and the remove button. Returns true if the
-/// button was clicked.
-fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
+/// Shows the name, the colour and the remove button. Returns true if the button was clicked. The
+/// object's own colour can be edited if it is the one in the views.
+fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     ui.horizontal(|ui| {
-        let mut color = shown;
-        if ui.color_edit_button_srgb(&mut color).named("color").changed() {
+        let mut color = own;
+        if own != shown {
+            let hint = "The colour scheme draws it so; its own colour is edited in another scheme";
+            swatch(ui, shown).on_hover_text(hint);
+        } else if ui.color_edit_button_srgb(&mut color).named("color").changed() {
             item.color = Some(color);
         }
         let mut name = item.name.clone().unwrap_or_default();

@@ -1,6 +1,8 @@
 //! The translator: the camera in another program's format, the differences in convention, and the
 //! numbers whose sign is flipped.
 
+use std::time::Duration;
+
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
     Align, Align2, Area, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea, Stroke, Ui,
@@ -25,6 +27,9 @@ const CODE: f32 = 15.0;
 /// Minimum size of code, in points: too long a line is first set smaller, then wrapped, because
 /// rows of a matrix are read in columns.
 const SMALL_CODE: f32 = 12.0;
+
+/// Time to read one line of a notice, in seconds.
+const READING: f64 = 6.0;
 
 /// Width of the table's first column, in points.
 const ABOUT: f32 = 118.0;
@@ -254,7 +259,13 @@ fn sentence(text: &str) -> String {
 /// closes it.
 pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
     let Some(shown) = pasted else { return };
-    let mut close = false;
+    let now = ctx.input(|i| i.time);
+    let left = *shown.shown_at.get_or_insert(now) + READING * (1 + shown.notes.len()) as f64 - now;
+    // What went wrong stays until it was read.
+    let mut close = shown.worked && left <= 0.0;
+    if shown.worked && !close {
+        ctx.request_repaint_after(Duration::from_secs_f64(left));
+    }
     let area = Area::new(Id::unique("pasted")).order(Order::Foreground);
     area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -24.0)).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
@@ -265,7 +276,7 @@ pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
             for note in &shown.notes {
                 ui.label(sentence(note));
             }
-            close = ui.button("Close").clicked();
+            close |= ui.button("Close").clicked();
         });
     });
     if close {
