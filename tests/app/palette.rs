@@ -104,6 +104,21 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
 }
 
 #[test]
+fn the_palette_stays_where_it_is_while_somebody_types() {
+    let mut harness = window("canonical");
+    press(&mut harness, Modifiers::COMMAND, Key::P);
+    let place = |harness: &Harness<'_, App>| {
+        harness.get_by_role_and_label(Role::TextInput, "Command").rect().min
+    };
+    let before = place(&harness);
+    for text in ["lay", "out d", "qqqq"] {
+        harness.get_by_role_and_label(Role::TextInput, "Command").type_text(text);
+        harness.run();
+        assert_eq!(place(&harness), before, "{text}");
+    }
+}
+
+#[test]
 fn a_letter_that_nothing_has_finds_nothing() {
     let mut harness = window("canonical");
     let before = harness.state().session().settings;

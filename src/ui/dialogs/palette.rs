@@ -1,7 +1,8 @@
 //! The command palette: finds every command by a few of its letters.
 
 use egui::{
-    Align, Button, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+    Align, Button, Context, Id, Key, Label, Layout, Modal, Modifiers, RichText, ScrollArea,
+    TextEdit, Ui,
 };
 
 use crate::model::session::Session;
@@ -92,35 +93,32 @@ fn list(
     let row = row + 2.0 * ui.spacing().button_padding.y;
     let most = ROWS * (row + ui.spacing().item_spacing.y);
     let room = ui.ctx().content_rect().height() - 140.0;
-    ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink([false, true]).show(
-        ui,
-        |ui| {
-            for (k, command) in fitting.iter().enumerate() {
-                // As wide as the palette, with the keys at the right edge.
-                let layout = Layout::top_down_justified(Align::Min);
-                let entry = entry(command, k == chosen, session, row);
-                let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
-                let response = response.named(command.title());
-                ui.ctx().accesskit_node_builder(response.id, |node| {
-                    node.set_selected(k == chosen);
-                    node.set_description(command.about.to_string());
-                });
-                if follow && k == chosen {
-                    response.scroll_to_me(Some(Align::Center));
-                }
-                if response.clicked() {
-                    clicked = Some(k);
-                }
+    // As high with few commands as with many: nothing jumps while somebody types.
+    ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink(false).show(ui, |ui| {
+        for (k, command) in fitting.iter().enumerate() {
+            // As wide as the palette, with the keys at the right edge.
+            let layout = Layout::top_down_justified(Align::Min);
+            let entry = entry(command, k == chosen, session, row);
+            let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
+            let response = response.named(command.title());
+            ui.ctx().accesskit_node_builder(response.id, |node| {
+                node.set_selected(k == chosen);
+                node.set_description(command.about.to_string());
+            });
+            if follow && k == chosen {
+                response.scroll_to_me(Some(Align::Center));
             }
-        },
-    );
-    if fitting.is_empty() {
-        ui.label(RichText::new("no command has these letters").size(TEXT));
-    }
-    if let Some(command) = fitting.get(chosen) {
-        ui.separator();
-        ui.label(RichText::new(&*command.about).size(TEXT - 2.0));
-    }
+            if response.clicked() {
+                clicked = Some(k);
+            }
+        }
+        if fitting.is_empty() {
+            ui.label(RichText::new("No matching command").size(TEXT));
+        }
+    });
+    ui.separator();
+    let about = fitting.get(chosen).map_or("", |command| &*command.about);
+    ui.add(Label::new(RichText::new(about).size(TEXT - 2.0)).truncate());
     clicked
 }
 
