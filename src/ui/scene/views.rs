@@ -1,7 +1,12 @@
 //! The two views: mouse and keyboard input, and display of the finished pictures.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
-use egui::{Color32, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::text::LayoutJob;
+use egui::{
+    Color32, FontId, Galley, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+};
 use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
@@ -351,13 +356,21 @@ fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) 
 
 /// Writes across a picture the reason why it is not new.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
-    let band =
-        Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
+    let usual = if theme::installed(ui.ctx()).presenting { 24.0 } else { 17.0 };
+    let galley = |size: f32| {
+        let font = FontId::proportional(size);
+        let width = (rect.width() - 32.0).max(1.0);
+        let mut job = LayoutJob::simple(text.to_owned(), font, Color32::WHITE, width);
+        job.halign = egui::Align::Center;
+        ui.painter().layout_job(job)
+    };
+    // The largest size at which all of it has room.
+    let sizes = [usual, 0.8 * usual, 0.6 * usual].map(galley);
+    let has_room = |galley: &&Arc<Galley>| galley.size().y + 12.0 <= rect.height();
+    let galley = sizes.iter().find(has_room).unwrap_or(&sizes[2]).clone();
+    let height = (galley.size().y + 40.0).min(rect.height());
+    let band = Rect::from_center_size(rect.center(), vec2(rect.width(), height));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
-    let inside = band.shrink2(vec2(16.0, 6.0));
-    let layout = egui::Layout::top_down(egui::Align::Center).with_main_align(egui::Align::Center);
-    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
-        ui.add_space(0.5 * (inside.height() - 48.0).max(0.0));
-        ui.label(RichText::new(text).size(17.0).strong().color(Color32::WHITE));
-    });
+    let place = Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
+    ui.put(place, egui::Label::new(galley));
 }
