@@ -5,6 +5,7 @@
 #     tests/lesson-screenshots.sh FOLDER [WIDTHxHEIGHT [SETTINGS [LESSON.STEP...]]]
 #     tests/lesson-screenshots.sh /tmp/large 1920x1080 '{"zoom": 1.5}'
 #     tests/lesson-screenshots.sh /tmp/some 1280x720 '{}' 7.3 12.2
+#     PRESENT=1 tests/lesson-screenshots.sh /tmp/hall 1920x1080    in presenter mode
 #
 # Takes PINHOLE_BINARY, or the debug build; what else it needs is in support/display.sh.
 set -euo pipefail
@@ -21,6 +22,7 @@ shot() {
   open_window "$program" "$settings" --lesson "$1"
   local -x DISPLAY=$display
   xdotool mousemove "${size%x*}" "${size#*x}"
+  [ -z "${PRESENT:-}" ] || xdotool windowfocus --sync "$window" key F5
   sleep 1.3
   import -window root "$out/$1.png"
   close_window
