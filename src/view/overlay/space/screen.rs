@@ -96,6 +96,18 @@ impl Screen {
         ]
     }
 
+    /// Returns the corners of the visible part of a flat convex polygon; none if nothing of it is
+    /// visible (Sutherland, Hodgman, *Reentrant polygon clipping*, 1974).
+    pub(crate) fn polygon(&self, corners: &[DVec3]) -> Vec<Spot> {
+        let in_view = corners.iter().map(|corner| self.view(*corner));
+        let mut inside: Vec<DVec3> = in_view.collect::<Option<_>>().unwrap_or_default();
+        inside = clipped(&inside, |q| q.z - NEAR);
+        for border in self.borders() {
+            inside = clipped(&inside, |q| border.dot(q));
+        }
+        inside.into_iter().map(|q| self.spot_of_view(q)).collect()
+    }
+
     /// Returns the visible part of the line from `a` to `b`, and whether its ends are `a` and `b`
     /// themselves. The line is clipped before the division by depth (Blinn, Newell, *Clipping using
     /// homogeneous coordinates*, 1978).
@@ -208,6 +220,22 @@ pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     };
     let a = (axis - axis.dot(normal) * normal).normalize();
     (a, normal.cross(a))
+}
+
+/// Returns the corners of the part of a convex polygon where `depth` is not negative.
+fn clipped(corners: &[DVec3], depth: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (k, &corner) in corners.iter().enumerate() {
+        let before = corners[(k + corners.len() - 1) % corners.len()];
+        let (from, to) = (depth(before), depth(corner));
+        if (from < 0.0) != (to < 0.0) {
+            kept.push(before.lerp(corner, from / (from - to)));
+        }
+        if to >= 0.0 {
+            kept.push(corner);
+        }
+    }
+    kept
 }
 
 #[cfg(test)]

@@ -222,15 +222,12 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a flat polygon, if all of it is in the picture and at least one corner is not hidden.
+    /// Draws what is in the picture of a flat convex polygon, if one of its corners is not hidden.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: Pen) {
         if !self.items.shows(pen.item) {
             return;
         }
-        let Some(spots) = corners.iter().map(|c| self.screen.spot(*c)).collect::<Option<Vec<_>>>()
-        else {
-            return;
-        };
+        let spots = self.screen.polygon(corners);
         let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if seen {
             let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };

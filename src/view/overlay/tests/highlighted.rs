@@ -146,6 +146,31 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     assert!(toward(eye, far).distance(seen(together)) < 0.05);
 }
 
+/// The part of it that is in the picture is filled.
+#[test]
+fn a_parallelogram_that_leaves_the_picture_is_cut_off() {
+    let orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::new(0.0, 1.0, 1.0) };
+    let camera = Camera { orientation, ..Camera::CANONICAL };
+    let filled = |target: DVec3| {
+        let stage = Stage::seen_by(camera, Scene::default(), Observer::new(target, 0.9, 0.3, 6.0));
+        let drawing = world_drawing(&stage, Concept::UpCrossW);
+        let polygons = drawing.marks.into_iter().filter_map(|mark| match mark.shape {
+            Shape::Polygon { points } if mark.color.a() < 128 => Some(points),
+            _ => None,
+        });
+        polygons.last()
+    };
+    let height = |points: &[[f32; 2]]| {
+        let ys = points.iter().map(|[_, y]| *y);
+        ys.clone().fold(f32::MIN, f32::max) - ys.fold(f32::MAX, f32::min)
+    };
+    let whole = filled(DVec3::ZERO).expect("all of it");
+    let cut = filled(DVec3::new(0.0, -1.7, 0.0)).expect("a part of it");
+    assert_eq!(whole.len(), 4);
+    assert!(height(&cut) > 5.0 && height(&cut) < 0.9 * height(&whole), "{whole:?} {cut:?}");
+    assert_eq!(filled(DVec3::new(0.0, -9.0, 0.0)), None);
+}
+
 #[test]
 fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
