@@ -149,9 +149,14 @@ impl App {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
             panel.show(ui, |ui| {
-                ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                // What is too wide for the panel, as something that is just unfolding, is cut off: the
+                // panel has the width that a hand has given it.
+                let rect = ui.available_rect_before_wrap();
+                let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
+                ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
                     changed |= self.left_panel(ui);
                 });
+                ui.advance_cursor_after_rect(rect);
             });
         }
         changed

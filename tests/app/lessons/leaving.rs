@@ -100,3 +100,20 @@ fn another_scene_ends_the_lesson() {
         window.state().document().spheres.iter().map(|item| item.shape.radius).collect();
     assert!(radii.contains(&5000.0), "{radii:?}");
 }
+
+/// What a step shows in the panel is as wide as the panel, not the other way round; not even in the
+/// pass in which its scroll bar comes or goes.
+#[test]
+fn the_side_panel_keeps_its_width() {
+    let mut window = at_step(3, 2);
+    let left =
+        |window: &Window| window.get_by_role_and_label(Role::Image, "World view").rect().left();
+    let before = left(&window);
+    for height in [700.0, 750.0, 800.0] {
+        window.set_size(egui::vec2(1024.0, height));
+        for way in [Key::PageDown, Key::PageUp, Key::PageDown, Key::PageUp] {
+            key(&mut window, way);
+            assert_eq!(left(&window), before, "{way:?}, {height}");
+        }
+    }
+}
