@@ -150,11 +150,22 @@ fn basis_lines(
         ("v", style.vector(basis.v)),
         ("w", style.vector(basis.w)),
     ];
-    if let Some(UpAngle { angle, conditioning }) = angle {
-        lines.push(("angle(up, view)", format!("{}°", style.number(angle.to_degrees()))));
-        lines.push(("conditioning", style.number(conditioning)));
+    if let Some(angle) = angle {
+        lines.push(("angle(up, view)", degrees(angle, style)));
+        lines.push(("conditioning", style.number(angle.conditioning)));
     }
     lines
+}
+
+/// Returns the angle in degrees. Where there is a camera, it is below 180, so what is rounded to that
+/// is told by what is missing.
+fn degrees(UpAngle { angle, conditioning }: UpAngle, style: NumberStyle) -> String {
+    let text = style.number(angle.to_degrees());
+    if text != style.number(180.0) {
+        return format!("{text}°");
+    }
+    let missing = (1.0 / conditioning).asin().to_degrees();
+    format!("180° − {}°", style.number(missing))
 }
 
 /// Shows a remark with typeset formulas.
