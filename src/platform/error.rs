@@ -21,7 +21,7 @@ impl fmt::Display for PresentError {
             Self::NoDisplay(cause) => write!(
                 f,
                 "there is no display to open a window on: {cause}\n\
-                 The commands need none: pinhole --help"
+                 pinhole render, inspect and the other commands need none: see pinhole --help"
             ),
             Self::NoWindow(cause) => write!(f, "the display refused to open a window: {cause}"),
             Self::NoAdapter(cause) => {

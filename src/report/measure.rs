@@ -115,8 +115,9 @@ impl Run {
             cpu: machine::describe("every method"),
             baseline: format!(
                 "{BASELINE}, both roots, timed as all are: {}, one thread; the ladder's time is that of \
-                 the product's own path, which rounds t once from more digits than f64 has, the \
-                 others' that of their formula",
+                 a frame whose every t is rounded once from more digits than f64 has, pixel by pixel \
+                 (pictures on the screen have the same objects, and t in f32, in a fraction of that), \
+                 the others' that of their formula",
                 self.timed_what
             ),
             cases: begun.map(CaseRun::report).collect(),

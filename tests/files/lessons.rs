@@ -239,6 +239,10 @@ const STEPS: Cases = &[
         "",
         "3:1: step 1.camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
     ),
+    (
+        "scene = \"canonical\"\nlayout = \"ledger\"\n",
+        "7:10: step 1.layout: it is called derivation now",
+    ),
     ("scene = \"canonical\"\nlit = \"u\"\n", "7:7: step 1.lit: it is called highlight now"),
     (
         "scene = \"canonical\"\nledger = [\"basis\"]\n",

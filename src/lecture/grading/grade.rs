@@ -171,7 +171,7 @@ impl Grade {
         let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
         let is_named = !mistakes.is_empty();
         let other = self.diagnosis.other.filter(|_| is_named);
-        let other = other.map(|other| format!("Or: {}", other.advice()));
+        let other = other.map(|other| format!("Another explanation: {}", other.advice()));
         let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
         let is_beside = is_named || self.sentinel.is_some();
         let digits = self.right_digits.filter(|_| is_beside).map(|digits| {

@@ -236,6 +236,9 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     }
     say(section, "observer", &mut view.observer, |field| observer(&field.section()?))?;
     say(section, "layout", &mut view.layout, |field| {
+        if field.text().is_ok_and(|name| name == RENAMED[0].0) {
+            return Err(field.fault(format!("it is called {} now", RENAMED[0].1)));
+        }
         let layouts = ViewLayout::ALL.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)
     })?;

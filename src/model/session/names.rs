@@ -19,6 +19,7 @@ named_enum! {
         /// The camera view alone.
         Camera: "Camera", "The camera view alone", "camera";
         /// The derivation beside the views.
+        #[serde(alias = "Ledger")]
         Derivation: "Derivation", "Every number's derivation, line by line", "derivation";
         /// The plot of f(p + t d).
         Plot: "Plot", "Every object's f(p + t d) against t", "plot";

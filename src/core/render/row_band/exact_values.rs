@@ -29,24 +29,21 @@ pub(crate) fn fill_exactly(
             }
             continue;
         }
-        let seen = match known.take() {
-            Some((index, seen)) if index == object => seen,
-            _ => match plan.scene.object(object) {
-                Some(object) => ObjectFromOrigin::new(&object, camera.eye()),
-                None => continue,
-            },
-        };
+        if known.as_ref().is_none_or(|(index, _)| *index != object) {
+            let given = plan.scene.object(object);
+            known = given.map(|given| (object, ObjectFromOrigin::new(&given, camera.eye())));
+        }
+        let Some((_, seen)) = &known else { continue };
         let ray = camera.exact_ray(plan.rays.pixel(rows.start + place / width, place % width));
         let root = seen.root_of_hit();
         if let Some(t) = t.get_mut(place) {
             *t = seen.t(&ray, root).to_f64();
         }
         if let Some(normal) = normals.get_mut(place) {
-            *normal = match &seen {
+            *normal = match seen {
                 ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
                 ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
             };
         }
-        known = Some((object, seen));
     }
 }

@@ -40,7 +40,10 @@ impl<'a> Source<'a> {
 
     /// `statement: right`, at its place.
     pub(crate) fn refused(&self, statement: &Statement, right: &str) -> FileError {
-        self.text.error_at(statement.at, format!("{}: {right}", one_line(&statement.text)))
+        self.text.error_at(
+            statement.at,
+            format!("{}: {right}", one_line(&statement.text).trim_end_matches(':')),
+        )
     }
 
     /// `field is value: right`, at the value's place.

@@ -20,6 +20,10 @@ const MATRICES: [&str; 6] =
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), or a \
                      3 × 4 or 4 × 4 matrix from camera to world";
 
+/// The way out of a program that sets a matrix somewhere.
+const ALONE: &str =
+    "a program is not run: give the numbers alone, or one statement, such as matrix_world = ...";
+
 fn detect(text: &str) -> bool {
     let text = text.trim_start();
     let is_named = MATRICES.iter().any(|name| {
@@ -40,7 +44,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let is_matrix = MATRICES.contains(&last_part(&statement.target));
         let is_alone = is_matrix && source.statements.len() == 1;
         if !(statement.called.is_empty() && (statement.target.is_empty() || is_alone)) {
-            return Err(source.refused(statement, RIGHT));
+            return Err(source.refused(statement, ALONE));
         }
         for argument in &statement.arguments {
             numbers.extend(source.numbers("this", argument)?);
@@ -67,9 +71,11 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
             )),
         },
         _ => {
-            let affine = Affine::from_rows(&numbers).or_else(|| Affine::from_columns(&numbers));
-            let affine = affine.ok_or_else(|| refused(RIGHT))?;
-            matrix(&affine, at_hand).map_err(|right| refused(&right))
+            let by_rows = Affine::from_rows(&numbers).map(|affine| (affine, "columns"));
+            let found =
+                by_rows.or_else(|| Affine::from_columns(&numbers).map(|affine| (affine, "rows")));
+            let (affine, vectors) = found.ok_or_else(|| refused(RIGHT))?;
+            matrix(&affine, vectors, at_hand).map_err(|right| refused(&right))
         }
     }
 }
@@ -92,12 +98,17 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported
     Imported::camera(Camera { eye, orientation, viewport, image: at_hand.image }, notes)
 }
 
-fn matrix(affine: &Affine, at_hand: &Camera) -> Result<Imported, String> {
+/// Takes a matrix whose `vectors`, rows or columns, are right, up, backwards and eye.
+fn matrix(affine: &Affine, vectors: &str, at_hand: &Camera) -> Result<Imported, String> {
     let mut notes = vec![
-        "taken as the matrix from camera to world: its columns are right, up, backwards and eye"
-            .to_owned(),
+        format!(
+            "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"
+        ),
         unsaid(at_hand),
     ];
+    if affine.scale().is_none_or(|scale| (scale - 1.0).abs() > 1e-9) {
+        notes.push("its scale is left out".to_owned());
+    }
     let (orientation, eye, _) = Pose::from_frame(affine)
         .right_handed(&mut notes)
         .map_err(|right| format!("it is no rotation: {right}"))?;

@@ -88,7 +88,11 @@ fn one_mistake_that_looks_like_two_is_told_too() {
             let found = graded(&exercise, &answers);
             assert_eq!(ids(&found.diagnosis.mistakes), names);
             assert_eq!(found.diagnosis.other, Mistake::from_id(id));
-            assert!(found.advice().ends_with(&format!("Or: {advice}")), "{}", found.advice());
+            assert!(
+                found.advice().ends_with(&format!("Another explanation: {advice}")),
+                "{}",
+                found.advice()
+            );
             // Where u, v and w are given, w cannot be the other way round.
             let camera = camera_of(&exercise);
             let basis = *camera.resolve().unwrap().basis();
