@@ -29,7 +29,7 @@ impl<'a> Source<'a> {
     pub(crate) fn new(text: &'a Input<'a>, right: &str) -> Result<Self, FileError> {
         let refused = |plain: &str, (at, right): (usize, &str)| {
             let rest = plain[at..].split([';', '\n']).next().unwrap_or_default();
-            text.error_at(at, format!("{}: {right}", one_line(rest)))
+            text.error_at(at, format!("{}: {right}", one_line(rest).trim_end_matches(':')))
         };
         let plain =
             statements::without_comments(text.text).map_err(|fault| refused(text.text, fault))?;

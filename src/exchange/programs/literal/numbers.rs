@@ -18,11 +18,7 @@ const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), or a \
-                     3 × 4 or 4 × 4 matrix from camera to world";
-
-/// The way out of a program that sets a matrix somewhere.
-const ALONE: &str =
-    "a program is not run: give the numbers alone, or one statement, such as matrix_world = ...";
+                     3 × 4 or 4 × 4 matrix from camera to world, and nothing else: a program is not run";
 
 fn detect(text: &str) -> bool {
     let text = text.trim_start();
@@ -44,7 +40,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let is_matrix = MATRICES.contains(&last_part(&statement.target));
         let is_alone = is_matrix && source.statements.len() == 1;
         if !(statement.called.is_empty() && (statement.target.is_empty() || is_alone)) {
-            return Err(source.refused(statement, ALONE));
+            return Err(source.refused(statement, RIGHT));
         }
         for argument in &statement.arguments {
             numbers.extend(source.numbers("this", argument)?);

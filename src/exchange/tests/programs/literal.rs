@@ -109,6 +109,12 @@ fn numbers_alone_are_eye_at_up_or_a_matrix() {
     assert_refused("numbers", "1 2 3 0 0 0 0 1 0 190", "it must be between 0 and 180 degrees");
     assert_refused("numbers", "view = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]", "it must be nine numbers");
     assert_refused("numbers", "1 0 0 0\n0 1 0 0\n0 0 0 0", "it is no rotation: one of its axes");
+    let program = "def looks(name):\ncamera.matrix_world = Matrix(((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)))";
+    assert_refused("numbers", program, "def looks(name): it must be nine numbers");
+    let notes = |text: &str| read("numbers", text).unwrap().notes.join("; ");
+    assert!(notes("0 0 -1 0\n0 1 0 0\n1 0 0 0\n7 8 9 1").contains("its rows are right, up"));
+    assert!(!notes("0 0 1 7\n0 1 0 8\n-1 0 0 9").contains("scale"));
+    assert!(notes("0 0 2 7\n0 1 0 8\n-1 0 0 9").contains("its scale is left out"));
 }
 
 /// A name, a calculation, a step of a program: nothing of it is half taken.
