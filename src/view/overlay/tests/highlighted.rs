@@ -154,11 +154,11 @@ fn a_parallelogram_that_leaves_the_picture_is_cut_off() {
     let filled = |target: DVec3| {
         let stage = Stage::seen_by(camera, Scene::default(), Observer::new(target, 0.9, 0.3, 6.0));
         let drawing = world_drawing(&stage, Concept::UpCrossW);
-        let polygons = drawing.marks.into_iter().filter_map(|mark| match mark.shape {
+        let mut polygons = drawing.marks.into_iter().filter_map(|mark| match mark.shape {
             Shape::Polygon { points } if mark.color.a() < 128 => Some(points),
             _ => None,
         });
-        polygons.last()
+        polygons.next_back()
     };
     let height = |points: &[[f32; 2]]| {
         let ys = points.iter().map(|[_, y]| *y);
