@@ -74,7 +74,7 @@ fn another_scene_has_no_last_picture_of_this_one() {
     let text = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, 0]\nup = [0, 1, 0]\n";
     std::fs::write(&path, text).unwrap();
     let mut window = window("canonical");
-    super::scene_files::drop_file(&mut window, &path);
+    super::files::scene_files::drop_file(&mut window, &path);
     assert!(window.state().derived().fault.is_some());
     assert!(window.state().derived().camera_view.is_none());
 }

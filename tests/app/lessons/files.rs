@@ -6,7 +6,7 @@ use pinhole::model::lessons::{LessonArgument, Which};
 use pinhole_core::DVec3;
 
 use super::press;
-use crate::app::scene_files::drop_file;
+use crate::app::files::scene_files::drop_file;
 use crate::harness::{assert_says, window};
 
 /// 1 / sqrt 2.

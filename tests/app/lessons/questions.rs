@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
 
 use super::{Window, at_step, go_to, key, place, press};
-use crate::app::exercises::answers;
+use crate::app::practice::exercises::answers;
 use crate::harness::{assert_says, says};
 
 /// The parts of a question, and what is typed for each.

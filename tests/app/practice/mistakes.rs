@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::ui::app::App;
 use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
-use super::harness::{assert_says, click_at, texts_with, type_into, window};
+use crate::harness::{assert_says, click_at, texts_with, type_into, window};
 
 /// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {

@@ -10,7 +10,7 @@ use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::Pixel;
 use pinhole_core::methods::Method;
 
-use super::harness::{assert_says, texts_with, type_into, window, window_with};
+use crate::harness::{assert_says, texts_with, type_into, window, window_with};
 
 fn named(name: &str) -> MethodName {
     MethodName(Method::from_name(name).unwrap())

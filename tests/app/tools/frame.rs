@@ -8,7 +8,7 @@ use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{Counts, Steps};
 
-use super::harness::{assert_says, texts_with, type_into, window, window_with};
+use crate::harness::{assert_says, texts_with, type_into, window, window_with};
 
 fn open(window: &mut Harness<'_, App>) {
     window.get_by_role_and_label(Role::Button, "Frame").click();

@@ -10,7 +10,7 @@ use pinhole::model::overlay_items::Item;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::world_position_of;
 
-use super::harness::{assert_reads, assert_says, type_into, window};
+use crate::harness::{assert_reads, assert_says, type_into, window};
 
 fn open(scene: &str) -> Harness<'static, App> {
     let mut window = window(scene);

@@ -7,7 +7,7 @@ use pinhole::model::lines::LinesLab;
 use pinhole::ui::app::App;
 use pinhole_core::DVec2;
 
-use super::harness::{assert_reads, assert_says, drag_from, says, type_into, window};
+use crate::harness::{assert_reads, assert_says, drag_from, says, type_into, window};
 
 fn open() -> Harness<'static, App> {
     let mut window = window("canonical");

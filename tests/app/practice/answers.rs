@@ -10,8 +10,8 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
 
-use super::harness::{assert_says, click_at, export_to, says, texts_with, type_into, window};
-use super::scene_files::drop_file;
+use crate::app::files::scene_files::drop_file;
+use crate::harness::{assert_says, click_at, export_to, says, texts_with, type_into, window};
 
 const BACKWARDS: &str = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
 

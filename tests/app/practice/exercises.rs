@@ -9,7 +9,7 @@ use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
-use super::harness::{assert_reads, assert_says, texts_with, type_into, window};
+use crate::harness::{assert_reads, assert_says, texts_with, type_into, window};
 
 fn click(window: &mut Harness<'_, App>, label: &str) {
     window.get_by_role_and_label(Role::Button, label).click();

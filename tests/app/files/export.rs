@@ -11,7 +11,7 @@ use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
-use super::harness::{assert_says, export_to, says, texts_with, type_into, window};
+use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
 
 fn open_dialog(window: &mut Harness<'_, App>) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);

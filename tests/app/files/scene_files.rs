@@ -9,7 +9,7 @@ use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 
-use super::harness::{assert_says, type_into, window, window_with};
+use crate::harness::{assert_says, type_into, window, window_with};
 
 fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>, key: egui::Key) {
     window.key_press_modifiers(egui::Modifiers::COMMAND, key);

@@ -1,0 +1,5 @@
+//! Scenes, figures and animations from files and into them.
+
+mod export;
+mod play_export;
+pub(crate) mod scene_files;

@@ -1,0 +1,5 @@
+//! Exercises, mistakes and graded answers.
+
+mod answers;
+pub(crate) mod exercises;
+mod mistakes;
