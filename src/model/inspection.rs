@@ -98,7 +98,7 @@ impl Inspection {
             _ if root.t < 0.0 => "behind the eye: no hit",
             _ if root.t == 0.0 => "at the eye: no hit",
             Some(hit) if hit.object == root.object && hit.t == root.t => {
-                "the hit: the smallest t > 0 of all"
+                "first hit (smallest t > 0)"
             }
             Some(hit) if hit.t == root.t => "the same t, but listed later",
             _ => "farther than the hit",

@@ -71,8 +71,8 @@ fn up_swings_by_steps_and_stop_gives_back() {
     assert_eq!(harness.state().derived().resolved.unwrap().basis().v, DVec3::NEG_X);
     press(&mut harness, Key::Comma);
     assert_says(&harness, "75°");
-    click(&mut harness, "Step on");
-    click(&mut harness, "Step on");
+    click(&mut harness, "Step forward");
+    click(&mut harness, "Step forward");
     click(&mut harness, "Step back");
     assert_eq!(up(&harness), DVec3::NEG_X);
     click(&mut harness, "Stop and go back");
@@ -285,7 +285,7 @@ fn nothing_in_the_strip_lies_over_anything_else() {
         "what moves",
         "Play on",
         "Step back",
-        "Step on",
+        "Step forward",
         "speed",
         "Loop",
         "Export…",

@@ -100,8 +100,8 @@ fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
     for (degrees, number, word) in [
         ("90", "1° of roll per 1° of up", "Calm"),
         ("10", "5.76° of roll per 1° of up", "Sensitive"),
-        ("0.5", "115° of roll per 1° of up", "Nervous"),
-        ("179.5", "115° of roll per 1° of up", "Nervous"),
+        ("0.5", "115° of roll per 1° of up", "Very sensitive"),
+        ("179.5", "115° of roll per 1° of up", "Very sensitive"),
     ] {
         type_into(&mut window, "up from view", degrees);
         assert_says(&window, number);

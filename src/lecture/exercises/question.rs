@@ -170,7 +170,7 @@ impl Exercise {
         match self {
             Exercise::WarmUpRay => ("warm-up-ray", "Warm-up 1a: a viewing ray"),
             Exercise::WarmUpPlane => ("warm-up-plane", "Warm-up 1b: the wall it meets"),
-            Exercise::Distance => ("distance", "What if the distance is another"),
+            Exercise::Distance => ("distance", "A different distance"),
             Exercise::Turned => ("turned-basis", "A basis turned by 45°"),
             Exercise::ViewUp => ("view-up", "A basis from view and up"),
             Exercise::EyeAtUp => ("eye-at-up", "A basis from eye, at and up"),

@@ -12,7 +12,7 @@ use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, 
 use serde::{Deserialize, Serialize};
 
 use names::StoredShade;
-pub use names::{EyeKeeps, MethodName, ThemeName, ViewLayout, shade_about};
+pub use names::{EyeKeeps, MethodName, ThemeName, ViewLayout, shade_about, shade_label};
 pub use splits::{Split, Splits};
 
 use crate::model::color_scheme::Scheme;

@@ -123,6 +123,16 @@ pub(super) enum StoredShade {
     Object,
 }
 
+/// Returns a shading's label.
+pub fn shade_label(shade: Shade) -> &'static str {
+    match shade {
+        Shade::Lambert => "diffuse",
+        Shade::Normal => "normals",
+        Shade::T => "t",
+        Shade::Object => "flat",
+    }
+}
+
 /// Returns a description of a shading's colours.
 pub fn shade_about(shade: Shade) -> &'static str {
     match shade {

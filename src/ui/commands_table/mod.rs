@@ -71,7 +71,7 @@ impl Group {
             Group::Lesson => "Lesson",
             Group::Presenting => "Presenting",
             Group::Views => "Views",
-            Group::Hand => "In the hand",
+            Group::Hand => "Manipulate",
             Group::Objects => "Objects",
             Group::Play => "Play and compare",
             Group::Program => "Program",

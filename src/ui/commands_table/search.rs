@@ -5,13 +5,14 @@ use std::cmp::Reverse;
 use super::{Group, UiCommand};
 
 /// Words that people type, and the word that commands have for it.
-const SYNONYMS: [(&str, &str); 8] = [
+const SYNONYMS: [(&str, &str); 9] = [
     ("ball", "sphere"),
     ("color", "colour"),
     ("fullscreen", "present"),
     ("gimbal", "parallel"),
     ("quiz", "exercise"),
     ("screenshot", "export"),
+    ("shade", "shading"),
     ("slides", "present"),
     ("wall", "plane"),
 ];

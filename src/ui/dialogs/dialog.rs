@@ -281,7 +281,7 @@ pub(crate) fn save_ui(
 
 fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, close: &mut bool) -> Option<Action> {
     ui.heading(format!("Save the changes to {title}?"));
-    ui.label("Without saving, they are lost.");
+    ui.label("Unsaved changes will be lost.");
     ui.add_space(8.0);
     let buttons = ui.horizontal(|ui| {
         let save = ui.button("Save").clicked();

@@ -36,7 +36,12 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
         button(ui, [text, name, "Space"], PlayAction::Toggle, actions);
         button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1), actions);
-        button(ui, ["Step →", "Step on", "A step on: full stop"], PlayAction::Step(1), actions);
+        button(
+            ui,
+            ["Step →", "Step forward", "A step on: full stop"],
+            PlayAction::Step(1),
+            actions,
+        );
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {

@@ -11,7 +11,7 @@ use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, Place, Which};
 use crate::model::overlay_items::Item;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
-use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout, shade_about};
+use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
     HistoryAction, Leave, LookAction, Observe, Overlay,
@@ -56,7 +56,7 @@ pub(crate) fn ui(
         // The same text as in the window's title.
         let changed = if open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed}", title_of(open.origin()));
-        let shading = format!("Shade: {}", settings.shade.name());
+        let shading = format!("Shading: {}", shade_label(settings.shade));
         let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];
         layout(ui, there.answers, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
         ui.separator();
@@ -241,7 +241,7 @@ fn layout(ui: &mut Ui, has_answers: bool, settings: &mut Settings, after: f32) {
 fn shade(ui: &mut Ui, text: &str, chosen: &mut Shade) {
     ui.menu_button(text, |ui| {
         for one in Shade::ALL {
-            let radio = ui.radio_value(chosen, one, one.name());
+            let radio = ui.radio_value(chosen, one, shade_label(one));
             radio.on_hover_text(shade_about(one));
         }
     });

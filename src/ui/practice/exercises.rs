@@ -23,8 +23,14 @@ const LIST: f32 = 290.0;
 /// Indent of the fields and of the text below them, in points.
 const INDENT: f32 = 96.0;
 
+/// Height of the bar with the buttons, in points.
+const BAR: f32 = 52.0;
+
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
+
+/// Space beside the text in a field, in points.
+const MARGIN: f32 = 4.0;
 
 /// The coordinates of a vector: for screen readers, and as symbols.
 const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
@@ -46,11 +52,22 @@ pub(crate) fn ui(
         ui.add_space(4.0);
         ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
     });
-    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+    // The buttons stay where they are, whatever is said above them.
+    let (above, bar) = right.split_top_bottom_at_y(right.bottom() - BAR);
+    let mut wants_check = false;
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
         ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {
-            exercise(ui, exercises, style, actions);
+            wants_check = exercise(ui, exercises, style);
         });
     });
+    ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
+        ui.separator();
+        wants_check |= buttons(ui, exercises, actions);
+    });
+    if wants_check {
+        exercises.check();
+        ui.ctx().request_discard("answers were checked after they were drawn");
+    }
 }
 
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
@@ -64,7 +81,8 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     }
 }
 
-fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions: &mut Vec<Action>) {
+/// Shows the question with its fields. Returns true if Enter was pressed in one.
+fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle) -> bool {
     let question = exercises.question().clone();
     ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
     source(ui, exercises);
@@ -82,34 +100,6 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         }
         ui.add_space(8.0);
     }
-    ui.horizontal_wrapped(|ui| {
-        wants_check |= ui.button("Check").on_hover_text("Or Enter in a field").clicked();
-        let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
-        if ui.button(text).clicked() {
-            exercises.is_solved = !exercises.is_solved;
-        }
-        if let Some(document) = exercises.document() {
-            let hint = "Makes this question's camera, and what its ray meets, the open scene";
-            if ui.button("Open its camera").on_hover_text(hint).clicked() {
-                let title = exercises::title(question.exercise).to_owned();
-                let made_up = MadeUp { document, title, uv: question.uv() };
-                actions.push(Leave::Show(Box::new(made_up)).into());
-                ui.ctx().request_repaint();
-            }
-        }
-    });
-    if wants_check {
-        exercises.check();
-        ui.ctx().request_discard("answers were checked after they were drawn");
-    }
-    if exercises.is_right() {
-        ui.add_space(6.0);
-        ui.horizontal(|ui| {
-            sign(ui, true);
-            ui.label(RichText::new("All of it is right.").strong());
-        });
-    }
-    ui.add_space(10.0);
     ui.label(
         RichText::new(
             "Numbers may be typed exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is kept or sent.",
@@ -117,6 +107,34 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         .size(15.0)
         .weak(),
     );
+    wants_check
+}
+
+/// Shows the buttons, and whether all is right. Returns true if the answers are to be checked.
+fn buttons(ui: &mut Ui, exercises: &mut Exercises, actions: &mut Vec<Action>) -> bool {
+    let mut wants_check = false;
+    ui.horizontal_wrapped(|ui| {
+        wants_check = ui.button("Check").on_hover_text("Or Enter in a field").clicked();
+        let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
+        if ui.button(text).clicked() {
+            exercises.is_solved = !exercises.is_solved;
+        }
+        if let Some(document) = exercises.document() {
+            let hint = "Makes this question's camera, and what its ray meets, the open scene";
+            if ui.button("Show this scene").on_hover_text(hint).clicked() {
+                let question = exercises.question();
+                let title = exercises::title(question.exercise).to_owned();
+                let made_up = MadeUp { document, title, uv: question.uv() };
+                actions.push(Leave::Show(Box::new(made_up)).into());
+                ui.ctx().request_repaint();
+            }
+        }
+        if exercises.is_right() {
+            sign(ui, true);
+            ui.label(RichText::new("All correct.").strong());
+        }
+    });
+    wants_check
 }
 
 /// Shows the choice between the lecture's own question and one from a seed.
@@ -124,11 +142,11 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
     let exercise = exercises.question().exercise;
     let seed = exercises.seed();
     ui.horizontal_wrapped(|ui| {
-        if ui.selectable_label(seed.is_none(), "The lecture's").clicked() && seed.is_some() {
+        if ui.selectable_label(seed.is_none(), "Lecture version").clicked() && seed.is_some() {
             *exercises = Exercises::open(exercise, None);
         }
         let hint = "Other numbers, from the next seed";
-        if ui.button("Another one like it").on_hover_text(hint).clicked() {
+        if ui.button("New numbers").on_hover_text(hint).clicked() {
             let next = seed.map_or(1, |seed| if seed < LARGEST_SEED { seed + 1 } else { 0 });
             *exercises = Exercises::open(exercise, Some(next));
         }
@@ -173,7 +191,9 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             }
             return;
         }
-        let width = FIELD.min((ui.available_width() - 24.0) / part.count() as f32 - 12.0).max(60.0);
+        // Side by side with what is between them and round the text.
+        let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
+        let width = (ui.available_width() / part.count() as f32 - between).clamp(60.0, FIELD);
         let (mut changed, mut left) = (false, false);
         for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
             let label = if part.count() == 1 {
@@ -183,6 +203,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             };
             let hint = if part.count() == 1 { "" } else { hint };
             let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
+            let field = field.margin(egui::Margin::symmetric(MARGIN as i8, 2));
             let response = ui.add(field.font(egui::FontId::proportional(TEXT))).named(label);
             changed |= response.changed();
             left |= response.lost_focus();

@@ -188,7 +188,7 @@ fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: 
     });
     if let Some(UpAngle { conditioning, .. }) = angle {
         let text = if conditioning < 1.5 {
-            "up is well away from view".to_owned()
+            "up and view are well apart".to_owned()
         } else {
             let roll = style.number(conditioning);
             format!("{roll}° of roll for each degree that up is tipped sideways, for small tips")

@@ -23,8 +23,8 @@ const LINES: [Line; 13] = [
     ),
     ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| grouped(c.behind)),
     (
-        "beside the picture, or between two rows",
-        "Left out: they lie beside the picture, or are so small that they fall between the centres \
+        "outside the picture, or between two rows",
+        "Left out: they lie outside the picture, or are so small that they fall between the centres \
          of two rows of its pixels",
         |c, _| grouped(c.outside),
     ),
@@ -131,7 +131,7 @@ mod tests {
         let expected = [
             "spheres: 1,000,000",
             "behind the eye: 250,000",
-            "beside the picture, or between two rows: 738,000",
+            "outside the picture, or between two rows: 738,000",
             "in view: 12,000",
             "passed over as hidden: 4,321",
             "index blocks left out: 40,000 of 62,500",

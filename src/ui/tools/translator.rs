@@ -172,7 +172,7 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
         ui.horizontal_wrapped(|ui| {
             let format = underlined(ui, FontId::proportional(TEXT));
             ui.label(LayoutJob::single_section("underlined".to_owned(), format));
-            ui.label("the sign is turned against Pinhole's u, v, w");
+            ui.label("opposite sign to Pinhole's u, v, w");
         });
     }
     for note in &written.notes {

@@ -162,9 +162,9 @@ fn settings_scene_and_ray_are_remembered() {
     let store = Store::at(&folder.path().join("state.json"));
     assert_eq!(store.load(), Remembered::default());
     let mut window = window_with("forty-five", Remembered::default(), Some(store.clone()));
-    window.get_by_role_and_label(Role::Button, "Shade: lambert").click();
+    window.get_by_role_and_label(Role::Button, "Shading: diffuse").click();
     window.run();
-    window.get_by_role_and_label(Role::RadioButton, "normal").click();
+    window.get_by_role_and_label(Role::RadioButton, "normals").click();
     window.run();
     type_into(&mut window, "row", "12");
     window.state_mut().on_exit();

@@ -54,7 +54,7 @@ const QUESTIONS: &[(usize, usize, Answers)] = &[
     (12, 6, &[("t", &["4"]), ("point", &["0", "-2", "-7"]), ("normal", &["-0.8", "0", "0.6"])]),
 ];
 
-const ALL_RIGHT: &str = "All of it is right.";
+const ALL_RIGHT: &str = "All correct.";
 
 fn answer(window: &mut Window, (lesson, step): (usize, usize), parts: Answers) {
     for (part, texts) in parts {

@@ -117,7 +117,7 @@ fn the_lectures_exercises_answered_rightly_are_accepted() {
         for (part, _) in &parts {
             assert_eq!(said(&window, part), "Right.", "{exercise:?}");
         }
-        assert_says(&window, "All of it is right.");
+        assert_says(&window, "All correct.");
     }
 }
 
@@ -163,7 +163,7 @@ fn classic_mistakes_and_bad_input_are_named() {
     click(&mut window, "Check");
     let up_as_v = "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.";
     assert!(said(&window, "v").starts_with(up_as_v), "{}", said(&window, "v"));
-    assert_eq!(texts_with(&window, "All of it is right"), Vec::<String>::new());
+    assert_eq!(texts_with(&window, "All correct"), Vec::<String>::new());
 }
 
 #[test]
@@ -279,13 +279,13 @@ fn a_pasted_vector_fills_all_fields() {
     answer_on(&mut window, " -1)");
     answer(&mut window, "p x", "0, 0, 0");
     click(&mut window, "Check");
-    assert_says(&window, "All of it is right.");
+    assert_says(&window, "All correct.");
 }
 
 #[test]
 fn another_one_like_it_has_a_seed_that_can_be_typed() {
     let mut window = open(Exercise::WarmUpRay);
-    click(&mut window, "Another one like it");
+    click(&mut window, "New numbers");
     assert_eq!(window.state().session().exercises.seed(), Some(1));
     type_into(&mut window, "exercise seed", "42");
     let exercises = &window.state().session().exercises;
@@ -296,9 +296,9 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
     // A seed that not every number field can show is not taken.
     type_into(&mut window, "exercise seed", "9007199254740993");
     assert_eq!(window.state().session().exercises.seed(), Some(LARGEST_SEED));
-    click(&mut window, "Another one like it");
+    click(&mut window, "New numbers");
     assert_eq!(window.state().session().exercises.seed(), Some(0));
-    click(&mut window, "The lecture's");
+    click(&mut window, "Lecture version");
     assert_eq!(window.state().session().exercises.seed(), None);
 }
 
@@ -322,7 +322,7 @@ fn the_questions_camera_opens_and_asks_about_changes_first() {
     click(&mut window, "Both");
     type_into(&mut window, "eye x", "1");
     click(&mut window, "Exercises");
-    click(&mut window, "Open its camera");
+    click(&mut window, "Show this scene");
     assert_says(&window, "Save the changes to canonical?");
     click(&mut window, "Discard");
     let app = window.state();
@@ -335,4 +335,36 @@ fn the_questions_camera_opens_and_asks_about_changes_first() {
     assert_eq!(hit.t, 3.0, "the exercise's own answer");
     // The answers are still there when one comes back.
     assert_eq!(app.session().exercises.question().exercise, Exercise::Distance);
+}
+
+#[test]
+fn a_verdict_moves_no_button() {
+    let mut window = open(Exercise::EyeAtUp);
+    let place =
+        |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Check").rect();
+    let before = place(&window);
+    answers(&mut window, "u", &["9", "-4", "1/3"]);
+    click(&mut window, "Check");
+    assert!(!said(&window, "u").is_empty());
+    assert_eq!(place(&window), before);
+    click(&mut window, "Show the solution");
+    assert_eq!(place(&window), before);
+}
+
+#[test]
+fn a_vectors_fields_stand_side_by_side() {
+    let mut window = open(Exercise::EyeAtUp);
+    for presenting in [false, true] {
+        for width in [1024.0, 1276.0, 1920.0] {
+            window.set_size(egui::vec2(width, 800.0));
+            window.run();
+            let tops = ["x", "y", "z"].map(|axis| {
+                let name = format!("answer u {axis}");
+                window.get_by_role_and_label(Role::TextInput, &name).rect().top()
+            });
+            assert!(tops.iter().all(|top| *top == tops[0]), "{width}, {presenting}: {tops:?}");
+        }
+        window.key_press(egui::Key::F5);
+        window.run();
+    }
 }

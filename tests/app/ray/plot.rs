@@ -104,7 +104,7 @@ fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
     assert_eq!(window.state().session().ray_point_t, Some(2.0));
-    assert_says(&window, "inside of none of these objects");
+    assert_says(&window, "outside all objects");
     type_into(&mut window, "walked t", "4.5");
     assert_eq!(t_in_the_world_view(&window).as_deref(), Some("t = 4.5"));
     assert_reads(&window, "p + t d = (0, 0, −4.5)");

@@ -22,7 +22,7 @@ fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: 
     for (name, text) in [
         ("spheres", counts.spheres.to_string()),
         ("behind the eye", counts.behind.to_string()),
-        ("beside the picture, or between two rows", counts.outside.to_string()),
+        ("outside the picture, or between two rows", counts.outside.to_string()),
         ("in view", counts.in_view.to_string()),
         ("planes asked", share(counts.planes_asked, counts.planes)),
         ("bands without a hit", share(counts.bands_untouched, counts.bands)),

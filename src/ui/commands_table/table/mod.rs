@@ -30,7 +30,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about};
+use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::model::translator::Target;
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
@@ -61,7 +61,7 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Hand, how: "Ctrl", does: "In round steps" },
     Gesture { group: Group::Hand, how: "K, Alt", does: "Eye orbits at, or travels" },
     Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move the one in focus a step" },
-    Gesture { group: Group::Hand, how: "Escape", does: "Give back what is dragged" },
+    Gesture { group: Group::Hand, how: "Escape", does: "Cancel the drag" },
     Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look round" },
     Gesture { group: Group::Hand, how: "Middle drag there", does: "Orbit round at" },
     Gesture { group: Group::Hand, how: "Wheel there", does: "Field of view" },
@@ -143,7 +143,7 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
             [key(Anywhere, CTRL, Key::Minus)], LookAction::ZoomBy(-1);
-        Program, "Usual size", "Makes everything in the window as large as at first.",
+        Program, "Reset zoom", "Makes everything in the window as large as at first.",
             [key(Anywhere, CTRL, Key::Num0)], LookAction::ZoomBy(0);
     ]
 }
@@ -180,7 +180,7 @@ fn playing() -> Vec<UiCommand> {
             [], PlayAction::Open(Kind::Scan);
         Play, "Play or pause", "Lets the open animation run, or rest.",
             [plain(View, Key::Space)], PlayAction::Toggle;
-        Play, "Step on", "Takes the open animation a step on.",
+        Play, "Step forward", "Takes the open animation a step on.",
             [plain(Untyped, Key::Period)], PlayAction::Step(1);
         Play, "Step back", "Takes the open animation a step back.",
             [plain(Untyped, Key::Comma)], PlayAction::Step(-1);
@@ -269,7 +269,7 @@ fn switches() -> Vec<UiCommand> {
 fn looks() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     for shade in Shade::ALL {
-        let name = format!("shade by {}", shade.name());
+        let name = format!("shading {}", shade_label(shade));
         commands.push(command(Group::Colours, name, shade_about(shade), LookAction::Shade(shade)));
     }
     for theme in ThemeName::ALL {

@@ -20,7 +20,7 @@ const NUMBER: f32 = 20.0;
 const WORDS: f32 = 15.0;
 const TICK: f32 = 12.0;
 
-/// Conditioning from which on the camera is called sensitive, and nervous.
+/// Conditioning from which on the camera is called sensitive, and very sensitive.
 const SENSITIVE: f64 = 2.0;
 const NERVOUS: f64 = 20.0;
 
@@ -49,11 +49,11 @@ fn words(ui: &mut Ui, conditioning: f64) {
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
     response.on_hover_text(hint).named("conditioning").spoken(number);
     let meaning = if conditioning < SENSITIVE {
-        "Calm: up is well away from view."
+        "Calm: up and view are well apart."
     } else if conditioning < NERVOUS {
         "Sensitive: up is near the view's line."
     } else {
-        "Nervous: up is almost on the view's line."
+        "Very sensitive: up and view are almost parallel."
     };
     ui.label(RichText::new(meaning).size(WORDS));
 }
@@ -79,7 +79,7 @@ fn face(ui: &mut Ui, conditioning: f64) {
     ui.painter().circle_filled(hub, 5.0, text);
 }
 
-/// Draws the zones calm, sensitive and nervous, which differ in width as well as in colour.
+/// Draws the zones calm, sensitive and very sensitive, which differ in width as well as in colour.
 fn arcs(ui: &Ui, hub: Pos2) {
     let quiet = ui.visuals().weak_text_color();
     let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);

@@ -97,7 +97,8 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui, "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
-    let hint = "The angle between up and view: u, v and w stay, but get nervous near 0° and 180°";
+    let hint =
+        "The angle between up and view: u, v and w stay, but get very sensitive near 0° and 180°";
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
         // Logarithmic scale: fine near both ends, where it matters.
         let mut place = (0.5 * degrees.to_radians()).tan().log10();

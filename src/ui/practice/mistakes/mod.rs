@@ -67,14 +67,14 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     })
 }
 
-/// Returns `12,345 of 90,000 pixels shown see something else`.
+/// Returns `12,345 of 90,000 pixels shown differ`.
 fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
     Some(match seen.differing {
-        0 => format!("none of {pixels} pixels shown sees another object"),
-        1 => format!("1 of {pixels} pixels shown sees something else"),
-        _ => format!("{differing} of {pixels} pixels shown see something else"),
+        0 => format!("none of {pixels} pixels shown differs"),
+        1 => format!("1 of {pixels} pixels shown differs"),
+        _ => format!("{differing} of {pixels} pixels shown differ"),
     })
 }
 

@@ -103,7 +103,7 @@ fn inside(plot: &Plot, values: &[f64]) -> String {
     let inside = plot.curves.iter().zip(values).filter(|(curve, f)| curve.is_inside(**f));
     let names: Vec<&str> = inside.map(|(curve, _)| curve.named.title.as_str()).collect();
     if names.is_empty() {
-        "inside of none of these objects".to_owned()
+        "outside all objects".to_owned()
     } else {
         format!("inside of {}", names.join(", "))
     }
