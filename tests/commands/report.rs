@@ -132,7 +132,8 @@ fn an_interrupted_run_leaves_nothing() {
         .spawn()
         .unwrap();
     std::thread::sleep(Duration::from_millis(300));
-    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    // Not SIGINT, which a shell has its background jobs ignore until they say otherwise.
+    let kill = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
     assert!(kill.unwrap().success());
     assert!(!child.wait().unwrap().success());
     assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
