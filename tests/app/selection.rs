@@ -19,7 +19,7 @@ fn the_warm_up_is_selected_at_first_and_read_off() {
         "pixel = the corner of four pixels",
         "p = (0, 0, 0)",
         "d = (0.2, −0.1, −1)",
-        "the hit: the smallest t > 0 of all",
+        "first hit (smallest t > 0)",
         "point = (1.2, −0.6, −6)",
         "t = 6",
     ] {
