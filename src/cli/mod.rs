@@ -26,7 +26,7 @@ use crate::cli::arguments::Command;
 /// Runs a command.
 ///
 /// # Errors
-/// The reason why it could not be done.
+/// Returns the reason if it could not be done.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
         Command::Scenes => scenes::run(),

@@ -15,7 +15,7 @@ pub(super) struct Progress {
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// Time in which nobody needs to be told that something is going on.
+/// Time without a sign of progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Time from one line to the next.
@@ -24,12 +24,12 @@ const TICK: Duration = Duration::from_millis(100);
 struct Work {
     since: Instant,
     done: AtomicUsize,
-    /// The things that are counted, as `row`, and their number; otherwise the work's name.
+    /// The unit that is counted, as `row`, and the number of them; otherwise the work's name.
     what: Mutex<(&'static str, Option<usize>)>,
 }
 
 impl Progress {
-    /// Work on so many of something, as `row`.
+    /// Work on so many units, as `row`.
     pub(super) fn counting(what: &'static str, all: usize) -> Progress {
         Progress::new(what, Some(all))
     }

@@ -42,7 +42,7 @@ pub struct Rendering {
 /// pixels; the world view keeps the camera's pixels and draws them on its viewport.
 ///
 /// # Errors
-/// A camera that sees nothing, or an object that is none.
+/// Returns an error if the camera sees nothing, or an object is invalid.
 pub fn render_view(
     document: &Document,
     options: RenderOptions,

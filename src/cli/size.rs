@@ -8,7 +8,7 @@ use super::error::CommandError;
 /// `usual` size.
 ///
 /// # Errors
-/// A size that no image has.
+/// Returns an error if no image has this size.
 pub(super) fn size(
     width: Option<u32>,
     height: Option<u32>,

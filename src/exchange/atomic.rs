@@ -16,8 +16,8 @@ use crate::FileError;
 /// content.
 ///
 /// # Errors
-/// Where the content or the system fails; then nothing has changed. A file that is marked as
-/// read-only is not replaced.
+/// Returns an error if the content or the system fails, or the file is marked as read-only; then
+/// nothing has changed.
 pub fn write(
     path: &Path,
     content: impl FnOnce(&mut File) -> io::Result<()>,
@@ -29,7 +29,8 @@ pub fn write(
 /// written, so the disk may still turn out to be full, or the folder not ours to write in.
 ///
 /// # Errors
-/// A folder, or a file in a folder that is not there, or one that is marked as read-only.
+/// Returns an error if the path is a folder, lies in a folder that does not exist, or is marked as
+/// read-only.
 pub fn check(path: &Path) -> Result<(), FileError> {
     let check = || fs::metadata(folder_of(&target_of(path)?.0)).map(drop);
     check().map_err(|error| FileError::unwritable(path, &error))
@@ -70,7 +71,7 @@ impl Draft {
     /// Begins one, in the folder of the file that it becomes. Dropped, it leaves nothing.
     ///
     /// # Errors
-    /// Where nothing can be written there.
+    /// Returns an error if nothing can be written there.
     pub fn create(path: &Path) -> Result<Draft, FileError> {
         let new = target_of(path).and_then(|(target, _)| temporary_in(folder_of(&target)));
         let new = new.map_err(|error| FileError::unwritable(path, &error))?;
@@ -80,7 +81,7 @@ impl Draft {
     /// Returns the file as written so far, to write on.
     ///
     /// # Errors
-    /// Where the system has no more open files.
+    /// Returns an error if the system cannot open another file.
     pub fn file(&self) -> Result<File, FileError> {
         self.new.as_file().try_clone().map_err(|error| FileError::unwritable(&self.path, &error))
     }
@@ -88,7 +89,7 @@ impl Draft {
     /// Puts it in its place.
     ///
     /// # Errors
-    /// As [`write()`].
+    /// Returns the errors of [`write()`].
     pub fn finish(mut self) -> Result<(), FileError> {
         write(&self.path, |file| {
             let written = self.new.as_file_mut();

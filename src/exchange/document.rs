@@ -176,7 +176,7 @@ impl Document {
     /// The objects without names and colours, checked.
     ///
     /// # Errors
-    /// The first object that is none.
+    /// Returns the first invalid object.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let spheres = self.spheres.iter().chain(self.csv_items()).map(|item| item.shape).collect();
         Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())

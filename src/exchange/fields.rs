@@ -95,7 +95,7 @@ impl<'a> Section<'a> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
-    /// The error that something is missing in this table.
+    /// Returns the error that a key is missing in this table.
     pub fn missing(&self, what: &str, such_as: &str) -> FileError {
         self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
     }
@@ -229,7 +229,7 @@ impl<'a> Field<'a> {
     /// Returns the tables of a list; errors count them from 1, as people do.
     ///
     /// # Errors
-    /// Where it is no array of tables.
+    /// Returns an error if the value is no array of tables.
     pub fn sections_from_one(&self) -> Result<Vec<Section<'a>>, FileError> {
         self.sections_named(|k| format!("{} {}", self.name, k + 1))
     }

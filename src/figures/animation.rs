@@ -50,7 +50,7 @@ impl Frames {
 /// Checks that an animation can be written to a file of this name.
 ///
 /// # Errors
-/// A sentence that says which name would do.
+/// Returns an error, as a sentence with a name that would do, if the name does not fit.
 pub fn check_name(path: &Path) -> Result<(), String> {
     let is = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     if is("png") || is("apng") {
@@ -59,7 +59,7 @@ pub fn check_name(path: &Path) -> Result<(), String> {
     Err("writes animations as PNG: end the name with .png".to_owned())
 }
 
-/// Something that plays, as figures.
+/// An animation as a sequence of figures.
 #[derive(Clone, Debug)]
 pub struct Animation {
     /// The kind of motion.
@@ -80,7 +80,7 @@ impl Animation {
     /// Frame `k`, from 0. It depends on the start and on its number alone.
     ///
     /// # Errors
-    /// A sentence that says why there is none.
+    /// Returns the reason, as a sentence, if there is no such figure.
     pub fn figure(&self, k: u32) -> Result<Figure, String> {
         let phase = self.kind.phase_of_frame(k, self.frames.count);
         let still = self.start.at(self.kind, phase).map_err(|error| error.to_string())?;
@@ -108,7 +108,7 @@ impl Recorder {
     /// Begins.
     ///
     /// # Errors
-    /// A sentence that says why nothing can be written there.
+    /// Returns the reason, as a sentence, if nothing can be written there.
     pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
         let Frames { count, per_second, reel } = animation.frames;
         let sink = match reel {
@@ -143,7 +143,7 @@ impl Recorder {
     /// Makes the next frame.
     ///
     /// # Errors
-    /// A sentence that says why there is none, or why it cannot be written.
+    /// Returns the reason, as a sentence, if there is no such figure or it cannot be written.
     pub fn step(&mut self) -> Result<(), String> {
         let figure = self.animation.figure(self.done)?;
         match &mut self.sink {
@@ -162,7 +162,7 @@ impl Recorder {
     /// Puts everything in its place, after the last frame.
     ///
     /// # Errors
-    /// A sentence that says why it cannot be written; nothing is left then.
+    /// Returns the reason, as a sentence, if it cannot be written; no file is left then.
     pub fn finish(self) -> Result<(), String> {
         match self.sink {
             Sink::Animated(animated, draft) => {

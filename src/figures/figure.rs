@@ -47,7 +47,7 @@ pub struct Look {
     pub transparent: bool,
 }
 
-/// Something to export.
+/// A figure to export.
 #[derive(Debug)]
 pub struct Figure {
     /// The title: what it shows, in words.
@@ -105,7 +105,7 @@ impl Figure {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// A sentence about what the format cannot hold.
+    /// Returns an error, as a sentence, if the format cannot hold the figure.
     pub fn to_file(&self, format: Format) -> Result<Vec<u8>, String> {
         match format {
             #[cfg(feature = "figures")]

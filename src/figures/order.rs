@@ -66,7 +66,7 @@ impl Content {
     /// The content that the ending of a file's name asks for.
     ///
     /// # Errors
-    /// A sentence with the endings that there are.
+    /// Returns an error, as a sentence with the known endings, if the ending is unknown.
     pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
         let mut known: Vec<(&str, Content)> =
             Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
@@ -117,7 +117,7 @@ impl Order {
     /// The figure, of the document as the session looks at it.
     ///
     /// # Errors
-    /// A sentence that says why there is none.
+    /// Returns the reason, as a sentence, if there is no such figure.
     pub fn figure(
         &self,
         document: &Document,

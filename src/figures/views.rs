@@ -37,7 +37,7 @@ impl View {
 /// observer.
 ///
 /// # Errors
-/// The reason why there is nothing to see: as the window says it.
+/// Returns the reason, as the window gives it, if there is nothing to see.
 pub fn of_view(
     document: &Document,
     session: &Session,

@@ -160,7 +160,7 @@ impl ImplicitLine {
     /// Checks that the numbers make a line.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if they do not.
     pub fn check(&self) -> Result<(), LineError> {
         for (field, value) in [("a", self.a), ("b", self.b), ("c", self.c)] {
             finite(field, value)?;
@@ -213,7 +213,7 @@ impl ParametricLine {
     /// Checks that the numbers make a line.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if they do not.
     pub fn check(&self) -> Result<(), LineError> {
         let ParametricLine { p, d } = *self;
         for (field, value) in [("p x", p.x), ("p y", p.y), ("d x", d.x), ("d y", d.y)] {

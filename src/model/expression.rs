@@ -46,7 +46,8 @@ const DEEPEST: usize = 64;
 /// (`−`, `×`, `·`, `√`, `π`) too.
 ///
 /// # Errors
-/// Returns a sentence for the person who typed the text if its value is not a finite number.
+/// Returns an error, as a sentence for the person who typed the text, if its value is not a finite
+/// number.
 pub fn evaluate(text: &str) -> Result<f64, String> {
     let typed = text.trim();
     let plain: String = typed

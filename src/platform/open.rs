@@ -220,7 +220,7 @@ impl Open {
             return Ok(true);
         }
         if closing && self.info.minimized == Some(true) {
-            // The app wants to ask something before it closes.
+            // The app has a question before it closes.
             self.window.set_minimized(false);
         }
         self.paint(event_loop, output, began, ui_done, exposed)?;

@@ -8,7 +8,7 @@ use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
 
-/// The first thing that a ray meets.
+/// The first object that a ray meets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hit {
     /// The object's number, from 0.

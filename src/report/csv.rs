@@ -5,7 +5,7 @@ use super::model::{Case, MethodRow, Report};
 /// The whole file. What does not exist is an empty cell; numbers read back to the same `f64`.
 ///
 /// # Errors
-/// None: what is written goes to memory.
+/// Never fails: it writes to memory.
 pub fn to_csv(report: &Report) -> csv::Result<Vec<u8>> {
     let mut out = csv::Writer::from_writer(Vec::new());
     out.write_record(cells(&Case::default(), &MethodRow::default()).map(|(name, _)| name))?;

@@ -56,7 +56,7 @@ impl Run {
     /// Will measure a scene as a camera sees it, in at most 20 seconds on two cores.
     ///
     /// # Errors
-    /// A camera that sees nothing.
+    /// Returns an error if a camera sees nothing.
     pub fn of_scene(name: &str, scene: &Scene, camera: &Camera) -> Result<Run, CameraError> {
         let (cases, left_out) = scenes::cases(name, scene, camera)?;
         Ok(Run::new(cases, left_out, "a frame of the scene"))

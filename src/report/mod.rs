@@ -1,6 +1,6 @@
 //! Error against run time: what `pinhole report` measures, and the forms it shows that in.
 //!
-//! [`model`] is what was measured; everything else turns it into something to read.
+//! [`model`] is what was measured; everything else turns it into text and pictures.
 
 pub mod columns;
 pub mod csv;

@@ -29,7 +29,7 @@ pub struct MadeUp {
     pub uv: Option<DVec2>,
 }
 
-/// Leaving what is open for something else. It is first asked about unsaved changes.
+/// Leaves the open scene for another. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leave {
     /// Open a scene.
@@ -139,7 +139,7 @@ pub enum AnswersAction {
     PutAway,
 }
 
-/// Something done to an animation.
+/// An action on an animation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlayAction {
     /// Open one, at its start.
@@ -158,7 +158,7 @@ pub enum PlayAction {
     Close,
 }
 
-/// Something done with the ghost, the camera to compare with.
+/// An action on the ghost, the camera to compare with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GhostAction {
     /// The camera becomes the ghost, in place of the one that was there.
@@ -198,7 +198,7 @@ pub enum Observe {
     FrameAll,
 }
 
-/// Something done with the scene's objects.
+/// An action on the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {
     /// Add a sphere that the camera sees, and choose it.
@@ -213,7 +213,7 @@ pub enum ObjectAction {
     Next(i32),
 }
 
-/// A change of how things are shown.
+/// A change of how the scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LookAction {
     /// Show these views.
@@ -222,11 +222,11 @@ pub enum LookAction {
     Shade(Shade),
     /// Colour the window like this.
     Theme(ThemeName),
-    /// Tell things apart by these colours.
+    /// Draw the views with this colour scheme.
     Scheme(Scheme),
     /// Draw the camera's picture by this method.
     Method(MethodName),
-    /// Switch something on, or off if it is on.
+    /// Turn a switch on, or off if it is on.
     Toggle(Switch),
     /// Show so many digits more.
     DigitsBy(i32),
@@ -242,7 +242,7 @@ pub enum LookAction {
     Fill(ViewLayout),
 }
 
-/// Something that can be laid over the window.
+/// A box that lies over the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The command palette.
@@ -251,32 +251,32 @@ pub enum Overlay {
     Keys,
 }
 
-/// Something to do once, after the panels and before anything is derived.
+/// A command of the user. It is carried out once, after the panels and before anything is derived.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Leave what is open.
     Leave(Leave),
-    /// Something with files.
+    /// Open or save a scene.
     File(FileAction),
-    /// Something with the open lesson.
+    /// Move through the open lesson.
     Lesson(LessonAction),
     /// Undo or redo.
     History(HistoryAction),
-    /// Something with figures.
+    /// Export a figure.
     Figure(FigureAction),
-    /// Something with another program's camera.
+    /// Read or write another program's camera.
     Exchange(ExchangeAction),
-    /// Something with a student's answers.
+    /// Open, grade or put away a student's answers.
     Answers(AnswersAction),
-    /// Something with an animation.
+    /// Open or control an animation.
     Play(PlayAction),
-    /// Something with the ghost.
+    /// Freeze, drop or swap the ghost.
     Ghost(GhostAction),
     /// Move the camera.
     Steer(Steer),
     /// Move the observer of the world view.
     Observe(Observe),
-    /// Something with the scene's objects.
+    /// Add, choose or remove an object.
     Object(ObjectAction),
     /// Select the pixel that many rows down and columns right of the selected one.
     Select {
@@ -285,9 +285,9 @@ pub enum Action {
         /// Columns right.
         columns: i64,
     },
-    /// Show something otherwise.
+    /// Change how the scene is shown.
     Look(LookAction),
-    /// Lay something over the window.
+    /// Open a box over the window.
     Overlay(Overlay),
 }
 
@@ -327,7 +327,7 @@ pub(crate) enum PlayEnd {
     GivesBack,
 }
 
-/// The things that actions are done to and that are there only sometimes.
+/// Which targets of actions exist at the moment.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
     /// A step to undo.
@@ -376,7 +376,7 @@ impl Action {
         }
     }
 
-    /// Returns the changes that it may make to something on the screen that is not derived.
+    /// Returns the changes that it may make to a part of the screen that is not derived.
     pub(crate) fn changes(&self) -> Changed {
         match self {
             Action::Steer(Steer::Zoom(_)) => Changed::CAMERA,
@@ -397,7 +397,7 @@ impl Action {
         }
     }
 
-    /// Returns true if there is something to do it to.
+    /// Returns true if its target exists.
     pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
@@ -437,10 +437,10 @@ impl Action {
     }
 }
 
-/// Something that is either on or off.
+/// A setting that is either on or off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switch {
-    /// Something that is drawn over the views.
+    /// An item of the overlay.
     Item(Item),
     /// A part of the derivation.
     Section(DerivationSection),
@@ -452,7 +452,7 @@ pub enum Switch {
     KeepPixelShape,
     /// Distance, width and height go together, so that the picture stays.
     KeepPicture,
-    /// Things do not move by themselves.
+    /// Nothing moves by itself.
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
     Spotlight,

@@ -25,7 +25,7 @@ impl AgainstGhost {
     /// the objects.
     ///
     /// # Errors
-    /// One of the cameras has no basis.
+    /// Returns an error if one of the cameras has no basis.
     pub fn new(
         (now, now_frame): (&Camera, &Frame<f32>),
         (then, ghost, ghost_frame): (&Camera, &ResolvedCamera, &Frame<f32>),

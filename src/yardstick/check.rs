@@ -35,7 +35,7 @@ impl fmt::Display for Fault {
 /// along its row, if there is such a place to the right of it.
 ///
 /// # Errors
-/// The first pixel that differs.
+/// Returns the first pixel that differs.
 pub fn sample(scene: &Scene, frame: &Frame<f32>, count: usize, seed: u64) -> Result<(), Fault> {
     let (rows, columns) = (frame.raster().rows().len(), frame.raster().columns().len());
     let mut random = Random::new(seed);
@@ -74,7 +74,7 @@ fn is_within_one_ulp(found: f32, truth: f64) -> bool {
 /// The share of pixels, 0 to 1, in which two frames see the same object.
 ///
 /// # Panics
-/// Where they differ in size.
+/// Returns an error if they differ in size.
 pub fn alike(a: &[u32], b: &[u32]) -> f64 {
     assert_eq!(a.len(), b.len());
     let same = a.iter().zip(b).filter(|(a, b)| a == b).count();

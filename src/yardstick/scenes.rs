@@ -24,7 +24,7 @@ impl Setting {
     /// Spheres seen by a camera.
     ///
     /// # Panics
-    /// Where one of them is invalid, or the camera sees nothing.
+    /// Returns an error if a sphere is invalid, or the camera sees nothing.
     pub fn new(spheres: Vec<Sphere>, camera: Camera) -> Setting {
         let scene = Scene::new(spheres, Vec::new()).expect("valid spheres");
         Setting { scene, camera, resolved: camera.resolve().expect("a camera that sees") }
@@ -52,7 +52,7 @@ impl Setting {
     /// Returns the scene in an image of another size, through the same viewport.
     ///
     /// # Panics
-    /// Where that is no [`ImageSize`].
+    /// Returns an error if the size is no [`ImageSize`].
     #[must_use]
     pub fn with_image(self, width: u32, height: u32) -> Setting {
         let camera = Camera { image: image(width, height), ..self.camera };

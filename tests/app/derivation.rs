@@ -30,7 +30,7 @@ fn point_at_nothing(window: &mut Harness<'_, App>) {
 }
 
 /// Moves the mouse to a mark in a view.
-fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Concept) {
+fn hover_mark(window: &mut Harness<'_, App>, view: &str, concept: Concept) {
     let derived = window.state().derived();
     let shown = if view == "World view" { &derived.world_view } else { &derived.camera_view };
     let target: Target = shown
@@ -38,7 +38,7 @@ fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Concept) {
         .unwrap()
         .targets
         .iter()
-        .rfind(|target| target.concept == thing)
+        .rfind(|target| target.concept == concept)
         .unwrap()
         .clone();
     let [x, y] = match target.shape {
@@ -112,7 +112,7 @@ fn a_line_that_has_the_focus_lights_its_thing() {
 #[test]
 fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
     let mut window = derivation_window("canonical");
-    for (view, thing, line, words) in [
+    for (view, concept, line, words) in [
         (
             "World view",
             Concept::W,
@@ -123,12 +123,8 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
         ("World view", Concept::Eye, "eye = ", "eye: where every view ray begins"),
         ("Camera view", Concept::Pixel, "(u, v) = ", "the selected place in the viewport"),
     ] {
-        hover_mark(&mut window, view, thing);
-        assert_eq!(
-            pointed(&window),
-            Some(Hovered { concept: thing, by: HoverSource::View }),
-            "{view}"
-        );
+        hover_mark(&mut window, view, concept);
+        assert_eq!(pointed(&window), Some(Hovered { concept, by: HoverSource::View }), "{view}");
         assert!(says(&window, words), "{:?}", texts_with(&window, words));
         let highlighted: Vec<String> = window
             .root()
@@ -248,20 +244,20 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
 }
 
 #[test]
-fn things_are_pointed_at_in_the_views_of_every_layout() {
+fn concepts_are_pointed_at_in_the_views_of_every_layout() {
     for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Frame, ViewLayout::Mistakes] {
         let settings = Settings { layout, ..Settings::default() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);
         let views = [("World view", Concept::W), ("Camera view", Concept::Pixel)];
-        for (view, thing) in views {
+        for (view, concept) in views {
             if window.query_by_role_and_label(Role::Image, view).is_none() {
                 continue;
             }
-            hover_mark(&mut window, view, thing);
+            hover_mark(&mut window, view, concept);
             assert_eq!(
                 pointed(&window),
-                Some(Hovered { concept: thing, by: HoverSource::View }),
+                Some(Hovered { concept, by: HoverSource::View }),
                 "{layout:?}"
             );
             point_at_nothing(&mut window);

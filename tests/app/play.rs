@@ -1,4 +1,4 @@
-//! Animations by key and label: where things are at which phase, going through them, and what is left
+//! Animations by key and label: where the camera is at which phase, going through them, and what is left
 //! when they end.
 
 use egui::accesskit::Role;

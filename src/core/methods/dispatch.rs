@@ -49,7 +49,7 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// Does something with the type of a method, chosen at run time: `$known` stands for it. The ladder is
+/// Evaluates an expression with the type of a method chosen at run time: `$known` stands for it. The ladder is
 /// done by itself.
 macro_rules! with_method {
     ($method:expr, ladder => $ladder:expr, $known:ident => $body:expr) => {

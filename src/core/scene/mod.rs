@@ -51,8 +51,8 @@ impl Scene {
     /// A scene of these objects.
     ///
     /// # Errors
-    /// The first object that is none: a centre, point or normal that is not finite, a radius that is
-    /// not positive, a normal of zero.
+    /// Returns the first invalid object: a centre, point or normal that is not finite, a radius that
+    /// is not positive, a normal of zero.
     pub fn new(spheres: Vec<Sphere>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
         for (index, sphere) in spheres.iter().enumerate() {
             sphere.check().map_err(|error| SceneError::Sphere { index, error })?;

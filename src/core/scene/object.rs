@@ -47,7 +47,7 @@ impl Object {
     /// Checks what [`Scene::new`](crate::Scene::new) checks.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if the object is invalid.
     pub fn check(&self) -> Result<(), ObjectError> {
         match self {
             Object::Sphere(sphere) => sphere.check(),

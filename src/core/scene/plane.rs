@@ -51,7 +51,7 @@ impl Plane {
     /// Checks that point and normal are finite and the normal is not zero.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if the plane is invalid.
     pub fn check(&self) -> Result<(), ObjectError> {
         for (field, value) in [("point", self.point), ("normal", self.normal)] {
             if !value.is_finite() {

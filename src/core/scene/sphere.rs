@@ -64,7 +64,7 @@ impl Sphere {
     /// Checks that the centre is finite and the radius positive and finite.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if the sphere is invalid.
     pub fn check(&self) -> Result<(), ObjectError> {
         if !self.center.is_finite() {
             return Err(ObjectError::NotFinite { field: "center", value: self.center });

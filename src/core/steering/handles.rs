@@ -13,7 +13,7 @@ use crate::exact::scale::{ldexp3, length, split, unit};
 use crate::scene::error::ObjectError;
 use crate::scene::sphere::Sphere;
 
-/// The thing that stays when the eye is moved.
+/// The quantity that stays fixed when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Keep {
     /// The point it looks at, the [pivot](Camera::pivot): the view turns.
@@ -35,7 +35,7 @@ pub enum ViewportCorner {
     BottomRight,
 }
 
-/// The thing that stays, besides its middle, when a corner of the viewport is moved.
+/// The quantity that stays fixed, besides the middle, when a corner of the viewport is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CornerKeeps {
     /// Keeps nothing: width and height follow the corner.
@@ -44,7 +44,7 @@ pub enum CornerKeeps {
     Ratio,
 }
 
-/// The thing that stays when the viewport's distance changes.
+/// The quantity that stays fixed when the viewport's distance changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DistanceKeeps {
     /// Width and height: the field of view changes.

@@ -5,7 +5,7 @@
 //!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
 //!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag) say by how much.
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
-//! - *One thing alone*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
+//! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
 //!   [`Camera::scaled_picture`] is the d-lock.
 //! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_viewport_corner`],
 //!   [`Camera::with_viewport_through`]; [`Sphere::with_surface_through`](crate::Sphere).
@@ -34,9 +34,9 @@
 
 mod handles;
 mod moves;
-mod one_thing;
 mod pointer;
 mod pole;
+mod single_parameter;
 mod snap;
 mod steered;
 mod turns;

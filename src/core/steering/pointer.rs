@@ -16,7 +16,7 @@ pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// horizon of its axis or plane, a pixel goes to infinity.
 pub const FARTHEST: f64 = 1000.0;
 
-/// The line or plane along which something is dragged. Vectors are directions in the world, of any length.
+/// The line or plane of a drag. Vectors are directions in the world, of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DragAlong {
     /// The plane through the anchor that is parallel to the observer's picture.
@@ -31,7 +31,7 @@ pub enum DragAlong {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DragError {
-    /// The thing dragged is not in front of the observer.
+    /// The dragged point is not in front of the observer.
     NotInFront {
         /// Its depth, 0 or negative.
         depth: f64,

@@ -3,9 +3,9 @@
 
 mod handles;
 mod moves;
-mod one_thing;
 mod pointer;
 mod poles;
+mod single_parameter;
 mod snap;
 mod turns;
 

@@ -82,7 +82,8 @@ fn header(bytes: &[u8]) -> Vec<String> {
 /// they are about, and `count_from` where their rows and columns begin, 0 or 1.
 ///
 /// # Errors
-/// The first row at fault with its line, column and value; a file that holds no answers.
+/// Returns the first row at fault with its line, column and value, or an error if the file holds no
+/// answers.
 pub fn parse(
     path: &Path,
     bytes: &[u8],

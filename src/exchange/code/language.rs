@@ -55,7 +55,7 @@ impl Language {
     /// The function from (i, j) to the ray of this camera, as a whole program or shader.
     ///
     /// # Errors
-    /// A number beyond the language's precision.
+    /// Returns an error if a number is out of range in the language's precision.
     pub fn code(&self, camera: &ResolvedCamera) -> Result<String, OutOfRange> {
         let numbers = numbers(camera, self.precision).map_err(|(field, value)| OutOfRange {
             language: self.label,

@@ -18,7 +18,7 @@ const SINGLE: std::ops::RangeInclusive<f64> = 1e-37..=1e38;
 /// it for a whole one, but for the image's columns and rows, which are whole.
 ///
 /// # Errors
-/// The field and the number that has no place in this precision.
+/// Returns the field and the number that is out of range in this precision.
 pub(super) fn numbers(
     camera: &ResolvedCamera,
     precision: Precision,

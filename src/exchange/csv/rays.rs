@@ -12,8 +12,8 @@ const COLUMNS: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
 /// Reads the rays of a file's content; `path` is for the messages.
 ///
 /// # Errors
-/// The first row at fault with its line, column and value: a number that is none or not finite, or
-/// a direction of zero.
+/// Returns the first row at fault with its line, column and value: a text that is no finite number,
+/// or a direction of zero.
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
     let mut rays = Vec::new();
     CsvTable::new(path, bytes, COLUMNS, COLUMNS.len())?.for_each(|row| {

@@ -22,7 +22,8 @@ const NAME: usize = 5;
 /// Reads the spheres of a file.
 ///
 /// # Errors
-/// A file that cannot be read, or the first row at fault with its line, column and value.
+/// Returns an error if the file cannot be read, or the first row at fault with its line, column and
+/// value.
 pub fn load(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
     let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
     parse(path, &bytes)
@@ -31,7 +32,7 @@ pub fn load(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
 /// Reads the spheres of a file's content; `path` is for the messages.
 ///
 /// # Errors
-/// The first row at fault with its line, column and value.
+/// Returns the first row at fault with its line, column and value.
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError> {
     let mut spheres = Vec::new();
     CsvTable::new(path, bytes, COLUMNS, REQUIRED)?.for_each(|row| {

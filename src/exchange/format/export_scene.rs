@@ -58,7 +58,7 @@ impl<'a> ExportScene<'a> {
     /// A document whose camera has a basis.
     ///
     /// # Errors
-    /// The fault of the camera, or of an object that is asked for.
+    /// Returns the fault of the camera, or of an object that is asked for.
     pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, Unsupported> {
         let resolved = document.camera.resolve().map_err(|error| Unsupported(error.to_string()))?;
         if include != Include::CameraAlone {

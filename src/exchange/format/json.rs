@@ -16,7 +16,7 @@ pub(crate) struct Node<'a> {
 /// Reads the text.
 ///
 /// # Errors
-/// Where it is no JSON.
+/// Returns an error if the text is no JSON.
 pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
     serde_json::from_str(text.text).map_err(|error| {
         let said = error.to_string();

@@ -1,12 +1,12 @@
-//! Things that are left out of a text, counted by kind.
+//! Elements of a text that an import leaves out, counted by kind.
 
 use crate::FileError;
 
-/// Kinds of things that are left out, with how often, in the order of the text.
+/// Kinds of elements that are left out, with how often, in the order of the text.
 #[derive(Debug, Default)]
 pub(crate) struct LeftOut {
     counts: Vec<(String, usize)>,
-    /// Number of things of kinds beyond the most that are told.
+    /// Number of elements of kinds beyond the most that are told.
     others: usize,
 }
 

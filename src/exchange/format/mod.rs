@@ -91,7 +91,7 @@ impl Format {
     /// differ, if by more than a billionth, as those of a field of view near 180 degrees may.
     ///
     /// # Errors
-    /// The first thing that the format cannot say.
+    /// Returns the first quantity that the format cannot express.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         let mut written = (self.write)(subject)?;
         let alone = match subject.include {
@@ -108,7 +108,7 @@ impl Importer {
     /// is as in the camera `at_hand`.
     ///
     /// # Errors
-    /// The first thing that is wrong with the text, at its place.
+    /// Returns the first error in the text, with its line and column.
     pub fn read(&self, text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let mut taken = (self.read)(text, at_hand)?;
         // No negative zeros.

@@ -25,7 +25,7 @@ impl Pose {
     /// right-handed: a note says so, and what else is in this world must be mirrored, too.
     ///
     /// # Errors
-    /// As `orientation`.
+    /// Returns the errors of `orientation`.
     pub(crate) fn right_handed(
         &self,
         notes: &mut Vec<String>,
@@ -52,7 +52,7 @@ impl Pose {
     /// The orientation, and what had to be straightened.
     ///
     /// # Errors
-    /// The fault of the three, as "up and backwards are parallel".
+    /// Returns the fault of the three vectors, as "up and backwards are parallel".
     pub(crate) fn orientation(&self, notes: &mut Vec<String>) -> Result<Orientation, String> {
         let [right, up, backwards] = [self.right, self.up, self.backwards].map(without_noise);
         if let Ok(basis) = Basis::by_hand(right, up, backwards) {

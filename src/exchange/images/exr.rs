@@ -15,7 +15,7 @@ use crate::{FileError, atomic};
 /// `object` is [`pinhole_core::NO_OBJECT`], 4294967295.
 ///
 /// # Errors
-/// Where the file cannot be written.
+/// Returns an error if the file cannot be written.
 pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileError> {
     let (rows, columns) = (frame.raster().rows(), frame.raster().columns());
     let camera = frame.camera();

@@ -15,7 +15,7 @@ use crate::{FileError, atomic};
 /// or not at all.
 ///
 /// # Errors
-/// Where the file cannot be written.
+/// Returns an error if the file cannot be written.
 pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<(), FileError> {
     atomic::write(path, |file| encode(BufWriter::new(file), width, height, pixels))
 }
@@ -23,7 +23,7 @@ pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<
 /// Writes the bytes of such a file.
 ///
 /// # Errors
-/// Where `out` does not take them.
+/// Returns an error if writing to `out` fails.
 pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
     encode_as(out, width, height, pixels, false)
 }
@@ -31,7 +31,7 @@ pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> i
 /// Writes a PNG with the pixels' opacity; their colours are not premultiplied.
 ///
 /// # Errors
-/// Where `out` does not take them.
+/// Returns an error if writing to `out` fails.
 pub fn encode_transparent(
     out: impl Write,
     width: u32,
@@ -82,7 +82,7 @@ impl<W: Write> Animated<W> {
     /// once.
     ///
     /// # Errors
-    /// Where `out` does not take the header; of no frames.
+    /// Returns an error if there are no frames, or writing the header to `out` fails.
     pub fn new(
         out: W,
         size: [u32; 2],
@@ -100,7 +100,8 @@ impl<W: Write> Animated<W> {
     /// The next frame, its colours not premultiplied.
     ///
     /// # Errors
-    /// Where it is not as large as the header says, or one too many, or not taken.
+    /// Returns an error if the frame is not as large as the header says, is one too many, or writing
+    /// it fails.
     pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
         self.writer.write_image_data(&bytes_of(pixels, self.transparent)).map_err(to_io)
     }
@@ -108,7 +109,7 @@ impl<W: Write> Animated<W> {
     /// The end, after the last frame.
     ///
     /// # Errors
-    /// Where frames are missing, or it is not taken.
+    /// Returns an error if frames are missing, or writing fails.
     pub fn finish(self) -> io::Result<()> {
         self.writer.finish().map_err(to_io)
     }
@@ -147,7 +148,7 @@ pub fn is_png(bytes: &[u8]) -> bool {
 /// be sRGB.
 ///
 /// # Errors
-/// Bytes that are no PNG, are damaged, or hold more than any image may.
+/// Returns an error if the bytes are no PNG, are damaged, or hold more than any image may.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
     let at_fault = |error: &dyn std::fmt::Display| {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))

@@ -77,7 +77,7 @@ pub fn importer_of(text: &str) -> Option<&'static Importer> {
 /// The importer of a file: by what is in it, else by how its name ends where nothing else ends so.
 ///
 /// # Errors
-/// Where it is none of them; with their names.
+/// Returns an error, with the names of the formats, if it is none of them.
 pub fn importer_of_file(text: &Input) -> Result<&'static Importer, FileError> {
     if let Some(importer) = importer_of(text.text) {
         return Ok(importer);

@@ -64,7 +64,7 @@ pub const VERSION: i64 = 1;
 /// Reads a scene file.
 ///
 /// # Errors
-/// The first thing that is wrong with it, or with the CSV file that it names.
+/// Returns the first error in it, or in the CSV file that it names.
 pub fn load(path: &Path) -> Result<Document, FileError> {
     let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
@@ -78,7 +78,7 @@ pub fn load(path: &Path) -> Result<Document, FileError> {
 /// path is relative to.
 ///
 /// # Errors
-/// As [`load`].
+/// Returns the errors of [`load`].
 pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError> {
     read::document(text, path, Some(base))
 }
@@ -96,7 +96,7 @@ pub struct Saved {
 /// Writes a scene file, as a whole or not at all: [`save_over`] the file that is there.
 ///
 /// # Errors
-/// As [`save_over`].
+/// Returns the errors of [`save_over`].
 pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
     save_over(document, path, fs::read_to_string(path).ok().as_deref())
 }
@@ -107,8 +107,8 @@ pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
 /// reference to a CSV file is kept, and written so that it means the same file from here.
 ///
 /// # Errors
-/// A document with a value that could not be read back, or a file that cannot be written; the old file is then as
-/// it was.
+/// Returns an error if a value could not be read back, or the file cannot be written; the old file
+/// is then as it was.
 pub fn save_over(
     document: &Document,
     path: &Path,

@@ -60,7 +60,7 @@ impl Builtin {
     /// The scene.
     ///
     /// # Errors
-    /// None, as the tests see to.
+    /// Never fails; tests check all scenes.
     pub fn load(&self) -> Result<Document, FileError> {
         scene_file::parse(self.text, Path::new(self.name), Path::new(""))
     }

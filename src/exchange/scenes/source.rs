@@ -20,7 +20,7 @@ impl SceneSource {
     /// `.toml`); else the name of a built-in scene.
     ///
     /// # Errors
-    /// Where there is no such scene; with the names that are near.
+    /// Returns an error, with the names that are near, if there is no such scene.
     pub fn from_argument(argument: &Path) -> Result<SceneSource, FileError> {
         let has_folder = argument.components().count() != 1 || argument.is_absolute();
         let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
@@ -46,7 +46,7 @@ impl SceneSource {
     /// Reads the scene.
     ///
     /// # Errors
-    /// The first thing that is wrong with the file.
+    /// Returns the first error in the file.
     pub fn load(&self) -> Result<Document, FileError> {
         match self {
             SceneSource::File(path) => scene_file::load(path),

@@ -17,7 +17,7 @@ pub(in crate::figures) struct Page<'a> {
     pub(in crate::figures) parts: Vec<Part>,
 }
 
-/// One thing that is drawn.
+/// A primitive of a vector figure.
 #[derive(Clone, Debug)]
 pub(in crate::figures) enum Part {
     /// Pixels, stretched over the whole figure, nearest-neighbour.

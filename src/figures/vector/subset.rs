@@ -19,7 +19,7 @@ const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
 /// The font's file with these letters alone.
 ///
 /// # Errors
-/// A sentence, if the font is none.
+/// Returns an error, as a sentence, if the bytes are no font.
 pub(super) fn subset(face: Face, letters: &BTreeSet<char>) -> Result<Vec<u8>, String> {
     let mut glyphs = GlyphRemapper::new();
     let mut mappings = Vec::new();

@@ -102,7 +102,7 @@ pub struct BasisByHand {
     pub dots: [Option<BasisCheck>; 3],
     /// `(u x v) . w`: 1 or -1 of unit vectors at right angles, and greater than 0 of right-handed ones.
     pub handedness: Option<BasisCheck>,
-    /// The whole, or the first thing that is wrong.
+    /// The whole derivation, or the first error.
     pub basis: Result<Basis, BasisError>,
 }
 

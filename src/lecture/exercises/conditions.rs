@@ -5,7 +5,7 @@ use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere};
 /// Largest relative difference between an answer and the truth that counts as rounding.
 pub(super) const TOLERANCE: f64 = 1e-9;
 
-/// Something that is wrong with an answer.
+/// A fault of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
     /// It is (0, 0, 0).

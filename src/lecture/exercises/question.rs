@@ -122,7 +122,7 @@ pub enum Answer {
     Yes(bool),
 }
 
-/// One thing that a question asks for.
+/// A quantity that a question asks for.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct QuestionPart {

@@ -6,7 +6,7 @@ use super::conditions::Condition;
 use super::question::{Answer, Asked, Given, QuestionPart};
 use crate::mistakes::Mistake;
 
-/// A wrong answer: each of the things asked for that a mistake changes.
+/// A wrong answer: each of the quantities asked for that a mistake changes.
 pub(super) struct Wrong {
     pub(super) mistake: Mistake,
     pub(super) answers: Vec<(Asked, Answer)>,

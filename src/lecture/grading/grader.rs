@@ -134,7 +134,7 @@ impl<'a> Grader<'a> {
     /// The answers with what they are held against.
     ///
     /// # Errors
-    /// The pixels of a picture, whose shading is not known.
+    /// Returns the picture's pixels if the answers are a picture, whose shading is not known.
     fn held<'b>(
         &'b self,
         answers: &'b Answers,

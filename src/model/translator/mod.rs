@@ -198,8 +198,8 @@ fn taken_over(
     objects: usize,
 ) -> (Option<Camera>, Pasted) {
     if objects > 0 {
-        let things = if objects == 1 { "object is" } else { "objects are" };
-        notes.push(format!("{objects} {things} left out: a paste sets the camera alone"));
+        let noun = if objects == 1 { "object is" } else { "objects are" };
+        notes.push(format!("{objects} {noun} left out: a paste sets the camera alone"));
     }
     (Some(camera), Pasted { title, notes, worked: true, camera, shown_at: None })
 }

@@ -44,7 +44,7 @@ impl App {
         changes
     }
 
-    /// Does it; the dialog to open, if there is something to ask or to tell.
+    /// Carries out the action. Returns the dialog to open, if the user has to be asked or told.
     fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
         match action {
             Action::Leave(leave) => return self.leave(ctx, leave),

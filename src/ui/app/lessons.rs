@@ -119,7 +119,7 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip; `differs`: something is not as the step says.
+    /// Shows the lesson's strip; `differs`: the window is not as the step says.
     pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
         let Some(open) = &self.lessons.open else { return };
         Panel::top("lesson").show(ui, |ui| {

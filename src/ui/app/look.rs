@@ -1,4 +1,4 @@
-//! The look of things: carrying out its commands, presenter mode among them, and giving the window
+//! The look of the window: carrying out its commands, presenter mode among them, and giving the window
 //! its colours and sizes.
 
 use egui::{Context, ThemePreference};
@@ -12,7 +12,7 @@ use crate::view::typesetting::theme::{self, Look};
 /// A step of the window's zoom.
 const ZOOM_STEP: f32 = 0.1;
 
-/// Changes how things are shown.
+/// Changes how the scene is shown.
 pub(super) fn apply(session: &mut Session, action: LookAction) {
     let settings = &mut session.settings;
     match action {

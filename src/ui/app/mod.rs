@@ -108,7 +108,7 @@ impl App {
         self.window.renderer = renderer;
     }
 
-    /// Tells the user something that went wrong before the window was there.
+    /// Tells the user about an error from before the window was there.
     pub fn tell(&mut self, title: &str, text: String) {
         self.over.dialog = Some(Dialog::message(title, text));
     }

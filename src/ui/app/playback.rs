@@ -23,7 +23,7 @@ pub(super) struct Playback {
     recorder: Option<Recorder>,
 }
 
-/// The things that an animation begins with, besides the scene.
+/// The state that an animation begins with, besides the scene.
 pub(super) struct Seen<'a> {
     /// The selected ray.
     pub(super) inspection: Option<&'a Inspection>,

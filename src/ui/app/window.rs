@@ -108,7 +108,7 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
     scene.lessons.settings_without(&session)
 }
 
-/// Says something on standard error; where that is closed, there is nobody to tell.
+/// Writes a message to standard error. Failure is ignored: where it is closed, there is nobody to tell.
 pub(crate) fn complain(text: &str) {
     let _ = writeln!(std::io::stderr(), "pinhole: {text}");
 }

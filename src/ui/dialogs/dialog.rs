@@ -29,11 +29,11 @@ pub(crate) enum Dialog {
     Progress { done: u32, frames: u32 },
     /// Asks for a decision about unsaved changes before they are left.
     Unsaved { title: String, then: Leave },
-    /// Something to read and close.
+    /// A message to read and close.
     Message(Message),
 }
 
-/// Something to tell the user.
+/// A message to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Message {
     /// One line.
@@ -49,7 +49,7 @@ impl Message {
 }
 
 impl Dialog {
-    /// Something to read and close.
+    /// A message to read and close.
     pub(crate) fn message(title: &str, text: impl ToString) -> Dialog {
         Dialog::Message(Message::new(title, text))
     }

@@ -33,7 +33,7 @@ const NONE: &str = "Drop a student’s answers on the window: CSV with the colum
 /// The text if the scene is invalid.
 const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
 
-/// The text while the user drags something that takes long to grade.
+/// The text while the user drags and grading takes long.
 const WAITS: &str = "Graded as soon as the hand rests.";
 
 /// Returns the reason why the answers are not graded.

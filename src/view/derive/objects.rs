@@ -51,7 +51,7 @@ impl Objects {
     /// objects, unless objects were added or removed.
     ///
     /// # Errors
-    /// The first invalid object; the good world then stays as it was.
+    /// Returns the first invalid object; the good world then stays as it was.
     pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
         check(document)?;
         let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;

@@ -111,7 +111,7 @@ impl HandleDrag<'_> {
     /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
     /// # Errors
-    /// The reason, in words, why the handle cannot be dragged there.
+    /// Returns the reason, in words, if the handle cannot be dragged there.
     pub fn to(&self, uv: DVec2) -> Result<Dragged, String> {
         let DragStart { at, begun_at, .. } = *self.start;
         let drag = Drag { anchor: at, begun_at };
@@ -123,7 +123,7 @@ impl HandleDrag<'_> {
     /// be.
     ///
     /// # Errors
-    /// The reason, in words, why it cannot be there.
+    /// Returns the reason, in words, if it cannot be there.
     pub fn put(&self, point: DVec3) -> Result<Dragged, String> {
         let DragStart { before, grasp, at, .. } = *self.start;
         let unchanged = self.unchanged();

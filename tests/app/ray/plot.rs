@@ -74,8 +74,8 @@ fn what_is_said_of_a_curve_lights_its_object() {
     let line = window.get_by_label("straight line, 0 at t = 6").rect();
     window.hover_at(line.center());
     window.run();
-    let thing = window.state().session().hovered.map(|pointed| pointed.concept);
-    assert_eq!(thing, Some(Concept::Object(2)));
+    let concept = window.state().session().hovered.map(|pointed| pointed.concept);
+    assert_eq!(concept, Some(Concept::Object(2)));
     window.remove_cursor();
     window.run();
     assert_eq!(window.state().session().hovered, None);

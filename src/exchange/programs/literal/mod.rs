@@ -25,7 +25,7 @@ impl<'a> Source<'a> {
     /// Splits a text into its statements; `right` is what each of them must be.
     ///
     /// # Errors
-    /// The first place that is no statement.
+    /// Returns the first position that is no statement.
     pub(crate) fn new(text: &'a Input<'a>, right: &str) -> Result<Self, FileError> {
         let refused = |plain: &str, (at, right): (usize, &str)| {
             let rest = plain[at..].split([';', '\n']).next().unwrap_or_default();

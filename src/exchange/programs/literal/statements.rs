@@ -55,7 +55,7 @@ pub(crate) fn last_part(name: &str) -> &str {
 /// Returns the text with blanks in the places of its comments, byte by byte.
 ///
 /// # Errors
-/// The byte of a comment that may be a division, and what would be right.
+/// Returns the byte of a comment that may be a division, and what would be right.
 pub(super) fn without_comments(text: &str) -> Result<String, (usize, &'static str)> {
     let mut plain = String::with_capacity(text.len());
     while let Some(c) = text[plain.len()..].chars().next() {

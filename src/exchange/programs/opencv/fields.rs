@@ -26,7 +26,7 @@ const RIGHT: &str = "only K, R (or rvec) and t, the image's width and height and
 /// Returns every field of a text that has one of these names.
 ///
 /// # Errors
-/// A text that is no JSON, or a statement that gives none of these names.
+/// Returns an error if the text is no JSON, or a statement gives none of these names.
 pub(super) fn fields(
     text: &Input,
     is_known: impl Fn(&str) -> bool,

@@ -84,7 +84,7 @@ impl Reader<'_, '_> {
     /// Returns the value that one of these names is given, of one of these counts of numbers.
     ///
     /// # Errors
-    /// Where one is given by no numbers, where none has so many, and where two are given.
+    /// Returns an error if a name is given no numbers, none has one of the counts, or two are given.
     fn one_of(
         &self,
         names: &[&str],

@@ -96,7 +96,7 @@ fn objects() -> Vec<UiCommand> {
     ]
 }
 
-/// The switches of what stays when something is dragged.
+/// The switches of what stays fixed in a drag.
 #[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
     commands![

@@ -38,7 +38,7 @@ use crate::ui::action::{
 };
 use crate::view::derivation::Markup;
 
-/// Something that is done with the mouse, or with keys that are held: listed, not looked up.
+/// An action of the mouse, or of keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]
 pub struct Gesture {
     /// The heading that it stands under.

@@ -6,7 +6,7 @@ use super::*;
 use crate::model::concept::Concept;
 
 /// Concepts that both views show on the canonical stage, except its wall: see below.
-const THINGS: [Concept; 21] = [
+const CONCEPTS: [Concept; 21] = [
     Concept::Eye,
     Concept::At,
     Concept::View,
@@ -56,7 +56,7 @@ fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
 #[test]
 fn every_thing_is_lit_in_the_views_that_can_show_it() {
     let stage = canonical();
-    for concept in THINGS {
+    for concept in CONCEPTS {
         let world = world_drawing(&stage, concept);
         assert!(world.targets().iter().any(|target| target.concept == concept), "{concept:?}");
         check_labels(&world, DVec2::new(SIZE.0.into(), SIZE.1.into()));

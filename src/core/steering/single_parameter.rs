@@ -1,5 +1,5 @@
-//! Cameras that differ from a given one in one thing: rolled, with up tilted, with the same picture at
-//! another distance.
+//! Cameras that differ from a given one in a single parameter: rolled, with up tilted, with the same
+//! picture at another distance.
 
 use glam::DVec3;
 

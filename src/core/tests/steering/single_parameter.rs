@@ -1,4 +1,4 @@
-//! Cameras that differ in one thing.
+//! Cameras that differ in a single parameter.
 
 use pinhole_core::steering::SteerError;
 use pinhole_core::*;
