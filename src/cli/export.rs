@@ -10,7 +10,7 @@ use crate::model::files::save_written;
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
-    // What is wrong with the camera is told at its place in the file.
+    // What is wrong with the camera is told at its position in the file.
     pose(&arguments.scene, &document)?;
     let with = match (arguments.camera_only, arguments.meshes) {
         (true, _) => Include::CameraAlone,

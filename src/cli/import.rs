@@ -57,9 +57,9 @@ const PAIR: [&str; 2] = ["cameras.txt", "images.txt"];
 impl Source {
     /// An error at a line of both files, as one at a line of the file that the line is in.
     fn in_its_file(&self, mut error: FileError) -> FileError {
-        if let (Some((folder, lines)), Some(place)) = (&self.pair, &mut error.place) {
-            let is_second = place.line > *lines;
-            place.line -= if is_second { *lines } else { 0 };
+        if let (Some((folder, lines)), Some(location)) = (&self.pair, &mut error.location) {
+            let is_second = location.line > *lines;
+            location.line -= if is_second { *lines } else { 0 };
             error.file = folder.join(PAIR[usize::from(is_second)]).display().to_string();
         }
         error

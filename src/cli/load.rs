@@ -17,13 +17,13 @@ pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
 
 /// The camera of a scene, ready for its rays.
 ///
-/// A fault of it is told at its place in the scene file, as what cannot be read is.
+/// A fault of it is told at its position in the scene file, as what cannot be read is.
 pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
-    let place_of = |error: &CameraError| match SceneSource::from_argument(scene) {
+    let location_of = |error: &CameraError| match SceneSource::from_argument(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
         Err(_) => None,
     };
-    document.camera.resolve().map_err(|error| match place_of(&error) {
+    document.camera.resolve().map_err(|error| match location_of(&error) {
         Some(fault) => fault.into(),
         None => scene_fault(scene, error),
     })

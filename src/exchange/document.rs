@@ -190,9 +190,9 @@ impl Document {
     /// The colour of the object with this index.
     pub fn color_of(&self, index: u32) -> Rgb {
         // Planes have their own count: a new sphere does not turn them into other colours.
-        let place = index as usize;
-        let place = place.checked_sub(self.sphere_count()).unwrap_or(place);
-        self.look_of(index).1.unwrap_or_else(|| default_color(place))
+        let k = index as usize;
+        let k = k.checked_sub(self.sphere_count()).unwrap_or(k);
+        self.look_of(index).1.unwrap_or_else(|| default_color(k))
     }
 
     fn look_of(&self, index: u32) -> (Option<&str>, Option<Rgb>) {

@@ -13,45 +13,45 @@ pub struct FileError {
     /// The file, as the user gave it.
     pub file: String,
     /// Place in the file; `None` for the file as a whole.
-    pub place: Option<Place>,
+    pub location: Option<Location>,
     /// The field at fault, its value, and what would be right.
     pub problem: String,
 }
 
-/// A place in a text, both counted from 1; a column is a character.
+/// A location in a text: line and column, both counted from 1; a column is a character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct Location {
     /// The line.
     pub line: usize,
     /// The character in the line.
     pub column: usize,
 }
 
-impl Place {
+impl Location {
     /// The beginning of a text.
-    pub(crate) const START: Place = Place { line: 1, column: 1 };
+    pub(crate) const START: Location = Location { line: 1, column: 1 };
 
-    /// The place of a byte of the text.
-    pub fn of_byte(text: &[u8], byte: usize) -> Place {
+    /// The position of a byte of the text.
+    pub fn of_byte(text: &[u8], byte: usize) -> Location {
         let before = &text[..byte.min(text.len())];
         let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |newline| newline + 1);
         let line = before[..line_start].iter().filter(|b| **b == b'\n').count() + 1;
         let line_text = String::from_utf8_lossy(&before[line_start..]);
         // A byte order mark is no character of the first line to its reader.
         let column = line_text.trim_start_matches('\u{feff}').chars().count() + 1;
-        Place { line, column }
+        Location { line, column }
     }
 }
 
 impl FileError {
     /// About the file as a whole.
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
-        FileError { file: path.display().to_string(), place: None, problem: problem.into() }
+        FileError { file: path.display().to_string(), location: None, problem: problem.into() }
     }
 
-    /// About a place in the file.
-    pub(crate) fn at(path: &Path, place: Place, problem: impl Into<String>) -> FileError {
-        FileError { place: Some(place), ..FileError::of_file(path, problem) }
+    /// About a position in the file.
+    pub(crate) fn at(path: &Path, location: Location, problem: impl Into<String>) -> FileError {
+        FileError { location: Some(location), ..FileError::of_file(path, problem) }
     }
 
     /// A file that the system does not let us read.
@@ -73,9 +73,9 @@ fn reason(error: &io::Error) -> String {
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let FileError { file, place, problem } = self;
-        match place {
-            Some(Place { line, column }) => write!(f, "{file}:{line}:{column}: {problem}"),
+        let FileError { file, location, problem } = self;
+        match location {
+            Some(Location { line, column }) => write!(f, "{file}:{line}:{column}: {problem}"),
             None => write!(f, "{file}: {problem}"),
         }
     }

@@ -7,7 +7,7 @@ use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
 use crate::error::one_line;
-use crate::{FileError, Place, suggest};
+use crate::{FileError, Location, suggest};
 
 /// The text that is read, and what messages call it.
 pub struct Source<'a> {
@@ -41,9 +41,9 @@ enum Entry<'a> {
 }
 
 impl Source<'_> {
-    /// Returns an error at a place of the file.
+    /// Returns an error at a position of the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
-        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), span.start), problem)
+        FileError::at(self.path, Location::of_byte(self.text.as_bytes(), span.start), problem)
     }
 }
 

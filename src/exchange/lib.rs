@@ -29,4 +29,4 @@ pub mod scene_file;
 pub mod scenes;
 mod suggest;
 
-pub use error::{FileError, Place};
+pub use error::{FileError, Location};

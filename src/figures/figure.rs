@@ -3,7 +3,7 @@
 use egui::{Color32, ColorImage};
 
 #[cfg(feature = "figures")]
-use super::vector::{self, Page, Part, Picture};
+use super::vector::{self, Page, Picture, Primitive};
 use crate::view::headless::UiPass;
 use crate::view::overlay::{Path, Style, paint_paths};
 use pinhole_exchange::images::png;
@@ -95,11 +95,11 @@ impl Figure {
     /// The figure as what vector formats are written from.
     #[cfg(feature = "figures")]
     fn page(&self) -> Page<'_> {
-        let mut parts: Vec<Part> =
-            self.picture.iter().map(|picture| Part::Picture(Picture::new(picture))).collect();
-        parts.extend(self.paths.iter().cloned().map(Part::Path));
-        parts.extend(vector::parts(self.drawn.shapes(), self.drawn.pixels_per_point()));
-        Page { title: &self.title, size: self.size, ground: self.ground, parts }
+        let mut primitives: Vec<Primitive> =
+            self.picture.iter().map(|picture| Primitive::Picture(Picture::new(picture))).collect();
+        primitives.extend(self.paths.iter().cloned().map(Primitive::Path));
+        primitives.extend(vector::primitives(self.drawn.shapes(), self.drawn.pixels_per_point()));
+        Page { title: &self.title, size: self.size, ground: self.ground, primitives }
     }
 
     /// The bytes of a file.

@@ -9,7 +9,7 @@
 //! - `figure`: a figure, its look and its formats;
 //! - `order`: what is asked for;
 //! - `animation`: many figures, one for each phase of what plays;
-//! - `views`: figures of the two views; `window_parts`: of the derivation and the lab of lines;
+//! - `views`: figures of the two views; `panes`: of the derivation and the lab of lines;
 //! - `chart`: lines, marks and text of a chart, which the report's plot is drawn with;
 //! - `vector`: SVG and PDF, behind the feature `figures`.
 
@@ -17,13 +17,13 @@ mod animation;
 pub(crate) mod chart;
 mod figure;
 mod order;
+mod panes;
 #[cfg(feature = "figures")]
 mod vector;
 mod views;
-mod window_parts;
 
 pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
 pub use self::figure::{Figure, Format, Look};
 pub use self::order::{Content, Order, Subject, derivation_of};
+pub use self::panes::MARGIN;
 pub use self::views::{View, of_view, scale_of};
-pub use self::window_parts::MARGIN;

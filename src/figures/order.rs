@@ -7,8 +7,8 @@ use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
 use super::figure::{Figure, Format, Look};
+use super::panes;
 use super::views::{View, of_view};
-use super::window_parts;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Derivation, Markup, Section};
 use crate::view::derive::{Deriver, ViewSizes};
@@ -134,7 +134,7 @@ impl Order {
         match self.subject {
             Subject::World => of_view(View::World),
             Subject::Camera => of_view(View::Camera),
-            Subject::Derivation => Ok(window_parts::derivation(
+            Subject::Derivation => Ok(panes::derivation(
                 &derivation_of(document, session),
                 self.points[0],
                 look,
@@ -142,7 +142,7 @@ impl Order {
             )),
             Subject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / scale);
-                Ok(window_parts::lines(&session.lines, session.settings.digits, points, look))
+                Ok(panes::lines(&session.lines, session.settings.digits, points, look))
             }
         }
     }

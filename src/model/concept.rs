@@ -55,16 +55,16 @@ pub enum Concept {
     Normal,
 }
 
-/// The concept that is hovered, and the place where it is hovered.
+/// The concept that is hovered, and the position where it is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hovered {
     /// The hovered concept.
     pub concept: Concept,
-    /// The place where it is hovered.
+    /// The position where it is hovered.
     pub by: HoverSource,
 }
 
-/// A place where a concept is hovered.
+/// A position where a concept is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoverSource {
     /// A view: the derivation scrolls to the concept's line.
@@ -87,7 +87,7 @@ const NAMES: [(Concept, &str, &str); 19] = [
     (Concept::WCrossU, "w-cross-u", "𝐰 × 𝐮: at right angles to both"),
     (Concept::Viewport, "viewport", "viewport: what the image is stretched over"),
     (Concept::Distance, "distance", symbols::DISTANCE),
-    (Concept::Pixel, "pixel", "the selected place in the viewport"),
+    (Concept::Pixel, "pixel", "the selected position in the viewport"),
     (Concept::AlongU, "along-u", "𝑢 𝐮: how far to the right"),
     (Concept::AlongV, "along-v", "𝑣 𝐯: how far up"),
     (Concept::AlongW, "along-w", "−distance 𝐰: how far forwards"),

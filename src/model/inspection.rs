@@ -14,7 +14,7 @@ pub const LISTED_OBJECTS: usize = 12;
 
 /// The numbers that decide hit or miss for one object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Parts {
+pub enum ObjectTerms {
     /// a, b, c and D.
     Sphere(SphereQuadratic),
     /// `n . d` and `n . (point - p)`.
@@ -27,14 +27,14 @@ pub struct Inspection {
     /// The point (u, v) where the ray passes through the viewport.
     pub uv: DVec2,
     /// The position of that point in the image; `None` outside the image.
-    pub place: Option<PixelOfUv>,
+    pub image_position: Option<PixelOfUv>,
     /// The view ray with its direction rounded. The intersections are those of the ray before
     /// rounding.
     pub ray: Ray,
     /// All roots of all objects, by ascending `t`, including negative ones. Every `t` is finite.
     pub roots: Vec<Root>,
     /// The parts of the first [`LISTED_OBJECTS`] objects' intersections.
-    pub parts: Vec<Parts>,
+    pub terms: Vec<ObjectTerms>,
     /// Index of the first hit in `roots`.
     pub first: Option<usize>,
 }
@@ -47,10 +47,10 @@ impl Inspection {
             Ok(exact) => Inspection::of_exact(camera, scene, uv, &exact),
             Err(_) => Inspection {
                 uv,
-                place: None,
+                image_position: None,
                 ray: camera.ray(uv),
                 roots: Vec::new(),
-                parts: Vec::new(),
+                terms: Vec::new(),
                 first: None,
             },
         }
@@ -64,18 +64,18 @@ impl Inspection {
         // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
         // hit.
         let first = roots.iter().position(|root| root.t > 0.0);
-        let parts = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
-            Object::Sphere(sphere) => Parts::Sphere(sphere.quadratic_of(exact)),
-            Object::Plane(plane) => Parts::Plane(plane.terms_of(exact)),
+        let terms = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
+            Object::Sphere(sphere) => ObjectTerms::Sphere(sphere.quadratic_of(exact)),
+            Object::Plane(plane) => ObjectTerms::Plane(plane.terms_of(exact)),
         });
-        let (place, parts) = (camera.pixel_of_uv(uv), parts.collect());
-        Inspection { uv, place, ray: exact.rounded(), roots, parts, first }
+        let (image_position, terms) = (camera.pixel_of_uv(uv), terms.collect());
+        Inspection { uv, image_position, ray: exact.rounded(), roots, terms, first }
     }
 
     /// Returns the only pixel that the ray goes through; `None` outside the image and on an edge
     /// between pixels.
     pub fn pixel(&self) -> Option<Pixel> {
-        let PixelOfUv { pixel, column_edge, row_edge } = self.place?;
+        let PixelOfUv { pixel, column_edge, row_edge } = self.image_position?;
         (column_edge.is_none() && row_edge.is_none()).then_some(pixel)
     }
 

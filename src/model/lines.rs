@@ -153,16 +153,16 @@ impl LinesLab {
     }
 
     /// Returns the position of a handle; `None` if its line is invalid.
-    pub fn place_of(&self, handle: Handle) -> Option<DVec2> {
+    pub fn position_of(&self, handle: Handle) -> Option<DVec2> {
         let of_line = || self.line.check().ok().map(|()| self.grip);
-        let place = match handle {
+        let position = match handle {
             Handle::Move => of_line()?,
             Handle::Turn => of_line()? + self.reach * self.line.direction(),
             Handle::P => self.ray.p,
             Handle::Tip => self.ray.p + self.ray.d,
             Handle::T => self.ray.at(self.t),
         };
-        place.is_finite().then_some(place)
+        position.is_finite().then_some(position)
     }
 
     /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along
@@ -177,8 +177,8 @@ impl LinesLab {
                 let t = (t * per_step).round() / per_step + 0.0;
                 self.set_t(t.clamp(-LARGEST, LARGEST));
             }
-        } else if let Some(place) = self.place_of(handle) {
-            self.drag(handle, place + step * steps, fineness);
+        } else if let Some(position) = self.position_of(handle) {
+            self.drag(handle, position + step * steps, fineness);
         }
     }
 
@@ -241,7 +241,7 @@ mod tests {
         for handle in [Handle::Move, Handle::Turn, Handle::P, Handle::Tip] {
             let mut lab = LinesLab::default();
             lab.drag(handle, to, 100.0);
-            let there = lab.place_of(handle).expect("a place");
+            let there = lab.position_of(handle).expect("a place");
             assert!(there.distance(to) < 1e-12, "{handle:?} {there}");
         }
         let mut lab = LinesLab::default();
@@ -252,9 +252,9 @@ mod tests {
     #[test]
     fn turning_keeps_the_grip_and_moving_keeps_the_direction() {
         let mut lab = LinesLab::default();
-        let grip = lab.place_of(Handle::Move).expect("a place");
+        let grip = lab.position_of(Handle::Move).expect("a place");
         lab.drag(Handle::Turn, DVec2::new(3.0, 3.0), 100.0);
-        assert_eq!(lab.place_of(Handle::Move), Some(grip));
+        assert_eq!(lab.position_of(Handle::Move), Some(grip));
         assert_eq!(lab.line().f(grip), 0.0);
         let direction = lab.line().direction();
         lab.drag(Handle::Move, DVec2::new(-2.0, 0.5), 100.0);
@@ -293,7 +293,7 @@ mod tests {
     #[test]
     fn no_drag_leaves_no_line() {
         let mut lab = LinesLab::default();
-        let (p, grip) = (lab.ray.p, lab.place_of(Handle::Move).expect("a place"));
+        let (p, grip) = (lab.ray.p, lab.position_of(Handle::Move).expect("a place"));
         let before = lab.clone();
         lab.drag(Handle::Tip, p, 100.0);
         lab.drag(Handle::Turn, grip, 100.0);

@@ -10,7 +10,7 @@ use pinhole_exchange::{FileError, atomic};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::model::lessons::{Place, Which};
+use crate::model::lessons::{StepId, Which};
 use crate::model::session::{Selection, Settings};
 use crate::model::window_geometry::WindowGeometry;
 
@@ -36,10 +36,10 @@ pub struct Remembered {
 }
 
 impl Remembered {
-    /// Returns the place in the built-in lessons where the last run ended.
-    pub fn lesson_place(&self) -> Option<Place> {
+    /// Returns the position in the built-in lessons where the last run ended.
+    pub fn lesson_step(&self) -> Option<StepId> {
         let (number, step) = self.lesson?;
-        Some(Place { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
+        Some(StepId { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
     }
 }
 
@@ -81,19 +81,19 @@ fn readable(text: &str) -> Remembered {
     serde_json::from_value(kept).unwrap_or_default()
 }
 
-/// Copies the value `read` at a place (a JSON pointer) into `kept`, as far as the result is valid.
-fn keep(kept: &mut Value, place: &str, read: &Value) {
-    if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(place)) {
+/// Copies the value `read` at a position (a JSON pointer) into `kept`, as far as the result is valid.
+fn keep(kept: &mut Value, pointer: &str, read: &Value) {
+    if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(pointer)) {
         let known: Vec<String> = known.keys().cloned().collect();
         for key in known {
             if let Some(value) = entries.get(&key) {
-                keep(kept, &format!("{place}/{key}"), value);
+                keep(kept, &format!("{pointer}/{key}"), value);
             }
         }
         return;
     }
     let mut next = kept.clone();
-    if let Some(value) = next.pointer_mut(place) {
+    if let Some(value) = next.pointer_mut(pointer) {
         value.clone_from(read);
         if Remembered::deserialize(&next).is_ok() {
             *kept = next;

@@ -25,7 +25,7 @@ pub(crate) const NORMAL: &str =
     "normal: at right angles to the surface where the ray hits it, of length 1";
 const P: &str = "𝐩: where the view ray begins, the eye";
 const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is the viewport";
-const UV: &str = "(𝑢, 𝑣): the place in the viewport, from its middle, in world units";
+const UV: &str = "(𝑢, 𝑣): the position in the viewport, from its middle, in world units";
 
 /// All symbols that have a meaning of their own.
 const MEANINGS: [(Kind, &str, &str); 38] = [

@@ -1,6 +1,6 @@
 //! The remembered place and size of the window.
 
-/// The place and size of the window.
+/// The position and size of the window.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct WindowGeometry {

@@ -70,11 +70,11 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
 pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     let text = text.lines().next().unwrap_or_default();
-    let after_place = text.strip_prefix("os error at ").and_then(|rest| {
+    let after_location = text.strip_prefix("os error at ").and_then(|rest| {
         let (_, after_file) = rest.split_once(".rs:")?;
         after_file.split_once(": ").map(|(_, cause)| cause)
     });
-    after_place.unwrap_or(text).trim_end_matches('.').to_owned()
+    after_location.unwrap_or(text).trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

@@ -232,8 +232,8 @@ impl Open {
     /// position in points until the mouse is moved.
     fn keep_pointer(&mut self, before: f32) {
         let ratio = before / self.ctx.zoom_factor();
-        if let (true, Some(place)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
-            let there = egui::Event::PointerMoved((ratio * place.to_vec2()).to_pos2());
+        if let (true, Some(pointer)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
+            let there = egui::Event::PointerMoved((ratio * pointer.to_vec2()).to_pos2());
             self.state.egui_input_mut().events.push(there);
             self.repaint_by(Instant::now());
         }

@@ -31,13 +31,13 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let lesson = match (lesson, scene) {
         (Some(lesson), _) => Some(lesson.load()?),
         (None, Some(_)) => None,
-        (None, None) => remembered.lesson_place().map(|place| (place, None)),
+        (None, None) => remembered.lesson_step().map(|id| (id, None)),
     };
     let Start { open, remembered, trouble } = start(scene.as_deref(), remembered)?;
     let geometry = remembered.window;
     let mut app = App::new(open, remembered, store);
-    if let Some((place, file)) = lesson {
-        app.open_lesson(place, file);
+    if let Some((id, file)) = lesson {
+        app.open_lesson(id, file);
     }
     if let Some(trouble) = trouble {
         app.tell("The last scene cannot be opened again", trouble);
@@ -52,7 +52,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
 
 /// Returns true if the desktop's settings ask for less motion.
 fn wants_less_motion() -> bool {
-    choose_base_strategy().is_ok_and(|places| motion::is_reduced(&places.config_dir()))
+    choose_base_strategy().is_ok_and(|folders| motion::is_reduced(&folders.config_dir()))
 }
 
 /// The document and state that the window opens with.

@@ -34,11 +34,11 @@ pub(super) fn builder(geometry: WindowGeometry, event_loop: &ActiveEventLoop) ->
         .available_monitors()
         .map(|monitor| {
             let scale = monitor.scale_factor();
-            let (place, size) = (monitor.position(), monitor.size());
+            let (position, size) = (monitor.position(), monitor.size());
             let point = |x: i32, y: i32| egui::pos2(x as f32, y as f32) / scale as f32;
             egui::Rect::from_min_max(
-                point(place.x, place.y),
-                point(place.x + size.width as i32, place.y + size.height as i32),
+                point(position.x, position.y),
+                point(position.x + size.width as i32, position.y + size.height as i32),
             )
         })
         .collect();

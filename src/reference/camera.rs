@@ -102,7 +102,7 @@ struct ScaledBasis {
     multiple: Surd,
 }
 
-/// The place of `sqrt(A)`, `sqrt(B)` and `sqrt(A B)` in a [`Surd`].
+/// The position of `sqrt(A)`, `sqrt(B)` and `sqrt(A B)` in a [`Surd`].
 const ROOT_A: usize = 1;
 const ROOT_B: usize = 2;
 const ROOT_AB: usize = 3;
@@ -130,7 +130,7 @@ impl ScaledBasis {
             return Err(Status::UpParallelToView);
         }
         let above = cross(&right, &view);
-        let times_root = |x: &Vector, place| x.clone().map(|x| Surd::with_root(x, place));
+        let times_root = |x: &Vector, index| x.clone().map(|x| Surd::with_root(x, index));
         Ok(ScaledBasis {
             field: Field::new(dot(&right, &right), dot(&view, &view)),
             u: times_root(&right, ROOT_B),

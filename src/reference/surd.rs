@@ -32,9 +32,9 @@ impl Surd {
     }
 
     /// `p` times the root with this place in [`Surd`].
-    pub(crate) fn with_root(p: Dyadic, place: usize) -> Surd {
+    pub(crate) fn with_root(p: Dyadic, index: usize) -> Surd {
         let mut surd = Surd::ZERO;
-        surd.0[place] = p;
+        surd.0[index] = p;
         surd
     }
 

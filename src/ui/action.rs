@@ -11,7 +11,7 @@ use pinhole_lecture::mistakes::Mistake;
 use crate::figures::{Frames, Order};
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
-use crate::model::lessons::Place;
+use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
@@ -37,7 +37,7 @@ pub enum Leave {
     /// Show a document that was made up, such as an exercise's.
     Show(Box<MadeUp>),
     /// Show this step of a lesson.
-    GoTo(Place),
+    GoTo(StepId),
     /// Set everything as the open lesson's step says, once more.
     BackToStep,
     /// Close the window.

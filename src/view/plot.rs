@@ -46,7 +46,7 @@ pub struct Curve {
     /// The object and its look.
     pub named: Named,
     /// Index among the curves, which determines the dashes.
-    pub place: usize,
+    pub index: usize,
     /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
     /// The unit of f in the plot.
@@ -95,14 +95,14 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
 
 /// Returns the functions of some objects along the ray.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
-    let made = |(place, named): (usize, &Named)| {
+    let made = |(index, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
         let shape = scene.object(named.object)?;
         let derivation = ObjectDerivation::new(&shape, named.object, ray).ok()?;
         let vertex = along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs()));
         let unit = ImplicitUnit::new(&scene.object(named.object)?, &along);
         let at_eye = along.value(0.0);
-        Some(Curve { named: named.clone(), place, derivation, unit, at_eye, vertex })
+        Some(Curve { named: named.clone(), index, derivation, unit, at_eye, vertex })
     };
     named.iter().enumerate().filter_map(made).collect()
 }

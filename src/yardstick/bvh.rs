@@ -77,18 +77,18 @@ impl Bvh {
         let mut objects: Vec<u32> = (0..all.len() as u32).collect();
         let mut nodes = vec![Node { bounds: Bounds::NONE, first: 0, count: 0 }];
         let mut open = vec![(0, 0..objects.len(), 0)];
-        while let Some((place, range, depth)) = open.pop() {
+        while let Some((at, range, depth)) = open.pop() {
             let own = &mut objects[range.clone()];
             let boxes = own.iter().map(|object| Bounds::around(&all[*object as usize]));
             let bounds = boxes.fold(Bounds::NONE, Bounds::with);
             if own.len() <= LEAF {
                 let (first, count) = (range.start as u32, own.len() as u32);
-                nodes[place] = Node { bounds, first, count };
+                nodes[at] = Node { bounds, first, count };
                 continue;
             }
             let middle = range.start + split(own, &all, depth);
             let left = nodes.len();
-            nodes[place] = Node { bounds, first: left as u32, count: 0 };
+            nodes[at] = Node { bounds, first: left as u32, count: 0 };
             nodes.extend([Node { bounds: Bounds::NONE, first: 0, count: 0 }; 2]);
             open.push((left, range.start..middle, depth + 1));
             open.push((left + 1, middle..range.end, depth + 1));
@@ -110,11 +110,11 @@ impl Bvh {
         let mut height = usize::from(!self.balls.is_empty());
         while height > 0 {
             height -= 1;
-            let (place, entry) = stack[height];
+            let (at, entry) = stack[height];
             if entry >= nearest.t {
                 continue;
             }
-            let node = &self.nodes[place as usize];
+            let node = &self.nodes[at as usize];
             if node.count > 0 {
                 self.ask_leaf(node, origin, direction, &mut nearest);
                 continue;
@@ -139,9 +139,9 @@ impl Bvh {
 
     #[inline]
     fn ask_leaf(&self, node: &Node, origin: Vec3, direction: Vec3, nearest: &mut Nearest) {
-        for place in node.first as usize..(node.first + node.count) as usize {
-            let Some(t) = self.balls[place].first_root(origin, direction) else { continue };
-            let object = self.objects[place];
+        for at in node.first as usize..(node.first + node.count) as usize {
+            let Some(t) = self.balls[at].first_root(origin, direction) else { continue };
+            let object = self.objects[at];
             if t < nearest.t || (t == nearest.t && object < nearest.object) {
                 *nearest = Nearest { t, object };
             }
@@ -178,9 +178,9 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
         return half;
     };
     let mut left = 0;
-    for place in 0..objects.len() {
-        if bin_of(axis, &objects[place]) < cut {
-            objects.swap(place, left);
+    for at in 0..objects.len() {
+        if bin_of(axis, &objects[at]) < cut {
+            objects.swap(at, left);
             left += 1;
         }
     }

@@ -39,7 +39,7 @@ impl fmt::Display for Fault {
 pub fn sample(scene: &Scene, frame: &Frame<f32>, count: usize, seed: u64) -> Result<(), Fault> {
     let (rows, columns) = (frame.raster().rows().len(), frame.raster().columns().len());
     let mut random = Random::new(seed);
-    let places: Vec<[usize; 2]> = (0..count)
+    let pixels: Vec<[usize; 2]> = (0..count)
         .map(|k| {
             let (row, column) = (random.below(rows as u32), random.below(columns as u32));
             let [row, column] = [row as usize, column as usize];
@@ -49,7 +49,7 @@ pub fn sample(scene: &Scene, frame: &Frame<f32>, count: usize, seed: u64) -> Res
             [row, moved.unwrap_or(column)]
         })
         .collect();
-    places.into_par_iter().try_for_each(|place| compare(scene, frame, place))
+    pixels.into_par_iter().try_for_each(|pixel| compare(scene, frame, pixel))
 }
 
 fn compare(scene: &Scene, frame: &Frame<f32>, [row, column]: [usize; 2]) -> Result<(), Fault> {

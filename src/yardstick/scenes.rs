@@ -40,7 +40,7 @@ impl Setting {
         self.camera.image.width() as usize * self.camera.image.height() as usize
     }
 
-    /// The camera of a frame: on a small circle around its place, at another point in every frame.
+    /// The camera of a frame: on a small circle around its position, at another point in every frame.
     pub fn camera(&self, frame: usize) -> ResolvedCamera {
         let basis = self.resolved.basis();
         let (sin, cos) = (0.7 * frame as f64).sin_cos();

@@ -121,7 +121,7 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
         ),
         ("World view", Concept::V, "𝐯 = 𝐰 × 𝐮", "𝐯: up in the image, of length 1"),
         ("World view", Concept::Eye, "eye = ", "eye: where every view ray begins"),
-        ("Camera view", Concept::Pixel, "(u, v) = ", "the selected place in the viewport"),
+        ("Camera view", Concept::Pixel, "(u, v) = ", "the selected position in the viewport"),
     ] {
         hover_mark(&mut window, view, concept);
         assert_eq!(pointed(&window), Some(Hovered { concept, by: HoverSource::View }), "{view}");

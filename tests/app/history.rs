@@ -134,10 +134,10 @@ fn history_survives_the_steps_of_a_lesson() {
     let step_1 = harness.state().document().clone();
     type_into(&mut harness, "eye y", "2");
     press(&mut harness, Modifiers::NONE, Key::PageDown);
-    assert_eq!(harness.state().lesson().unwrap().place().step, 1);
+    assert_eq!(harness.state().lesson().unwrap().id().step, 1);
 
     undo(&mut harness);
-    assert_eq!(harness.state().lesson().unwrap().place().step, 0);
+    assert_eq!(harness.state().lesson().unwrap().id().step, 0);
     assert_eq!(harness.state().document().camera.eye.y, 2.0);
     undo(&mut harness);
     assert_eq!(*harness.state().document(), step_1);
@@ -149,6 +149,6 @@ fn history_survives_the_steps_of_a_lesson() {
     for _ in 0..4 {
         redo(&mut harness);
     }
-    assert_eq!(harness.state().lesson().unwrap().place().step, 1);
+    assert_eq!(harness.state().lesson().unwrap().id().step, 1);
     assert_menu(&mut harness, "Undo show Lesson 4, step 2", "Redo");
 }

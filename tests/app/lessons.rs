@@ -12,7 +12,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::lessons::{Place, Which};
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::ui::app::App;
 
 use super::harness::window;
@@ -25,8 +25,8 @@ fn press(window: &mut Window, button: &str) {
 }
 
 fn go_to(window: &mut Window, lesson: usize, step: usize) {
-    let place = Place { lesson: Which::Builtin(lesson - 1), step: step - 1 };
-    window.state_mut().open_lesson(place, None);
+    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
+    window.state_mut().open_lesson(id, None);
     window.run();
 }
 
@@ -43,9 +43,9 @@ fn key(window: &mut Window, key: Key) {
 }
 
 /// The open lesson and step, counted from 1.
-fn place(window: &Window) -> (usize, usize) {
-    match window.state().lesson().unwrap().place() {
-        Place { lesson: Which::Builtin(index), step } => (index + 1, step + 1),
-        place => panic!("{place:?}"),
+fn shown_step(window: &Window) -> (usize, usize) {
+    match window.state().lesson().unwrap().id() {
+        StepId { lesson: Which::Builtin(index), step } => (index + 1, step + 1),
+        shown_step => panic!("{shown_step:?}"),
     }
 }

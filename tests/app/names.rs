@@ -19,7 +19,7 @@ fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
 
 /// Fails where something to act on has no name, or the name of its neighbour.
 #[track_caller]
-fn assert_all_named(harness: &Harness<'_, App>, place: &str) {
+fn assert_all_named(harness: &Harness<'_, App>, context: &str) {
     let mut names: HashMap<(Option<_>, Role, String), usize> = HashMap::new();
     let mut nameless = Vec::new();
     let mut count = 0;
@@ -40,10 +40,10 @@ fn assert_all_named(harness: &Harness<'_, App>, place: &str) {
         }
         *names.entry((node.parent().map(|parent| parent.id()), role, name)).or_default() += 1;
     }
-    assert!(count > 0, "{place}");
-    assert!(nameless.is_empty(), "{place}: without a name: {nameless:?}");
+    assert!(count > 0, "{context}");
+    assert!(nameless.is_empty(), "{context}: without a name: {nameless:?}");
     let twice: Vec<_> = names.iter().filter(|(_, count)| **count > 1).map(|(key, _)| key).collect();
-    assert!(twice.is_empty(), "{place}: {twice:?}");
+    assert!(twice.is_empty(), "{context}: {twice:?}");
 }
 
 #[test]

@@ -131,14 +131,14 @@ fn spheres_around_the_camera_are_edited_unseen_by_the_observer() {
 fn a_dragged_sphere_is_replaced_in_place_where_nobody_holds_the_scene() {
     let (mut document, mut deriver) = (document(), Deriver::default());
     let session = session(Shade::Lambert);
-    let place = |derived: &Derived| derived.scene.as_ref().unwrap().spheres().as_ptr();
+    let address = |derived: &Derived| derived.scene.as_ref().unwrap().spheres().as_ptr();
     let mut derived = deriver.derive(&document, &session, &SIZES);
-    let first = place(&derived);
+    let first = address(&derived);
     for step in 1..4 {
         document.spheres[0].shape.center.x = 0.1 * f64::from(step);
         derived.scene = None;
         derived = deriver.derive(&document, &session, &SIZES);
-        assert_eq!(place(&derived), first, "a million spheres would have been copied");
+        assert_eq!(address(&derived), first, "a million spheres would have been copied");
     }
     let held: Arc<Scene> = derived.scene.clone().unwrap();
     document.spheres[0].shape.center.x = 2.0;

@@ -76,10 +76,10 @@ fn everything_is_reached_by_a_few_letters() {
     command(&mut harness, "scene look-at");
     assert!(harness.state().document().spheres.len() > 1);
     command(&mut harness, "step lesson 7 2.");
-    let place = harness.state().lesson().unwrap().place();
-    assert_eq!(place.step, 1);
+    let id = harness.state().lesson().unwrap().id();
+    assert_eq!(id.step, 1);
     command(&mut harness, "lesson previous");
-    assert_eq!(harness.state().lesson().unwrap().place().step, 0);
+    assert_eq!(harness.state().lesson().unwrap().id().step, 0);
     command(&mut harness, "close the lesson");
     assert!(harness.state().lesson().is_none());
 }
@@ -107,14 +107,14 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
 fn the_palette_stays_where_it_is_while_somebody_types() {
     let mut harness = window("canonical");
     press(&mut harness, Modifiers::COMMAND, Key::P);
-    let place = |harness: &Harness<'_, App>| {
+    let id = |harness: &Harness<'_, App>| {
         harness.get_by_role_and_label(Role::TextInput, "Command").rect().min
     };
-    let before = place(&harness);
+    let before = id(&harness);
     for text in ["lay", "out d", "qqqq"] {
         harness.get_by_role_and_label(Role::TextInput, "Command").type_text(text);
         harness.run();
-        assert_eq!(place(&harness), before, "{text}");
+        assert_eq!(id(&harness), before, "{text}");
     }
 }
 

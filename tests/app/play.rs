@@ -190,8 +190,8 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     // The middle of a pixel has no mark and no edge.
     let differs = |row: usize, column: usize| {
         let [w, h] = image.size;
-        let place = (2 * row + 1) * h / 16 * w + (2 * column + 1) * w / 16 + 5;
-        image.pixels[place] != whole.pixels[place]
+        let offset = (2 * row + 1) * h / 16 * w + (2 * column + 1) * w / 16 + 5;
+        image.pixels[offset] != whole.pixels[offset]
     };
     assert!((0..3).all(|row| (0..8).all(|column| !differs(row, column))), "scanned");
     assert!((4..8).all(|row| (0..8).all(|column| differs(row, column))), "not yet");

@@ -156,7 +156,7 @@ fn lessons_texts_are_large_and_their_keys_go_on() {
         press(&mut harness, Key::Enter);
         let steps = harness.state().lesson().unwrap().lesson().steps.len();
         for step in 0..steps {
-            assert_eq!(harness.state().lesson().unwrap().place().step, step);
+            assert_eq!(harness.state().lesson().unwrap().id().step, step);
             assert_texts_are_large(&harness);
             assert!(harness.query_by_label("Next").is_none(), "the strip is slim");
             if step + 1 < steps {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use pinhole::model::concept::Concept;
-use pinhole::model::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
+use pinhole::model::lessons::{AskedExercise, LessonArgument, StepId, Which, builtin, load, parse};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
@@ -386,7 +386,7 @@ fn every_fault_has_its_place_and_says_what_would_be_right() {
 #[test]
 fn an_argument_is_a_number_a_step_or_a_file() {
     let at =
-        |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
+        |lesson, step| Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(lesson), step }));
     assert_eq!(LessonArgument::parse("7"), at(6, 0));
     assert_eq!(LessonArgument::parse("7.3"), at(6, 2));
     assert_eq!(LessonArgument::parse("13"), at(12, 0));

@@ -97,12 +97,12 @@ fn nearest_texels_are_blocks() {
 #[test]
 fn pictures_one_to_one_and_mirrored() {
     let painter = painter(Painter::new(), &four_texels(), TextureOptions::LINEAR);
-    let place = rect(1.0, 1.0, 3.0, 3.0);
-    let pixels = draw(&painter, [4, 4], Color32::BLACK, &[pictured(place, WHOLE, Color32::WHITE)]);
+    let area = rect(1.0, 1.0, 3.0, 3.0);
+    let pixels = draw(&painter, [4, 4], Color32::BLACK, &[pictured(area, WHOLE, Color32::WHITE)]);
     assert_eq!(text(&pixels, 4, &NAMES), ["....", ".rg.", ".bw.", "...."]);
     let mirrored = rect(1.0, 0.0, 0.0, 1.0);
     let pixels =
-        draw(&painter, [4, 4], Color32::BLACK, &[pictured(place, mirrored, Color32::WHITE)]);
+        draw(&painter, [4, 4], Color32::BLACK, &[pictured(area, mirrored, Color32::WHITE)]);
     assert_eq!(text(&pixels, 4, &NAMES), ["....", ".gr.", ".wb.", "...."]);
 }
 

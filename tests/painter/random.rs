@@ -10,7 +10,7 @@ use crate::support::naive;
 
 const SIDE: usize = 24;
 
-fn place() -> impl Strategy<Value = Pos2> {
+fn position() -> impl Strategy<Value = Pos2> {
     // Half of them on halves of pixels, where the rules for borders count.
     let exact = (-8..=56_i32).prop_map(|x| x as f32 / 2.0);
     let any = -6.0..30.0_f32;
@@ -25,7 +25,7 @@ fn color() -> impl Strategy<Value = Color32> {
 
 fn vertex(textured: bool) -> impl Strategy<Value = Vertex> {
     let uv = (0.013..0.987_f32, 0.013..0.987_f32);
-    (place(), color(), uv).prop_map(move |(pos, color, (u, v))| {
+    (position(), color(), uv).prop_map(move |(pos, color, (u, v))| {
         let uv = if textured { pos2(u, v) } else { WHITE_UV };
         Vertex { pos, uv, color }
     })
@@ -78,7 +78,7 @@ fn lookup_shifts() -> impl Iterator<Item = [f64; 2]> {
 /// A rectangle as the two triangles that egui makes of it, anywhere on the picture, its pixels a
 /// whole multiple of the texels or not.
 fn any_rectangle() -> impl Strategy<Value = Mesh> {
-    let corner = place();
+    let corner = position();
     let size = prop_oneof![
         (1..20_u8, 1..20_u8).prop_map(|(w, h)| vec2(w.into(), h.into())),
         (0.1..25.0_f32, 0.1..25.0_f32).prop_map(|(w, h)| vec2(w, h)),

@@ -28,9 +28,9 @@ pub(crate) fn drive(setting: &Setting) {
     let screen = Screen::start();
     let mut window = Window::open(&screen, &scene, folder.path(), setting);
 
-    window.drag_right(window.place(Role::SpinButton, "eye x", vec2(0.5, 0.5)), DRAG);
+    window.drag_right(window.position(Role::SpinButton, "eye x", vec2(0.5, 0.5)), DRAG);
     // The mouse goes by whole dots, so the pixel is the one under such a dot.
-    let at = window.place(Role::Image, "Camera view", vec2(0.25, 0.75)).floor();
+    let at = window.position(Role::Image, "Camera view", vec2(0.25, 0.75)).floor();
     window.click(at);
     let pixel = window.pixel_at(at, before.camera.image);
     screen.press("key", "ctrl+s");
@@ -56,11 +56,11 @@ pub(crate) fn drive(setting: &Setting) {
 
 /// What the program says of the pixel that was clicked, in the scene that was saved.
 fn inspected(scene: &Path, pixel: Pixel, saved: &pinhole_exchange::document::Document) {
-    let place = format!("{},{}", pixel.row, pixel.column);
+    let position = format!("{},{}", pixel.row, pixel.column);
     let output = Command::new(binary())
         .arg("inspect")
         .arg(scene)
-        .args(["--pixel", &place, "--json"])
+        .args(["--pixel", &position, "--json"])
         .output()
         .unwrap();
     let said: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();

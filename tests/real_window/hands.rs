@@ -30,7 +30,7 @@ fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
 
 /// Drags a handle, found by its name in the same window in memory, and saves.
 fn drag(window: &mut Window, handle: &str, by: Vec2, scene: &Path, before: &Document) -> Document {
-    let at = window.place(Role::Slider, handle, vec2(0.5, 0.5));
+    let at = window.position(Role::Slider, handle, vec2(0.5, 0.5));
     window.drag(at, by);
     let saved = saved(window, scene, before);
     let expected = window.layout.state().document();

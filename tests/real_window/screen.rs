@@ -61,7 +61,7 @@ impl Screen {
         output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
     }
 
-    /// Moves the mouse to a place of a window.
+    /// Moves the mouse to a position of a window.
     pub(crate) fn mouse(&self, window: &str, to: Pos2) {
         let (x, y) = (to.x.floor().to_string(), to.y.floor().to_string());
         assert!(self.xdotool(&["mousemove", "--window", window, &x, &y]).status.success());

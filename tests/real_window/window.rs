@@ -84,12 +84,12 @@ impl<'a> Window<'a> {
         Window { screen, process, id, layout }
     }
 
-    pub(crate) fn place(&self, role: Role, label: &str, share: Vec2) -> Pos2 {
+    pub(crate) fn position(&self, role: Role, label: &str, share: Vec2) -> Pos2 {
         let rect = self.layout.get_by_role_and_label(role, label).rect();
         rect.min + share * rect.size()
     }
 
-    /// The pixel of the camera view at a place of the window.
+    /// The pixel of the camera view at a position of the window.
     pub(crate) fn pixel_at(&self, at: Pos2, image: ImageSize) -> Pixel {
         let rect = self.layout.get_by_role_and_label(Role::Image, "Camera view").rect();
         let share = (at - rect.min) / rect.size();

@@ -88,7 +88,7 @@ fn nothing_leaves_the_picture_whatever_the_numbers() {
     }
 }
 
-/// Both are drawn from one description, so a place that is dark in one is dark in the other; here
+/// Both are drawn from one description, so a position that is dark in one is dark in the other; here
 /// that the pixels are there at all, marks in their colours and text in dark.
 #[test]
 fn pixels_show_what_the_svg_says() {

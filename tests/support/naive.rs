@@ -58,8 +58,8 @@ fn cross(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
 }
 
 /// On the inner side of an edge; on the edge itself, if it is a left or a top one.
-fn inside(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> bool {
-    let side = cross(from, to, place);
+fn inside(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> bool {
+    let side = cross(from, to, point);
     let left_or_top = to[1] < from[1] || (to[1] == from[1] && to[0] > from[0]);
     side > 0.0 || (side == 0.0 && left_or_top)
 }
@@ -75,7 +75,7 @@ fn sample(texture: &ColorImage, filter: TextureFilter, x: f64, y: f64) -> [f64; 
     if filter == TextureFilter::Nearest {
         return texel(x.floor(), y.floor());
     }
-    // GPUs have eight bits for the place between two texels.
+    // GPUs have eight bits for the position between two texels.
     let [x, y] = [x, y].map(|x| ((x - 0.5) * 256.0).round() / 256.0);
     let (left, top) = (x.floor(), y.floor());
     let mix = |a: [f64; 4], b: [f64; 4], part: f64| -> [f64; 4] {

@@ -45,7 +45,8 @@ impl Check {
     }
 }
 
-/// The place, the answer given, the right one, and the distance between them: `null` where a hit is taken for a
+/// The position, the answer given, the right one, and the distance between them: `null` where a hit is
+/// taken for a
 /// miss or for one of another object, which no number measures. A miss is `"miss"`; nothing is right
 /// where there is no such pixel.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {

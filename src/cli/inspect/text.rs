@@ -83,19 +83,19 @@ impl Readout<'_> {
 
     fn pixel_text(&self) -> String {
         let inspection = &self.inspection;
-        match (inspection.pixel(), inspection.place) {
+        match (inspection.pixel(), inspection.image_position) {
             (Some(pixel), _) => {
                 format!("row {}, column {} (counted from 0)", pixel.row, pixel.column)
             }
             (None, None) => "none: outside the viewport".to_owned(),
-            (None, Some(place)) => {
-                let PixelOfUv { column_edge, row_edge, .. } = place;
+            (None, Some(position)) => {
+                let PixelOfUv { column_edge, row_edge, .. } = position;
                 let what = if column_edge.is_some() && row_edge.is_some() {
                     "the corner of"
                 } else {
                     "on the edge of"
                 };
-                let pixels = place.touching(self.camera.image());
+                let pixels = position.touching(self.camera.image());
                 let names: Vec<String> =
                     pixels.iter().map(|p| format!("{},{}", p.row, p.column)).collect();
                 format!("none: {what} row,column {}", names.join("  "))

@@ -5,11 +5,11 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::image::Pixel;
 use crate::camera::ray::{Ray, RayError};
-use crate::camera::resolved::{ResolvedCamera, ViewPlace};
+use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
 use crate::exact::big_ray::BigRay;
 use crate::exact::bounded::{Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::quadratic::DirectionParts;
+use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::ldexp;
 
 /// A ray on which every decision is what exact real arithmetic gives.
@@ -27,9 +27,9 @@ pub struct ExactRay<'a> {
     source: Source<'a>,
     /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
     /// within 1e-30 and 1e30.
-    pub(crate) fine: DirectionParts<DoubleDouble>,
+    pub(crate) fine: DirectionTerms<DoubleDouble>,
     /// The direction, rounded to `f64`.
-    pub(crate) rough: DirectionParts<f64>,
+    pub(crate) rough: DirectionTerms<f64>,
     pub(crate) scale: i32,
     /// A whole number: a pixel's (u, v) times it has no denominator.
     pub(crate) stretch: f64,
@@ -39,14 +39,14 @@ pub struct ExactRay<'a> {
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
-    View(&'a ResolvedCamera, ViewPlace),
+    View(&'a ResolvedCamera, ViewportPoint),
 }
 
 impl ResolvedCamera {
     /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
     /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
-        ExactRay::from_view(self, ViewPlace::Pixel(pixel))
+        ExactRay::from_view(self, ViewportPoint::Pixel(pixel))
     }
 
     /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
@@ -57,7 +57,7 @@ impl ResolvedCamera {
         if !uv.is_finite() {
             return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
         }
-        Ok(ExactRay::from_view(self, ViewPlace::Uv(uv)))
+        Ok(ExactRay::from_view(self, ViewportPoint::Uv(uv)))
     }
 }
 
@@ -73,11 +73,11 @@ impl<'a> ExactRay<'a> {
     }
 
     /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
-    pub(crate) fn from_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
-        let (direction, scale) = camera.fine_direction(place);
+    pub(crate) fn from_view(camera: &'a ResolvedCamera, point: ViewportPoint) -> ExactRay<'a> {
+        let (direction, scale) = camera.fine_direction(point);
         let (direction, more) = scaled(direction);
         let doubt = camera.fine_basis().direction_doubt();
-        let (source, stretch) = (Source::View(camera, place), place.stretch(camera.image()));
+        let (source, stretch) = (Source::View(camera, point), point.stretch(camera.image()));
         ExactRay::new(camera.eye(), source, direction, doubt, scale + more, stretch)
     }
 
@@ -91,10 +91,10 @@ impl<'a> ExactRay<'a> {
     ) -> ExactRay<'b> {
         let rounded = near(d);
         let length = length(rounded);
-        let fine = DirectionParts { d, length, doubt };
+        let fine = DirectionTerms { d, length, doubt };
         // Of a given ray no digit is lost.
         let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
-        let rough = DirectionParts { d: rounded, length, doubt: doubt + rounding };
+        let rough = DirectionTerms { d: rounded, length, doubt: doubt + rounding };
         ExactRay { origin, source, fine, rough, scale, stretch }
     }
 
@@ -106,7 +106,7 @@ impl<'a> ExactRay<'a> {
     /// The pixel whose view ray this is, if it is one's.
     pub fn pixel(&self) -> Option<Pixel> {
         match self.source {
-            Source::View(_, ViewPlace::Pixel(pixel)) => Some(pixel),
+            Source::View(_, ViewportPoint::Pixel(pixel)) => Some(pixel),
             _ => None,
         }
     }
@@ -136,7 +136,7 @@ impl<'a> ExactRay<'a> {
     pub(crate) fn big(&self) -> BigRay {
         match self.source {
             Source::Given(direction) => BigRay::given(self.origin, direction),
-            Source::View(camera, place) => camera.big_ray(place),
+            Source::View(camera, point) => camera.big_ray(point),
         }
     }
 }

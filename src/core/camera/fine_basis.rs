@@ -160,7 +160,7 @@ impl FineBasis {
 
 /// `(|view x up|, view . up, |view| |up|)` in units of one power of two: what the angle between view
 /// and up is made of. The first keeps its digits however small it is.
-pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
+pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =
         (scaled(f), scaled(up.to_array().map(DoubleDouble::from)));

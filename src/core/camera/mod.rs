@@ -17,7 +17,7 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::camera::basis::{Basis, BasisError, UpAngle};
-use crate::camera::fine_basis::{Aim, FineBasis, angle_parts};
+use crate::camera::fine_basis::{Aim, FineBasis, angle_terms};
 use crate::camera::image::{ImageError, ImageSize};
 use crate::camera::resolved::{AimGiven, ResolvedCamera};
 use crate::camera::viewport::{Viewport, ViewportError};
@@ -160,7 +160,7 @@ impl Camera {
         let (AimGiven::ViewUp(view, up), _) = self.aim()? else {
             return Ok(UpAngle { angle: FRAC_PI_2, conditioning: 1.0 });
         };
-        let (right, along, lengths) = angle_parts(&view, up);
+        let (right, along, lengths) = angle_terms(&view, up);
         let conditioning = (lengths / right).min(f64::MAX);
         Ok(UpAngle { angle: right.atan2(along), conditioning })
     }

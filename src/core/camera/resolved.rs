@@ -36,21 +36,21 @@ pub(crate) enum AimGiven {
     Basis,
 }
 
-/// The place in the viewport through which a view ray passes, exactly.
+/// The position in the viewport through which a view ray passes, exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum ViewPlace {
+pub(crate) enum ViewportPoint {
     /// Through a pixel's centre.
     Pixel(Pixel),
     /// Through this (u, v).
     Uv(DVec2),
 }
 
-impl ViewPlace {
+impl ViewportPoint {
     /// The whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
     pub(crate) fn stretch(self, image: ImageSize) -> f64 {
         match self {
-            ViewPlace::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
-            ViewPlace::Uv(_) => 1.0,
+            ViewportPoint::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
+            ViewportPoint::Uv(_) => 1.0,
         }
     }
 }
@@ -70,7 +70,7 @@ pub struct PixelOfUv {
 /// The image of a point of the world in the viewport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
-    /// The place where the line through eye and point meets the viewport's plane. Not finite where
+    /// The position where the line through eye and point meets the viewport's plane. Not finite where
     /// the line is parallel to it (depth 0).
     pub uv: DVec2,
     /// Distance of the point in front of the eye, along -w, in world units; negative behind,
@@ -186,7 +186,7 @@ impl ResolvedCamera {
     /// The view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
     /// normalized, so that `t = 1` is the viewport.
     pub fn ray(&self, uv: DVec2) -> Ray {
-        let direction = self.column_part(uv.x) + self.row_part(uv.y);
+        let direction = self.column_term(uv.x) + self.row_term(uv.y);
         Ray { origin: self.eye, direction }
     }
 
@@ -200,12 +200,12 @@ impl ResolvedCamera {
         &self.fine_basis
     }
 
-    /// `(u, v, distance)` times the place's stretch, as three pairs whose products are exact.
-    fn coordinates(&self, place: ViewPlace) -> [(f64, f64); 3] {
+    /// `(u, v, distance)` times the position's stretch, as three pairs whose products are exact.
+    fn coordinates(&self, point: ViewportPoint) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
-        match place {
-            ViewPlace::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
-            ViewPlace::Pixel(pixel) => {
+        match point {
+            ViewportPoint::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
+            ViewportPoint::Pixel(pixel) => {
                 let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
                 let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));
                 [
@@ -217,9 +217,9 @@ impl ResolvedCamera {
         }
     }
 
-    /// The view ray's direction times the place's stretch, in units of `2^k`.
-    pub(crate) fn fine_direction(&self, place: ViewPlace) -> (Vector<DoubleDouble>, i32) {
-        let coordinates = self.coordinates(place);
+    /// The view ray's direction times the position's stretch, in units of `2^k`.
+    pub(crate) fn fine_direction(&self, point: ViewportPoint) -> (Vector<DoubleDouble>, i32) {
+        let coordinates = self.coordinates(point);
         // By the products, not the measures: at the picture's centre width and height drop out.
         let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
         let largest = coordinates.iter().map(size).fold(0.0, f64::max);
@@ -231,20 +231,20 @@ impl ResolvedCamera {
 
     /// `u U`, `v V` and `-distance W` of a pixel's view ray, each coordinate rounded once: what its
     /// direction is the sum of.
-    pub fn direction_parts_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
-        self.direction_parts(ViewPlace::Pixel(pixel))
+    pub fn direction_terms_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
+        self.direction_terms(ViewportPoint::Pixel(pixel))
     }
 
     /// `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each coordinate rounded
     /// once.
-    pub fn direction_parts_at(&self, uv: DVec2) -> [DVec3; 3] {
-        self.direction_parts(ViewPlace::Uv(uv))
+    pub fn direction_terms_at(&self, uv: DVec2) -> [DVec3; 3] {
+        self.direction_terms(ViewportPoint::Uv(uv))
     }
 
-    fn direction_parts(&self, place: ViewPlace) -> [DVec3; 3] {
+    fn direction_terms(&self, point: ViewportPoint) -> [DVec3; 3] {
         let FineBasis { u, v, w, .. } = self.fine_basis;
-        let [along_u, along_v, along_w] = self.coordinates(place);
-        let stretch = DoubleDouble::from(place.stretch(self.image));
+        let [along_u, along_v, along_w] = self.coordinates(point);
+        let stretch = DoubleDouble::from(point.stretch(self.image));
         let part = |(x, n): (f64, f64), sign: f64, axis: Vector<DoubleDouble>| {
             let (k, n) = (if x == 0.0 { 0 } else { exponent(x) }, DoubleDouble::from(sign * n));
             let factor = DoubleDouble::from(ldexp(x, -k)) * n / stretch;
@@ -255,10 +255,10 @@ impl ResolvedCamera {
     }
 
     /// A view ray in exact numbers.
-    pub(crate) fn big_ray(&self, place: ViewPlace) -> BigRay {
-        let coordinates = self.coordinates(place).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
+    pub(crate) fn big_ray(&self, point: ViewportPoint) -> BigRay {
+        let coordinates = self.coordinates(point).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
         let [x, y, z] = &coordinates;
-        let stretch = Dyadic::from(place.stretch(self.image));
+        let stretch = Dyadic::from(point.stretch(self.image));
         match self.aim {
             AimGiven::ViewUp(view, up) => {
                 // x R / sqrt B + y (R x f) / sqrt (A B) + z f / sqrt A, times sqrt (A B).
@@ -283,12 +283,12 @@ impl ResolvedCamera {
     }
 
     /// `u*U`: what the pixels of a column share of their directions.
-    pub(crate) fn column_part(&self, u: f64) -> DVec3 {
+    pub(crate) fn column_term(&self, u: f64) -> DVec3 {
         u * self.basis.u
     }
 
     /// `v*V - distance*W`: what the pixels of a row share of their directions.
-    pub(crate) fn row_part(&self, v: f64) -> DVec3 {
+    pub(crate) fn row_term(&self, v: f64) -> DVec3 {
         v * self.basis.v - self.viewport.distance * self.basis.w
     }
 

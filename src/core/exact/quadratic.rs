@@ -16,7 +16,7 @@ pub(crate) enum Form {
 /// A sphere as the rays of one origin see it, scaled: `q = center - origin`, r, and
 /// `c = |q|^2 - r^2`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereParts<T> {
+pub(crate) struct SphereTerms<T> {
     pub(crate) q: Vector<T>,
     pub(crate) radius: T,
     pub(crate) c: T,
@@ -31,7 +31,7 @@ pub(crate) struct SphereParts<T> {
 
 /// A direction, scaled.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DirectionParts<T> {
+pub(crate) struct DirectionTerms<T> {
     pub(crate) d: Vector<T>,
     /// `|d|`, rounded.
     pub(crate) length: f64,
@@ -65,7 +65,7 @@ impl<T: Number> Quadratic<T> {
     ///
     /// and SUM of both terms for the difference itself.
     #[inline(always)]
-    pub(crate) fn new(sphere: &SphereParts<T>, direction: &DirectionParts<T>) -> Quadratic<T> {
+    pub(crate) fn new(sphere: &SphereTerms<T>, direction: &DirectionTerms<T>) -> Quadratic<T> {
         let (q, d) = (sphere.q, direction.d);
         let k = sphere.q_doubt + direction.doubt;
         let a = dot(d, d);
@@ -102,7 +102,7 @@ impl<T: Number> Quadratic<T> {
     /// its root is by `doubt / sqrt D`, and where D is large against its doubt, by little more than
     /// half of that. z is off by that, b's doubt, a root and a sum.
     #[inline(always)]
-    pub(crate) fn root(&self, sphere: &SphereParts<T>, far: bool) -> Option<(T, f64)> {
+    pub(crate) fn root(&self, sphere: &SphereTerms<T>, far: bool) -> Option<(T, f64)> {
         let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
         if discriminant.near() <= discriminant_doubt {
             return None;
@@ -124,7 +124,7 @@ impl<T: Number> Quadratic<T> {
 /// left no direction.
 pub(crate) fn sphere_normal<T: Number>(
     q: Vector<T>,
-    direction: &DirectionParts<T>,
+    direction: &DirectionTerms<T>,
     t: T,
 ) -> Vector<f64> {
     let offset: Vector<T> = std::array::from_fn(|i| direction.d[i] * t - q[i]);

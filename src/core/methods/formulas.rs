@@ -88,11 +88,11 @@ impl<R: Real> Intersect for Textbook<R> {
 /// A way to compute `D = b^2 - a c`.
 pub(crate) trait Discriminant<R: Real>: Send + Sync + 'static {
     /// D from `a`, `b`, `c`, `oc`, the direction and the radius.
-    fn discriminant(quadratic: &DiscriminantParts<R>) -> R;
+    fn discriminant(quadratic: &DiscriminantTerms<R>) -> R;
 }
 
 /// The numbers that a [`Discriminant`] may use.
-pub(crate) struct DiscriminantParts<R> {
+pub(crate) struct DiscriminantTerms<R> {
     /// `d.d`
     pub(crate) a: R,
     /// `d.oc`, half the linear coefficient.
@@ -126,7 +126,7 @@ impl<R: Real, D: Discriminant<R>> Intersect for ByQ<R, D> {
         let Shared { from_center, c, radius } = self.shared;
         let (a, b) = (direction.dot(direction), direction.dot(from_center));
         let discriminant =
-            D::discriminant(&DiscriminantParts { a, b, c, from_center, direction, radius });
+            D::discriminant(&DiscriminantTerms { a, b, c, from_center, direction, radius });
         let q = -(b + discriminant.sqrt().copysign(b));
         first_of(q / a, c / q)
     }
@@ -137,7 +137,7 @@ pub(crate) struct Plain;
 
 impl<R: Real> Discriminant<R> for Plain {
     #[inline(always)]
-    fn discriminant(&DiscriminantParts { a, b, c, .. }: &DiscriminantParts<R>) -> R {
+    fn discriminant(&DiscriminantTerms { a, b, c, .. }: &DiscriminantTerms<R>) -> R {
         b * b - a * c
     }
 }
@@ -147,7 +147,7 @@ pub(crate) struct Kahan;
 
 impl<R: Fused> Discriminant<R> for Kahan {
     #[inline(always)]
-    fn discriminant(&DiscriminantParts { a, b, c, .. }: &DiscriminantParts<R>) -> R {
+    fn discriminant(&DiscriminantTerms { a, b, c, .. }: &DiscriminantTerms<R>) -> R {
         let product = a * c;
         let product_error = (-a).mul_add(c, product);
         b.mul_add(b, -product) + product_error
@@ -159,8 +159,8 @@ pub(crate) struct Perpendicular;
 
 impl<R: Real> Discriminant<R> for Perpendicular {
     #[inline(always)]
-    fn discriminant(quadratic: &DiscriminantParts<R>) -> R {
-        let &DiscriminantParts { a, b, from_center, direction, radius, .. } = quadratic;
+    fn discriminant(quadratic: &DiscriminantTerms<R>) -> R {
+        let &DiscriminantTerms { a, b, from_center, direction, radius, .. } = quadratic;
         let perpendicular = from_center - direction.times(b / a);
         let length = perpendicular.dot(perpendicular).sqrt();
         a * ((radius + length) * (radius - length))
@@ -172,8 +172,8 @@ pub(crate) struct Lagrange;
 
 impl<R: Real> Discriminant<R> for Lagrange {
     #[inline(always)]
-    fn discriminant(quadratic: &DiscriminantParts<R>) -> R {
-        let &DiscriminantParts { a, from_center, direction, radius, .. } = quadratic;
+    fn discriminant(quadratic: &DiscriminantTerms<R>) -> R {
+        let &DiscriminantTerms { a, from_center, direction, radius, .. } = quadratic;
         let moment = from_center.cross(direction);
         radius * radius * a - moment.dot(moment)
     }

@@ -14,9 +14,9 @@ use crate::scene::Scene;
 pub(crate) struct ViewRays<R> {
     pub(crate) origin: Vector<R>,
     /// `u*U` of each column, coordinate by coordinate.
-    column_parts: [Vec<R>; 3],
+    column_terms: [Vec<R>; 3],
     /// `v*V - distance*W` of each row.
-    row_parts: Vec<Vector<R>>,
+    row_terms: Vec<Vector<R>>,
 }
 
 impl<R: Real> ViewRays<R> {
@@ -30,31 +30,31 @@ impl<R: Real> ViewRays<R> {
         let share = |extent: R, numerator: f64, count: u32| {
             extent * (R::from_f64(numerator) / R::from_f64(2.0 * f64::from(count)))
         };
-        let column_part = |column: &u32| {
+        let column_term = |column: &u32| {
             let odd = 2.0 * f64::from(*column) + 1.0;
             u.times(share(width, odd - f64::from(columns), columns))
         };
-        let row_part = |row: &u32| {
+        let row_term = |row: &u32| {
             let odd = 2.0 * f64::from(*row) + 1.0;
             v.times(share(height, f64::from(rows) - odd, rows)) - w.times(distance)
         };
-        let parts: Vec<Vector<R>> = raster.columns().iter().map(column_part).collect();
+        let parts: Vec<Vector<R>> = raster.columns().iter().map(column_term).collect();
         ViewRays {
             origin: Vector::rounded(camera.eye()),
-            column_parts: [
+            column_terms: [
                 parts.iter().map(|p| p.x).collect(),
                 parts.iter().map(|p| p.y).collect(),
                 parts.iter().map(|p| p.z).collect(),
             ],
-            row_parts: raster.rows().iter().map(row_part).collect(),
+            row_terms: raster.rows().iter().map(row_term).collect(),
         }
     }
 
     /// The ray of the raster's `row`th row and `column`th column.
     pub(crate) fn ray(&self, row: usize, column: usize) -> RoundedRay<R> {
-        let [x, y, z] = &self.column_parts;
+        let [x, y, z] = &self.column_terms;
         let part = Vector { x: x[column], y: y[column], z: z[column] };
-        RoundedRay { origin: self.origin, direction: part + self.row_parts[row] }
+        RoundedRay { origin: self.origin, direction: part + self.row_terms[row] }
     }
 }
 
@@ -104,10 +104,10 @@ impl<M: Intersect> FrameBy<M> {
     /// Traces the raster's `index`th row.
     #[inline(always)]
     pub(crate) fn trace_row(&self, index: usize, row: &mut Row<M::Real>) {
-        let part = self.rays.row_parts[index];
+        let part = self.rays.row_terms[index];
         let of_rows = [part.x, part.y, part.z];
         for ((direction, of_columns), of_row) in
-            row.directions.iter_mut().zip(&self.rays.column_parts).zip(of_rows)
+            row.directions.iter_mut().zip(&self.rays.column_terms).zip(of_rows)
         {
             for (coordinate, of_column) in direction.iter_mut().zip(of_columns) {
                 *coordinate = *of_column + of_row;
@@ -124,7 +124,7 @@ impl<M: Intersect> FrameBy<M> {
     }
 
     pub(crate) fn row(&self) -> Row<M::Real> {
-        let directions = self.rays.column_parts.clone();
+        let directions = self.rays.column_terms.clone();
         let columns = directions[0].len();
         let (t, object) = (vec![M::Real::INFINITY; columns], vec![NO_OBJECT; columns]);
         Row { directions, t, object }

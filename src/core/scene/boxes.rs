@@ -32,17 +32,17 @@ impl Bound {
     }
 
     /// The box around all of these.
-    pub(crate) fn around(parts: impl Iterator<Item = Bound>) -> Bound {
+    pub(crate) fn around(boxes: impl Iterator<Item = Bound>) -> Bound {
         let mut all = Bound::EMPTY;
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for part in parts {
+        for bound in boxes {
             for axis in 0..3 {
-                low[axis] = low[axis].min(part.middle[axis] - part.half[axis]);
-                high[axis] = high[axis].max(part.middle[axis] + part.half[axis]);
+                low[axis] = low[axis].min(bound.middle[axis] - bound.half[axis]);
+                high[axis] = high[axis].max(bound.middle[axis] + bound.half[axis]);
             }
-            all.area += part.area;
-            all.radius = all.radius.max(part.radius);
-            all.count += part.count;
+            all.area += bound.area;
+            all.radius = all.radius.max(bound.radius);
+            all.count += bound.count;
         }
         if all.count > 0 {
             for axis in 0..3 {

@@ -70,7 +70,7 @@ impl Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
     }
 
-    /// Puts another sphere in the place of the one with this index.
+    /// Puts another sphere in place of the one with this index.
     ///
     /// This costs about a microsecond, and no more for many spheres: an index that was made of them
     /// is kept and updated. But where clones of this scene are alive, all its spheres and their
@@ -90,16 +90,16 @@ impl Scene {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn replace_sphere(&mut self, index: u32, sphere: Sphere) -> Result<(), SceneError> {
-        let place = index as usize;
-        if place >= self.spheres.list().len() {
-            return Err(SceneError::NoSphere { index: place });
+        let k = index as usize;
+        if k >= self.spheres.list().len() {
+            return Err(SceneError::NoSphere { index: k });
         }
-        sphere.check().map_err(|error| SceneError::Sphere { index: place, error })?;
+        sphere.check().map_err(|error| SceneError::Sphere { index: k, error })?;
         Arc::make_mut(&mut self.spheres).replace(index, sphere);
         Ok(())
     }
 
-    /// Puts another plane in the place of the one with this index, which counts the spheres before
+    /// Puts another plane in place of the one with this index, which counts the spheres before
     /// it. This costs nothing.
     ///
     /// # Errors
@@ -107,8 +107,8 @@ impl Scene {
     /// then.
     pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
         let index = index as usize;
-        let place = index.checked_sub(self.spheres().len());
-        let known = place.and_then(|place| self.planes.get_mut(place));
+        let k = index.checked_sub(self.spheres().len());
+        let known = k.and_then(|k| self.planes.get_mut(k));
         let known = known.ok_or(SceneError::NoPlane { index })?;
         plane.check().map_err(|error| SceneError::Plane { index, error })?;
         *known = plane;
@@ -131,10 +131,10 @@ impl Scene {
     /// The spheres that a point lies strictly inside of, ascending; decided exactly. Of many spheres,
     /// only those near the point are looked at.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
-        let place = point.to_array();
+        let position = point.to_array();
         // Rounding keeps order: a rounded difference above `half` is of a true one above it.
         let mut around = self.spheres_where(|middle, half| {
-            (0..3).all(|axis| (place[axis] - middle[axis]).abs() <= half[axis])
+            (0..3).all(|axis| (position[axis] - middle[axis]).abs() <= half[axis])
         });
         around.retain(|index| self.spheres()[*index as usize].implicit(point) < 0.0);
         around

@@ -11,7 +11,7 @@ use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::dyadic::{Dyadic, cross, exact3};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::Precise;
-use crate::exact::quadratic::DirectionParts;
+use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::{ldexp, split, unit};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::big_roots::big_offset;
@@ -45,7 +45,7 @@ struct Rate<T> {
 
 impl<T: Number> Rate<T> {
     /// The dot product's three `e`, and the direction's own doubt.
-    fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionParts<T>) -> Rate<T> {
+    fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionTerms<T>) -> Rate<T> {
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
         let value = dot(normal.map(T::from), direction.d);

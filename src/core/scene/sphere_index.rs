@@ -75,7 +75,7 @@ impl SphereIndex {
         index
     }
 
-    /// Puts another sphere in the place of one, wherever it lies: O([`BLOCK`] + [`GROUP`]).
+    /// Puts another sphere in place of one, wherever it lies: O([`BLOCK`] + [`GROUP`]).
     pub(crate) fn replace(&mut self, index: u32, sphere: &Sphere) {
         let slot = self.slot_of[index as usize] as usize;
         self.put(slot, sphere);

@@ -49,9 +49,9 @@ pub(crate) fn ordered(spheres: &[Sphere]) -> (Vec<Key>, Vec<Range<usize>>) {
     }
     let mut keys = vec![Key { center: [0.0; 3], id: 0 }; spheres.len()];
     for (id, sphere) in (0..).zip(spheres) {
-        let place = &mut next[class_of(sphere.radius)];
-        keys[*place] = Key { center: sphere.center.to_array(), id };
-        *place += 1;
+        let slot = &mut next[class_of(sphere.radius)];
+        keys[*slot] = Key { center: sphere.center.to_array(), id };
+        *slot += 1;
     }
     for class in &classes {
         split(&mut keys[class.clone()]);

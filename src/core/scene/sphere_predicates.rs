@@ -10,7 +10,7 @@ use crate::exact::bounded::{Number, PLAIN, UNIT, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
-use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
+use crate::exact::quadratic::{Form, Quadratic, SphereTerms, sphere_normal};
 use crate::exact::scale::ldexp;
 use crate::exact::steps::{Step, Steps};
 use crate::scene::point_power::PointPower;
@@ -39,8 +39,8 @@ impl RootSide {
 #[derive(Clone, Debug)]
 pub(crate) struct SphereFromOrigin {
     sphere: Sphere,
-    pub(crate) fine: SphereParts<DoubleDouble>,
-    pub(crate) rough: SphereParts<f64>,
+    pub(crate) fine: SphereTerms<DoubleDouble>,
+    pub(crate) rough: SphereTerms<f64>,
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
@@ -59,7 +59,7 @@ impl SphereFromOrigin {
         let distance = length(rounded);
         let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
         let c = PointPower::new(sphere, origin, q, radius, scale + quartered);
-        let fine = SphereParts {
+        let fine = SphereTerms {
             q,
             radius: DoubleDouble::from(radius),
             c: c.value,
@@ -69,7 +69,7 @@ impl SphereFromOrigin {
             form,
         };
         let rounding = UNIT;
-        let rough = SphereParts {
+        let rough = SphereTerms {
             q: rounded,
             radius,
             c: c.value.hi,
@@ -83,12 +83,12 @@ impl SphereFromOrigin {
     }
 
     /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
-    pub(crate) fn rough_parts(sphere: &Sphere, origin: DVec3) -> Option<SphereParts<f64>> {
+    pub(crate) fn rough_terms(sphere: &Sphere, origin: DVec3) -> Option<SphereTerms<f64>> {
         let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
         // A nearer sphere's c loses more than three digits.
         let is_plain = qq > 2.0 * rr && PLAIN.contains(&radius) && qq < PLAIN.end * PLAIN.end;
-        is_plain.then(|| SphereParts {
+        is_plain.then(|| SphereTerms {
             q: q.to_array(),
             radius,
             c: qq - rr,
@@ -105,7 +105,7 @@ impl SphereFromOrigin {
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// `t` that is off by less is compared as it is.
         const SHARE: f64 = 1e-6;
-        let Some(parts) = SphereFromOrigin::rough_parts(sphere, ray.origin()) else {
+        let Some(parts) = SphereFromOrigin::rough_terms(sphere, ray.origin()) else {
             return false;
         };
         let quadratic = Quadratic::new(&parts, &ray.rough);

@@ -39,7 +39,7 @@ impl Spheres {
         self.index.get()
     }
 
-    /// Puts a checked sphere in the place of another one.
+    /// Puts a checked sphere in place of another one.
     pub(crate) fn replace(&mut self, index: u32, sphere: Sphere) {
         self.list[index as usize] = sphere;
         if let Some(known) = self.index.get_mut() {

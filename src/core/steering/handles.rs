@@ -83,7 +83,7 @@ impl Camera {
     ///
     /// With [`Keep::At`] the pivot stays and the view turns, the short way; by view, its length becomes
     /// that from the eye to the pivot; a basis set by hand turns by the least turn that aims it at the
-    /// pivot. With [`Keep::View`] the basis stays, and `at` keeps its place before the eye.
+    /// pivot. With [`Keep::View`] the basis stays, and `at` keeps its position before the eye.
     ///
     /// A camera without a basis is led out of that: its fields are set and nothing else.
     ///

@@ -9,7 +9,7 @@
 //!   [`Camera::scaled_picture`] is the d-lock.
 //! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_viewport_corner`],
 //!   [`Camera::with_viewport_through`]; [`Sphere::with_surface_through`](crate::Sphere).
-//! - *Pointer*: [`Drag`]: from a place in the observer's picture to a point of the world.
+//! - *Pointer*: [`Drag`]: from a position in the observer's picture to a point of the world.
 //! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], by [`pixel_in_world`].
 //!
 //! Every result is a camera with a basis, or a typed error with the numbers; never NaN.
@@ -18,7 +18,7 @@
 //!
 //! Where the view is parallel to up there is no basis, and near it a small turn of the view is a large
 //! turn of v, by up to `1 / sin(angle)`. No rule takes this away altogether: a v for every view
-//! direction is a field of tangents on the sphere, and such a field has a place where it jumps (H.
+//! direction is a field of tangents on the sphere, and such a field jumps somewhere (H.
 //! Poincaré 1885, L. E. J. Brouwer 1912: the hairy ball). So:
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.

@@ -85,7 +85,7 @@ impl std::error::Error for DragError {}
 pub struct Drag {
     /// The handle's point in the world.
     pub anchor: DVec3,
-    /// The place in the observer's viewport where the pointer took it.
+    /// The position in the observer's viewport where the pointer took it.
     pub begun_at: DVec2,
 }
 
@@ -158,7 +158,7 @@ pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, Dr
 struct ObserverAnchor<'a> {
     observer: &'a ResolvedCamera,
     /// `(x, y, -z)`
-    place: DVec3,
+    position: DVec3,
     /// z
     depth: f64,
     distance: f64,
@@ -167,13 +167,13 @@ struct ObserverAnchor<'a> {
 impl ObserverAnchor<'_> {
     fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<ObserverAnchor<'_>, DragError> {
         finite("anchor", anchor)?;
-        let place = finite("anchor", anchor - observer.eye())?;
-        let place = observer.basis().to_camera_from_world(place);
-        let depth = -place.z;
+        let position = finite("anchor", anchor - observer.eye())?;
+        let position = observer.basis().to_camera_from_world(position);
+        let depth = -position.z;
         if depth > 0.0 {
             return Ok(ObserverAnchor {
                 observer,
-                place,
+                position,
                 depth,
                 distance: observer.viewport().distance,
             });
@@ -188,11 +188,11 @@ impl ObserverAnchor<'_> {
 
     fn along_axis(&self, way: DVec2, axis: DVec3) -> Result<DVec3, DragError> {
         let a = self.observer.basis().to_camera_from_world(axis);
-        let sight = unit(self.place);
+        let sight = unit(self.position);
         let sine = sight.cross(a).length();
         check_angle(sine.atan2(sight.dot(a).abs()))?;
         // g z / distance: the axis as it is seen at the anchor's depth, per length of the axis.
-        let seen = a.truncate() + self.place.truncate() * (a.z / self.depth);
+        let seen = a.truncate() + self.position.truncate() * (a.z / self.depth);
         let length = seen.length();
         // l z / distance, in the world; 0 where the axis' image is a point, which the angle excludes.
         let moved = way.dot(seen) / length * (self.depth / self.distance);
@@ -206,7 +206,7 @@ impl ObserverAnchor<'_> {
     fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, DragError> {
         // At the anchor's depth; from there along the ray to the plane.
         let beside = self.in_view_plane(way);
-        let image = self.place.truncate() * (self.distance / self.depth) + way;
+        let image = self.position.truncate() * (self.distance / self.depth) + way;
         let ray = self.observer.basis().to_world_from_camera(image.extend(-self.distance));
         let sight = unit(ray);
         let steep = normal.dot(sight);

@@ -160,11 +160,11 @@ fn right_next_to_the_roots_of_the_reference_s_rays() {
 
 fn object() -> impl Strategy<Value = Object> {
     (vector(-2.0..3.0), vector(-2.0..2.0), -2.0..2.0_f64, any::<bool>()).prop_map(
-        |(place, normal, power, is_sphere)| {
+        |(position, normal, power, is_sphere)| {
             if is_sphere {
-                Object::Sphere(Sphere { center: place, radius: 10_f64.powf(power) })
+                Object::Sphere(Sphere { center: position, radius: 10_f64.powf(power) })
             } else {
-                Object::Plane(Plane { point: place, normal })
+                Object::Plane(Plane { point: position, normal })
             }
         },
     )

@@ -14,12 +14,13 @@ fn pools() -> Vec<(usize, rayon::ThreadPool)> {
     [1, 2, 3].map(|count| (count, pool(count))).into()
 }
 
-/// A place in a frame where two differ, if there is one.
+/// A position in a frame where two differ, if there is one.
 fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
-    let bits = |frame: &Frame<f32>, place: usize| (frame.object[place], frame.t[place].to_bits());
-    let place = (0..a.t.len()).find(|place| bits(a, *place) != bits(b, *place))?;
+    let bits =
+        |frame: &Frame<f32>, offset: usize| (frame.object[offset], frame.t[offset].to_bits());
+    let offset = (0..a.t.len()).find(|offset| bits(a, *offset) != bits(b, *offset))?;
     let columns = a.raster().columns().len();
-    let pixel = |frame: &Frame<f32>| frame.at(place / columns, place % columns);
+    let pixel = |frame: &Frame<f32>| frame.at(offset / columns, offset % columns);
     Some(format!("{:?} and {:?}", pixel(a), pixel(b)))
 }
 

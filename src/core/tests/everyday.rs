@@ -13,7 +13,7 @@ use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given
 
 use crate::common::{first_hit_by, given};
 
-/// A ray: as given, or through a place of a camera's viewport.
+/// A ray: as given, or through a position of a camera's viewport.
 #[derive(Clone, Copy)]
 enum Asked {
     Ray([f64; 3], [f64; 3]),

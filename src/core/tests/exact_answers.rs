@@ -65,11 +65,14 @@ fn forty_five_degrees_however_it_is_given() {
 #[test]
 fn the_warm_ups_uv_is_the_corner_of_four_pixels() {
     let camera = with_distance(1.0);
-    let place = camera.pixel_of_uv(WARM_UP).unwrap();
-    assert_eq!((place.column_edge, place.row_edge), (Some(280), Some(240)));
-    assert_eq!(place.pixel, Pixel { row: 240, column: 280 });
+    let position = camera.pixel_of_uv(WARM_UP).unwrap();
+    assert_eq!((position.column_edge, position.row_edge), (Some(280), Some(240)));
+    assert_eq!(position.pixel, Pixel { row: 240, column: 280 });
     let touching = [(239, 279), (239, 280), (240, 279), (240, 280)];
-    assert_eq!(place.touching(camera.image()), touching.map(|(row, column)| Pixel { row, column }));
+    assert_eq!(
+        position.touching(camera.image()),
+        touching.map(|(row, column)| Pixel { row, column })
+    );
 }
 
 #[test]

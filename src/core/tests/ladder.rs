@@ -149,13 +149,13 @@ fn check_frame(case: &FrameCase) -> Steps {
             let found =
                 (object != NO_OBJECT).then_some(Root { object, t, point: DVec3::ZERO, normal });
             let expected = view.first_hit_of_pixel(row, column);
-            let place = (row, column, case);
-            assert_hit(found.as_ref(), expected.as_ref(), &place);
+            let context = (row, column, case);
+            assert_hit(found.as_ref(), expected.as_ref(), &context);
             if let Some(hit) = expected
                 && hit.t.is_representable_f32()
             {
                 let ulps = hit.t.ulps_from_f32(single_t);
-                assert!(ulps <= 1.0, "{single_t} is {ulps} ulp off at {place:?}");
+                assert!(ulps <= 1.0, "{single_t} is {ulps} ulp off at {context:?}");
             }
         }
     }

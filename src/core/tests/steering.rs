@@ -38,12 +38,12 @@ fn any_camera() -> impl Strategy<Value = Camera> {
     let sizes = (-6.0..9.0_f64, -1.0..3.0_f64, -6.0..6.0_f64, direction());
     (aim, sizes, 0..3_usize).prop_filter_map(
         "a basis",
-        |((view, side, gap, is_behind), (size, out, length, place), kind)| {
+        |((view, side, gap, is_behind), (size, out, length, position), kind)| {
             let across = (side - side.dot(view) * view).try_normalize()?;
             let pole = if is_behind { -view } else { view };
             let up = 10_f64.powf(length) * (gap.cos() * pole + gap.sin() * across);
             let size = 10_f64.powf(size);
-            let eye = size * 10_f64.powf(out) * place;
+            let eye = size * 10_f64.powf(out) * position;
             let orientation = Orientation::View { view: size * view, up };
             let viewport = Viewport { width: 0.4 * size, height: 0.3 * size, distance: size };
             let camera = Camera { eye, orientation, viewport, ..Camera::CANONICAL };

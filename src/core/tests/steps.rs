@@ -128,8 +128,8 @@ fn assert_takes(step: Step, wrong_alone: &[Method], variants: &[Case]) {
     for case in variants {
         let truth = case.truth();
         let (found, steps) = case.answer();
-        let place = found.map(|hit| (hit.object, hit.t));
-        assert!(is_same(place, truth.as_ref()), "{found:?} in {case:?}");
+        let found_at = found.map(|hit| (hit.object, hit.t));
+        assert!(is_same(found_at, truth.as_ref()), "{found:?} in {case:?}");
         if let (Some(found), Some(truth)) = (found, &truth) {
             assert!(truth.t.ulps_from(found.t) <= 0.5 + 1e-12, "{found:?} in {case:?}");
         }

@@ -21,7 +21,7 @@ use pinhole_lecture::grading::{
 use self::pixels::Pixels;
 use crate::csv::table::{CsvTable, Row};
 use crate::images::png;
-use crate::{FileError, Place};
+use crate::{FileError, Location};
 
 const BASIS: &[&str] = &["ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"];
 const RAYS: &[&str] = &["row", "column", "ox", "oy", "oz", "dx", "dy", "dz"];
@@ -111,7 +111,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         let problem = format!(
             "the first line has {separator}: commas must stand between cells, and a point in a number"
         );
-        return FileError::at(path, Place::START, problem);
+        return FileError::at(path, Location::START, problem);
     }
     if bytes.trim_ascii().is_empty() {
         return FileError::of_file(
@@ -126,7 +126,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         BASIS.join(","),
         RAYS.join(",")
     );
-    FileError::at(path, Place::START, problem)
+    FileError::at(path, Location::START, problem)
 }
 
 fn picture(path: &Path, bytes: &[u8], image: ImageSize) -> Result<Answers, FileError> {
@@ -175,7 +175,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     let mut hits = Vec::new();
     let names = header(bytes);
     let has = |column: usize| names.iter().any(|name| name == HITS[column]);
-    let problem = |problem: &str| FileError::at(path, Place::START, problem);
+    let problem = |problem: &str| FileError::at(path, Location::START, problem);
     let table = CsvTable::new(path, bytes, HITS, 2)?;
     let coordinates = (X..=Z).filter(|column| has(*column)).count();
     if coordinates != 0 && coordinates != 3 {

@@ -20,18 +20,18 @@ pub(super) struct Pixels {
 
 impl Pixels {
     pub(super) fn new(image: ImageSize, count_from: u32) -> Pixels {
-        let places = (u64::from(image.width()) + 1) * (u64::from(image.height()) + 1);
-        let seen = vec![0; (places / 64 + 1) as usize];
+        let cells = (u64::from(image.width()) + 1) * (u64::from(image.height()) + 1);
+        let seen = vec![0; (cells / 64 + 1) as usize];
         Pixels { image, count_from, seen, has_zero: false, beyond: None }
     }
 
     pub(super) fn read(&mut self, row: &Row) -> Result<Pixel, FileError> {
-        let place = |column: usize| {
+        let coordinate = |column: usize| {
             let value = whole(row, column)?;
             let below = || self.outside(row, column, None);
             value.checked_sub(self.count_from).ok_or_else(below)
         };
-        let pixel = Pixel { row: place(ROW)?, column: place(COLUMN)? };
+        let pixel = Pixel { row: coordinate(ROW)?, column: coordinate(COLUMN)? };
         let (width, height) = (self.image.width(), self.image.height());
         for (column, value, count) in [(ROW, pixel.row, height), (COLUMN, pixel.column, width)] {
             if value < count {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{FileError, Place, suggest};
+use crate::{FileError, Location, suggest};
 
 /// A CSV file in memory, with its header understood.
 pub(crate) struct CsvTable<'a> {
@@ -39,23 +39,23 @@ impl<'a> CsvTable<'a> {
             CsvTable { file, bytes, reader, fields: vec![None; names.len()], names, width: 0 };
         table.width = header.len();
         for (field, cell) in header.iter().enumerate() {
-            let place = table.place_of(&header, field);
+            let location = table.location_of(&header, field);
             let name = String::from_utf8_lossy(plain(cell));
             let Some(column) = names.iter().position(|known| known.eq_ignore_ascii_case(&name))
             else {
-                return Err(table.error(Some(place), unknown_column(&name, names)));
+                return Err(table.error(Some(location), unknown_column(&name, names)));
             };
             if table.fields[column].replace(field).is_some() {
-                return Err(table.error(Some(place), format!("column {name} is there twice")));
+                return Err(table.error(Some(location), format!("column {name} is there twice")));
             }
         }
         if let Some(missing) = table.fields[..required].iter().position(Option::is_none) {
             let (needed, missing) = (names[..required].join(","), names[missing]);
-            let place = Place { line: 1, column: 1 };
+            let location = Location { line: 1, column: 1 };
             let problem = format!(
                 "column {missing} is missing: the first line must name the columns {needed}"
             );
-            return Err(table.error(Some(place), problem));
+            return Err(table.error(Some(location), problem));
         }
         Ok(table)
     }
@@ -78,18 +78,18 @@ impl<'a> CsvTable<'a> {
                     record.len(),
                     self.width
                 );
-                return Err(self.error(Some(self.place_of(&record, 0)), problem));
+                return Err(self.error(Some(self.location_of(&record, 0)), problem));
             }
             each(&Row { table: &self, record: &record })?;
         }
     }
 
-    fn error(&self, place: Option<Place>, problem: String) -> FileError {
-        FileError { file: self.file.display().to_string(), place, problem }
+    fn error(&self, location: Option<Location>, problem: String) -> FileError {
+        FileError { file: self.file.display().to_string(), location, problem }
     }
 
-    /// The place of a field: its row is searched again, which costs nothing where nothing is wrong.
-    fn place_of(&self, record: &csv::ByteRecord, field: usize) -> Place {
+    /// The position of a field: its row is searched again, which costs nothing where nothing is wrong.
+    fn location_of(&self, record: &csv::ByteRecord, field: usize) -> Location {
         let start = record.position().map_or(0, |p| p.byte() as usize).min(self.bytes.len());
         // The reader's position is that of the empty lines before the row, if there are any.
         let is_row = |b: &u8| !matches!(b, b'\r' | b'\n');
@@ -103,7 +103,7 @@ impl<'a> CsvTable<'a> {
             }
             byte += 1;
         }
-        Place::of_byte(self.bytes, byte)
+        Location::of_byte(self.bytes, byte)
     }
 }
 
@@ -143,10 +143,10 @@ impl Row<'_, '_> {
 
     /// `column r is "-1": ` and what would be right.
     pub(crate) fn error(&self, column: usize, right: &str) -> FileError {
-        let place = self.table.fields[column].map(|f| self.table.place_of(self.record, f));
+        let location = self.table.fields[column].map(|f| self.table.location_of(self.record, f));
         let value = String::from_utf8_lossy(self.cell(column));
         let problem = format!("column {} is {value:?}: {right}", self.table.names[column]);
-        self.table.error(place, problem)
+        self.table.error(location, problem)
     }
 }
 

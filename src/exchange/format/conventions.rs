@@ -15,7 +15,7 @@ pub struct Axis {
     pub direction: DVec3,
 }
 
-/// A format's count of pixels, and the place of their centres.
+/// A format's count of pixels, and the position of their centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PixelConvention {
     /// x right, y down from the image's corner: centres at halves. As here.

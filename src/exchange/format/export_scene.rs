@@ -148,7 +148,7 @@ impl<'a> ExportScene<'a> {
         let scene = self.scene();
         let first = scene.spheres().len();
         let shapes = scene.planes().iter().enumerate();
-        shapes.map(|(place, shape)| self.object(first + place, *shape)).collect()
+        shapes.map(|(k, shape)| self.object(first + k, *shape)).collect()
     }
 
     /// Returns the note on objects that a format has no place for, where there are some.

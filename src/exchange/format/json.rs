@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::Input;
-use crate::{FileError, Place};
+use crate::{FileError, Location};
 
 /// A value, and its path: `cameras[0].perspective.yfov`.
 #[derive(Clone)]
@@ -21,15 +21,15 @@ pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
     serde_json::from_str(text.text).map_err(|error| {
         let said = error.to_string();
         let problem = said.split(" at line ").next().unwrap_or_default();
-        FileError::at(text.path, place(text.text, &error), format!("no JSON: {problem}"))
+        FileError::at(text.path, location(text.text, &error), format!("no JSON: {problem}"))
     })
 }
 
-/// Place of serde_json's error: its columns are bytes, and 0 before the first one.
-fn place(text: &str, error: &serde_json::Error) -> Place {
+/// Position of serde_json's error: its columns are bytes, and 0 before the first one.
+fn location(text: &str, error: &serde_json::Error) -> Location {
     let lines = text.split_inclusive('\n').take(error.line().saturating_sub(1));
     let start: usize = lines.map(str::len).sum();
-    Place::of_byte(text.as_bytes(), start + error.column().saturating_sub(1))
+    Location::of_byte(text.as_bytes(), start + error.column().saturating_sub(1))
 }
 
 /// Returns true for a text that begins as an object of JSON.
@@ -71,8 +71,8 @@ impl<'a> Node<'a> {
         let problem = format!("{} is {value}: {right}", self.path);
         let name = self.path.rsplit('.').next().unwrap_or_default();
         let quoted = format!("\"{}\"", name.split('[').next().unwrap_or_default());
-        let mut places = self.text.text.match_indices(&quoted);
-        match (places.next(), places.next()) {
+        let mut matches = self.text.text.match_indices(&quoted);
+        match (matches.next(), matches.next()) {
             (Some((at, _)), None) => self.text.error_at(at, problem),
             _ => FileError::of_file(self.text.path, problem),
         }

@@ -57,7 +57,7 @@ pub(crate) fn readable<T>(
         }
     }
     if let Some(first) = faults.first() {
-        let line = first.place.map(|place| format!("line {}: ", place.line));
+        let line = first.location.map(|location| format!("line {}: ", location.line));
         let line = line.unwrap_or_default();
         notes.push(format!("{} of {what} left out: {line}{}", faults.len(), first.problem));
     }

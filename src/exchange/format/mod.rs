@@ -16,7 +16,7 @@ use pinhole_core::{Camera, DVec3, Pixel, Plane, Sphere};
 
 use self::pose::mirrored;
 use crate::document::Item;
-use crate::{FileError, Place};
+use crate::{FileError, Location};
 
 pub use conventions::{Axis, Conventions, PixelConvention};
 pub(crate) use export_scene::square_note;
@@ -163,7 +163,7 @@ impl Exported {
 impl Input<'_> {
     /// An error at a byte of the text.
     pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
-        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), at), problem)
+        FileError::at(self.path, Location::of_byte(self.text.as_bytes(), at), problem)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use pinhole_core::{Camera, Orientation, Viewport};
 
-use super::literal::{Source, last_part};
+use super::literal::{Source, last_segment};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{commas, n, real};
@@ -82,7 +82,7 @@ fn read(text: &Input, _: &Camera) -> Result<Imported, FileError> {
             None => source.missing("PerspectiveCamera", RIGHT),
         });
     };
-    if last_part(&call.called) != "PerspectiveCamera" || call.is_new {
+    if last_segment(&call.called) != "PerspectiveCamera" || call.is_new {
         return Err(source.refused(call, RIGHT));
     }
     let [eye, view, up, focal, rows, columns] = &call.arguments[..] else {

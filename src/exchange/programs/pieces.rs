@@ -1,4 +1,4 @@
-//! Pieces of a text, each with its place.
+//! Pieces of a text, each with its position.
 
 /// A part of a text, and the byte at which it begins.
 #[derive(Clone, Copy, Debug)]

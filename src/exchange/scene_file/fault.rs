@@ -1,4 +1,4 @@
-//! The place in a scene file of numbers that make no camera.
+//! The position in a scene file of numbers that make no camera.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use toml_edit::Document as Toml;
 use crate::FileError;
 use crate::fields::{Section, Source};
 
-/// The error of a file's camera at the place of the field at fault, as
+/// The error of a file's camera at the position of the field at fault, as
 /// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.
 ///
 /// The file is read again: a document, which is edited, knows nothing of places. `None` where the

@@ -1,4 +1,4 @@
-//! Scene files: TOML, read with every error at its place, and saved without losing the comments.
+//! Scene files: TOML, read with every error at its position, and saved without losing the comments.
 //!
 //! ```toml
 //! pinhole = 1                       # format version
@@ -52,7 +52,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::document::Document;
-use crate::{FileError, Place, atomic};
+use crate::{FileError, Location, atomic};
 
 pub use fault::camera_fault;
 pub use read::{TABLES, not_toml, tables};
@@ -68,8 +68,8 @@ pub const VERSION: i64 = 1;
 pub fn load(path: &Path) -> Result<Document, FileError> {
     let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
-        let place = Place::of_byte(&bytes, error.valid_up_to());
-        FileError::at(path, place, "not UTF-8 text: a scene file is text in UTF-8")
+        let location = Location::of_byte(&bytes, error.valid_up_to());
+        FileError::at(path, location, "not UTF-8 text: a scene file is text in UTF-8")
     })?;
     parse(text, path, path.parent().unwrap_or(Path::new("")))
 }

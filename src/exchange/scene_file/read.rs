@@ -201,7 +201,7 @@ fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
     let file = base.unwrap_or(Path::new("")).join(path);
     let items = match base {
         None => Vec::new(),
-        Some(_) => spheres::load(&file).map_err(|error| match error.place {
+        Some(_) => spheres::load(&file).map_err(|error| match error.location {
             Some(_) => error,
             // The path is at fault, and it stands in the scene file.
             None => field.error(&error.to_string()),

@@ -17,7 +17,7 @@ use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 
-use super::part::{Page, Part, Picture, Run, Text};
+use super::primitive::{Page, Picture, Primitive, Run, Text};
 use super::typeface::Face;
 use crate::view::overlay::{Ink, Outline, Path};
 
@@ -40,11 +40,11 @@ pub(in crate::figures) fn write(page: &Page) -> Result<Vec<u8>, String> {
         let outline = Outline::Chain { points: corners.as_slice().into(), closed: true };
         writer.path(&Path { outline, color: ground, ink: Ink::Fill });
     }
-    for part in &page.parts {
-        match part {
-            Part::Picture(picture) => writer.picture(picture, [width, height]),
-            Part::Path(path) => writer.path(path),
-            Part::Text(text) => writer.text(text)?,
+    for primitive in &page.primitives {
+        match primitive {
+            Primitive::Picture(picture) => writer.picture(picture, [width, height]),
+            Primitive::Path(path) => writer.path(path),
+            Primitive::Text(text) => writer.text(text)?,
         }
     }
     writer.surface.pop();

@@ -5,23 +5,23 @@ use std::borrow::Cow;
 use egui::epaint::{CircleShape, ClippedShape, ColorMode, PathShape, RectShape, TextShape};
 use egui::{Color32, Pos2, Rect, Shape, Stroke, StrokeKind};
 
-use super::part::{Part, Text};
+use super::primitive::{Primitive, Text};
 use super::text;
 use crate::view::overlay::{Ink, Outline, Path};
 use crate::view::typesetting::label_text::HaloText;
 
 /// Shapes in points as parts in dots, `scale` to a point.
-pub(in crate::figures) fn parts(shapes: &[ClippedShape], scale: f32) -> Vec<Part> {
-    let mut maker = Maker { scale, parts: Vec::new() };
+pub(in crate::figures) fn primitives(shapes: &[ClippedShape], scale: f32) -> Vec<Primitive> {
+    let mut maker = Maker { scale, primitives: Vec::new() };
     for clipped in shapes {
         maker.shape(&clipped.shape);
     }
-    maker.parts
+    maker.primitives
 }
 
 struct Maker {
     scale: f32,
-    parts: Vec<Part>,
+    primitives: Vec<Primitive>,
 }
 
 impl Maker {
@@ -39,7 +39,7 @@ impl Maker {
             }
             Shape::Path(path) => self.path(path),
             Shape::Circle(CircleShape { center, radius, fill, stroke }) => {
-                let (center, radius) = (self.place(*center), radius * self.scale);
+                let (center, radius) = (self.to_page(*center), radius * self.scale);
                 self.fill(Outline::Circle { center, radius }, *fill);
                 // egui draws a circle's stroke around it.
                 let radius = radius + 0.5 * stroke.width * self.scale;
@@ -54,7 +54,7 @@ impl Maker {
         let runs = text::runs(shape, self.scale);
         if !runs.is_empty() {
             let halo = halo.map(|halo| (halo, HaloText::REACH * self.scale));
-            self.parts.push(Part::Text(Text { runs, halo }));
+            self.primitives.push(Primitive::Text(Text { runs, halo }));
         }
     }
 
@@ -81,23 +81,23 @@ impl Maker {
 
     fn fill(&mut self, outline: Outline<'static>, color: Color32) {
         if color.a() > 0 {
-            self.parts.push(Part::Path(Path { outline, color, ink: Ink::Fill }));
+            self.primitives.push(Primitive::Path(Path { outline, color, ink: Ink::Fill }));
         }
     }
 
     fn stroke(&mut self, outline: Outline<'static>, Stroke { width, color }: Stroke) {
         if width > 0.0 && color.a() > 0 {
             let ink = Ink::Stroke { width: width * self.scale, round: false, dash: None };
-            self.parts.push(Part::Path(Path { outline, color, ink }));
+            self.primitives.push(Primitive::Path(Path { outline, color, ink }));
         }
     }
 
-    fn place(&self, at: Pos2) -> [f32; 2] {
+    fn to_page(&self, at: Pos2) -> [f32; 2] {
         [at.x * self.scale, at.y * self.scale]
     }
 
     fn chain(&self, points: &[Pos2], closed: bool) -> Outline<'static> {
-        let points = points.iter().map(|point| self.place(*point)).collect();
+        let points = points.iter().map(|point| self.to_page(*point)).collect();
         Outline::Chain { points: Cow::Owned(points), closed }
     }
 }
@@ -122,20 +122,20 @@ fn rounded(rect: Rect, radius: f32) -> Vec<Pos2> {
 mod tests {
     use egui::{Align2, Context, FontFamily, FontId, Painter, Vec2, pos2};
 
-    use super::super::part::Part;
+    use super::super::primitive::Primitive;
     use super::*;
     use crate::view::headless::UiPass;
     use crate::view::typesetting::{fonts, theme};
 
-    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Part> {
+    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Primitive> {
         let ctx = Context::default();
         theme::install_base(&ctx);
         let drawn = UiPass::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
-        parts(drawn.shapes(), scale)
+        primitives(drawn.shapes(), scale)
     }
 
-    fn text(part: &Part) -> Option<(String, Option<(Color32, f32)>)> {
-        let Part::Text(text) = part else { return None };
+    fn text(primitive: &Primitive) -> Option<(String, Option<(Color32, f32)>)> {
+        let Primitive::Text(text) = primitive else { return None };
         Some((text.runs.iter().map(|run| run.text.as_str()).collect(), text.halo))
     }
 
@@ -144,10 +144,10 @@ mod tests {
         let font = FontId::proportional(20.0);
         // With a kerned pair, two fonts, and what some fonts have ligatures for.
         let written = "AV floor 𝑡 = ffi";
-        let parts = drawn(2.0, |painter| {
+        let primitives = drawn(2.0, |painter| {
             painter.text(pos2(10.0, 5.0), Align2::LEFT_TOP, written, font.clone(), Color32::RED);
         });
-        let [Part::Text(text)] = parts.as_slice() else { panic!("{parts:?}") };
+        let [Primitive::Text(text)] = primitives.as_slice() else { panic!("{primitives:?}") };
         assert_eq!(text.runs.iter().map(|run| run.text.as_str()).collect::<String>(), written);
         assert!(text.runs.len() > 1 && text.halo.is_none());
         assert_eq!(text.runs[0].at[0], 20.0);
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn text_with_a_halo_is_one_text() {
-        let parts = drawn(1.5, |painter| {
+        let primitives = drawn(1.5, |painter| {
             let font = FontId::new(14.0, fonts::bold());
             let galley = painter.layout_no_wrap("cased".to_owned(), font, Color32::BLACK);
             let text = HaloText::new(pos2(20.0, 20.0), galley, Color32::BLACK, Color32::WHITE);
@@ -181,21 +181,21 @@ mod tests {
                 painter.layout_no_wrap("in another colour".to_owned(), font, Color32::BLACK);
             painter.galley_with_override_text_color(pos2(9.0, 9.0), galley, Color32::BLUE);
         });
-        let texts: Vec<_> = parts.iter().filter_map(text).collect();
+        let texts: Vec<_> = primitives.iter().filter_map(text).collect();
         let [(cased, Some((color, reach))), (other, None)] = texts.as_slice() else {
             panic!("{texts:?}")
         };
         assert_eq!((cased.as_str(), *color), ("cased", Color32::WHITE));
         assert!((reach - 1.95).abs() < 0.01);
         assert_eq!(other, "in another colour");
-        let Some(Part::Text(last)) = parts.last() else { panic!("{parts:?}") };
+        let Some(Primitive::Text(last)) = primitives.last() else { panic!("{primitives:?}") };
         assert_eq!(last.runs[0].color, Color32::BLUE);
     }
 
     #[test]
     fn shapes_are_fills_and_strokes_in_dots() {
         let stroke = Stroke::new(2.0, Color32::GREEN);
-        let parts = drawn(2.0, |painter| {
+        let primitives = drawn(2.0, |painter| {
             painter.circle(pos2(10.0, 20.0), 5.0, Color32::RED, stroke);
             painter.line_segment([pos2(0.0, 0.0), pos2(3.0, 4.0)], stroke);
             let square = Rect::from_min_size(pos2(1.0, 1.0), Vec2::splat(4.0));
@@ -209,10 +209,10 @@ mod tests {
         };
         let pen = Ink::Stroke { width: 4.0, round: false, dash: None };
         let corners = [[2.0, 2.0], [10.0, 2.0], [10.0, 10.0], [2.0, 10.0]];
-        let paths: Vec<Path> = parts
+        let paths: Vec<Path> = primitives
             .into_iter()
-            .map(|part| match part {
-                Part::Path(path) => path,
+            .map(|primitive| match primitive {
+                Primitive::Path(path) => path,
                 other => panic!("{other:?}"),
             })
             .collect();

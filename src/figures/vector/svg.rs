@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use egui::Color32;
 use pinhole_exchange::images::png;
 
-use super::part::{Page, Part, Picture, Run, Text};
+use super::primitive::{Page, Picture, Primitive, Run, Text};
 use super::subset::subset;
 use super::typeface::{Face, SANS};
 use crate::view::overlay::{Ink, Outline, Path};
@@ -21,17 +21,17 @@ pub(in crate::figures) fn write(page: &Page) -> Result<String, String> {
          width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" fill=\"none\" \
          stroke-linejoin=\"round\" font-family=\"{SANS}\">\n<title>{title}</title>\n"
     );
-    out.push_str(&style(&page.parts)?);
+    out.push_str(&style(&page.primitives)?);
     if let Some(ground) = page.ground {
         // Writing to a string cannot fail.
         let _ =
             writeln!(out, "<rect width=\"{width}\" height=\"{height}\"{}/>", paint("fill", ground));
     }
-    for (k, part) in page.parts.iter().enumerate() {
-        match part {
-            Part::Picture(picture) => out.push_str(&image(picture, page.size)?),
-            Part::Path(path) => out.push_str(&element(path)),
-            Part::Text(text) => out.push_str(&written(text, k)),
+    for (k, primitive) in page.primitives.iter().enumerate() {
+        match primitive {
+            Primitive::Picture(picture) => out.push_str(&image(picture, page.size)?),
+            Primitive::Path(path) => out.push_str(&element(path)),
+            Primitive::Text(text) => out.push_str(&written(text, k)),
         }
         out.push('\n');
     }
@@ -40,10 +40,10 @@ pub(in crate::figures) fn write(page: &Page) -> Result<String, String> {
 }
 
 /// The fonts, each with the letters that are there.
-fn style(parts: &[Part]) -> Result<String, String> {
+fn style(primitives: &[Primitive]) -> Result<String, String> {
     let mut letters: BTreeMap<Face, BTreeSet<char>> = BTreeMap::new();
-    let texts = parts.iter().filter_map(|part| match part {
-        Part::Text(text) => Some(&text.runs),
+    let texts = primitives.iter().filter_map(|primitive| match primitive {
+        Primitive::Text(text) => Some(&text.runs),
         _ => None,
     });
     for run in texts.flatten() {

@@ -4,7 +4,7 @@ use egui::epaint::TextShape;
 use egui::text::{LayoutJob, LayoutSection};
 use egui::{Color32, Galley};
 
-use super::part::Run;
+use super::primitive::Run;
 use super::typeface::Face;
 
 /// Lean of egui's slanted letters to the right, for each unit of height.

@@ -19,7 +19,7 @@ pub struct RayDerivation {
     /// The pixel that the ray goes through and its shares of the image; `None` of a ray that is
     /// given by (u, v).
     pub shares: Option<PixelShares>,
-    /// The place where the ray passes through the viewport, in world units, as
+    /// The position where the ray passes through the viewport, in world units, as
     /// [`ResolvedCamera::uv_of_pixel`] says.
     pub uv: DVec2,
     /// `u U`, in world units.
@@ -57,7 +57,7 @@ impl RayDerivation {
     /// The view ray through a pixel's centre.
     pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
-        let parts = camera.direction_parts_of_pixel(pixel);
+        let parts = camera.direction_terms_of_pixel(pixel);
         let shares = Some(PixelShares::new(camera, pixel));
         RayDerivation::new(parts, shares, camera.uv_of_pixel(pixel), direction)
     }
@@ -68,7 +68,7 @@ impl RayDerivation {
     /// Returns an error if u or v is not finite.
     pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
         let direction = camera.exact_ray_at(uv)?.rounded();
-        Ok(RayDerivation::new(camera.direction_parts_at(uv), None, uv, direction))
+        Ok(RayDerivation::new(camera.direction_terms_at(uv), None, uv, direction))
     }
 
     fn new(

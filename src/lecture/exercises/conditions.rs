@@ -57,9 +57,9 @@ pub enum Finding {
     },
     /// The ray passes the viewport's plane elsewhere.
     OffUv {
-        /// The place that it passes.
+        /// The position that it passes.
         uv: DVec2,
-        /// The place that it should pass.
+        /// The position that it should pass.
         wanted: DVec2,
     },
     /// The ray never comes to the viewport's plane.
@@ -88,7 +88,7 @@ pub(super) enum Condition {
         basis: Basis,
         /// The viewport's distance from the eye.
         distance: f64,
-        /// The place.
+        /// The position.
         uv: DVec2,
     },
 }

@@ -62,7 +62,7 @@ impl Question {
         wrong_answers::camera(&self.given)
     }
 
-    /// The place in the viewport that the question's ray passes.
+    /// The position in the viewport that the question's ray passes.
     pub fn uv(&self) -> Option<DVec2> {
         match self.given {
             Given::Uv(uv)

@@ -29,18 +29,18 @@ pub enum Exercise {
 /// The numbers given in a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
-    /// A canonical camera and a place in its viewport.
+    /// A canonical camera and a position in its viewport.
     Uv(DVec2),
-    /// A canonical camera, a place in its viewport, and the plane at this z.
+    /// A canonical camera, a position in its viewport, and the plane at this z.
     UvAndWall {
-        /// The place.
+        /// The position.
         uv: DVec2,
         /// The wall's z.
         z: f64,
     },
     /// The canonical camera with another distance, and the same.
     Distance {
-        /// The place.
+        /// The position.
         uv: DVec2,
         /// The viewport's distance from the eye.
         distance: f64,
@@ -51,7 +51,7 @@ pub enum Given {
     Turned {
         /// Right: midway between +x or -x and +z or -z.
         right: DVec3,
-        /// The place.
+        /// The position.
         uv: DVec2,
         /// The wall's z.
         z: f64,

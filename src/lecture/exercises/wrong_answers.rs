@@ -72,7 +72,7 @@ pub(super) fn one_wrong(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong
     Wrong { mistake, answers: vec![(asked, answer)] }
 }
 
-/// The ray from the origin through a place in the viewport: `u U + v V - distance W`.
+/// The ray from the origin through a position in the viewport: `u U + v V - distance W`.
 pub(super) fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
     let Basis { u, v, w } = basis;
     Ray { origin: DVec3::ZERO, direction: uv.x * u + uv.y * v - distance * w }

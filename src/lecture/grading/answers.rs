@@ -66,9 +66,9 @@ pub struct HitAnswer {
 /// A hit, in as many parts as the student gave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenHit {
-    /// The place on the ray.
+    /// The position on the ray.
     pub t: Option<Written<f64>>,
-    /// The place in the world.
+    /// The position in the world.
     pub point: Option<WrittenVector>,
     /// The object's index.
     pub object: Option<u32>,

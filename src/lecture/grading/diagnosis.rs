@@ -52,7 +52,7 @@ pub(super) trait Fits: Sync {
     /// The verdict on this answer, and its distance from the truth.
     fn judged(&self, index: usize) -> Judged;
 
-    /// The right answer in the place of this one.
+    /// The right answer in place of this one.
     fn right(&self, index: usize) -> Right;
 }
 
@@ -92,8 +92,8 @@ pub(super) fn diagnose(
         return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::new(found) };
     }
     sets.clear();
-    for (place, first) in known.iter().enumerate() {
-        for second in &known[place + 1..] {
+    for (k, first) in known.iter().enumerate() {
+        for second in &known[k + 1..] {
             let pipelines = first.pipelines().flat_map(|pipeline| second.pipelines_from(pipeline));
             let mut both = vec![*first, *second];
             both.sort_unstable();

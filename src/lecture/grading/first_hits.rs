@@ -11,11 +11,11 @@ use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
 use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
 
-/// A place where a ray may be said to meet an object first.
+/// A position where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PossibleHit {
     pub(super) object: u32,
-    /// The place on the ray, by the pipeline.
+    /// The position on the ray, by the pipeline.
     pub(super) t: f64,
     /// The least and the greatest t that it may be said to have.
     pub(super) least: f64,

@@ -84,9 +84,9 @@ pub enum Right {
 /// A first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The place on the ray, in units of the direction's length.
+    /// The position on the ray, in units of the direction's length.
     pub t: f64,
-    /// The place in the world.
+    /// The position in the world.
     pub point: DVec3,
     /// The object's index.
     pub object: u32,

@@ -136,8 +136,8 @@ impl Graded {
     /// `row 3, column 4: hits object 0 at t = 5; right: t = 4`
     pub fn worst(&self) -> Option<String> {
         let worst = self.grade.worst.as_ref()?;
-        let place = match (self.pixel(worst.index), worst.index) {
-            (Some(pixel), _) => self.place(pixel),
+        let pixel_label = match (self.pixel(worst.index), worst.index) {
+            (Some(pixel), _) => self.pixel_label(pixel),
             (None, 0) => "u".to_owned(),
             (None, 1) => "v".to_owned(),
             (None, _) => "w".to_owned(),
@@ -145,11 +145,14 @@ impl Graded {
         let texts = DIGITS.map(|digits| (self.given(worst, digits), self.right(worst, digits)));
         let differ = texts.iter().find(|(given, right)| given != right);
         let (given, right) = differ.unwrap_or(&texts[0]);
-        Some(format!("{place} is {given}; right is {right}{}", off(worst.error, self.grade.kind)))
+        Some(format!(
+            "{pixel_label} is {given}; right is {right}{}",
+            off(worst.error, self.grade.kind)
+        ))
     }
 
     /// `row 3, column 4`, as the answers count.
-    pub fn place(&self, pixel: Pixel) -> String {
+    pub fn pixel_label(&self, pixel: Pixel) -> String {
         let (row, column) = (pixel.row + self.count_from, pixel.column + self.count_from);
         format!("row {row}, column {column}")
     }

@@ -167,27 +167,27 @@ impl<'a> Grader<'a> {
             pixels.iter().zip(right).filter(|(a, b)| off(**a, **b) <= self.tolerance).count()
         };
         let mut order: Vec<usize> = (0..Shade::ALL.len()).collect();
-        order.sort_by_key(|place| Reverse(agree(&pictures[*place])));
-        let grade = |place: usize| {
+        order.sort_by_key(|k| Reverse(agree(&pictures[*k])));
+        let grade = |k: usize| {
             let fits = Picture {
                 pixels,
                 image: self.given.resolved.image(),
                 scene: self.truth.scene,
                 color_of: self.truth.color_of,
-                shade: Shade::ALL[place],
+                shade: Shade::ALL[k],
                 tolerance: self.tolerance,
                 brightest,
-                right: &pictures[place],
+                right: &pictures[k],
                 right_camera,
             };
             Grade { shade: Some(fits.shade), ..self.graded(&fits) }
         };
         let mut best = grade(order[0]);
-        for place in &order[1..] {
+        for k in &order[1..] {
             if best.all_agree() || best.diagnosis.mistakes.len() == 1 {
                 break;
             }
-            let other = grade(*place);
+            let other = grade(*k);
             let fewer = other.diagnosis.mistakes.len() < best.diagnosis.mistakes.len()
                 || best.diagnosis.mistakes.is_empty();
             if other.all_agree() || fewer && !other.diagnosis.mistakes.is_empty() {

@@ -135,9 +135,9 @@ pub(super) fn truth_of(
     let own = |pixel: &&Pixel| image.contains(**pixel);
     let mut rows: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.row).collect();
     let mut columns: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.column).collect();
-    for places in [&mut rows, &mut columns] {
-        places.sort_unstable();
-        places.dedup();
+    for indices in [&mut rows, &mut columns] {
+        indices.sort_unstable();
+        indices.dedup();
     }
     let mut hits = vec![None; pixels.len()];
     let mut by_row: Vec<usize> = (0..pixels.len()).filter(|i| image.contains(pixels[*i])).collect();
@@ -160,8 +160,8 @@ pub(super) fn truth_of(
         for index in here {
             let pixel = pixels[*index];
             let row = rows.partition_point(|row| *row < pixel.row);
-            let place = row * columns.len() + columns.partition_point(|c| *c < pixel.column);
-            let (t, object) = (frame.t[place], frame.object[place]);
+            let offset = row * columns.len() + columns.partition_point(|c| *c < pixel.column);
+            let (t, object) = (frame.t[offset], frame.object[offset]);
             let point = resolved.ray_of_pixel(pixel).at(t);
             hits[*index] = (object != NO_OBJECT).then_some(Hit { t, point, object });
         }

@@ -84,7 +84,7 @@ checks! {
 pub enum Value {
     /// One number.
     Number(f64),
-    /// A place in the viewport, or a step there.
+    /// A position in the viewport, or a step there.
     Uv(DVec2),
 }
 

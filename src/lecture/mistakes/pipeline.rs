@@ -59,7 +59,7 @@ pub(crate) enum UpAsV {
     Unit,
 }
 
-/// The number in the place of the viewport's distance.
+/// The number in place of the viewport's distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Distance {
     Right,
@@ -92,7 +92,7 @@ pub(crate) enum Swap {
     Counts,
 }
 
-/// The numbers in the place of the viewport's width and height.
+/// The numbers in place of the viewport's width and height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Extent {
     Right,

@@ -26,7 +26,7 @@ pub struct WrongPicture {
     pub object: Vec<u32>,
 }
 
-/// The places in a stand-in camera's image that the wrong camera's columns (or rows) have.
+/// The positions in a stand-in camera's image that the wrong camera's columns (or rows) have.
 struct StandInAxis {
     /// The stand-in's pixels, so many that all places lie in it: where rows stand for columns
     /// that can be almost three times as many as the image has.
@@ -34,7 +34,7 @@ struct StandInAxis {
     /// Its extent, of the same pixels.
     extent: f64,
     /// Ascending, without repetition.
-    places: Vec<u32>,
+    sorted: Vec<u32>,
     is_reversed: bool,
 }
 
@@ -47,18 +47,18 @@ impl StandInAxis {
         let last = indices.last().copied().unwrap_or_default();
         let beyond = (last + 1).saturating_sub(pixels);
         let count = pixels + shift + 2 * beyond;
-        let place = |index: u32| {
+        let in_stand_in = |index: u32| {
             if is_reversed { pixels + beyond + shift - 1 - index } else { index + beyond }
         };
-        let mut places: Vec<u32> = indices.iter().map(|index| place(*index)).collect();
-        places.sort_unstable();
+        let mut sorted: Vec<u32> = indices.iter().map(|index| in_stand_in(*index)).collect();
+        sorted.sort_unstable();
         let extent = extent.abs() * (f64::from(count) / f64::from(pixels));
-        StandInAxis { count, extent, places, is_reversed }
+        StandInAxis { count, extent, sorted, is_reversed }
     }
 
-    /// The place of the `k`th of the indices.
+    /// The position of the `k`th of the indices.
     fn at(&self, k: usize) -> usize {
-        if self.is_reversed { self.places.len() - 1 - k } else { k }
+        if self.is_reversed { self.sorted.len() - 1 - k } else { k }
     }
 }
 
@@ -100,7 +100,7 @@ impl WrongPicture {
                     made.uv(f64::from(*index), 0.0)
                 };
                 let stand_in = camera.row_camera(uv.y * up, &columns)?;
-                let frame = traced(scene, &stand_in, vec![0], columns.places.clone());
+                let frame = traced(scene, &stand_in, vec![0], columns.sorted.clone());
                 picture.take(&frame, &columns, k..k + 1, |_| 0);
             }
             return Ok(picture);
@@ -109,7 +109,7 @@ impl WrongPicture {
         let height = height * made.factors.y;
         let rows = StandInAxis::new(along_v, image.height(), height, half_v, side * height < 0.0);
         let stand_in = camera.stand_in(&columns, &rows)?;
-        let frame = traced(scene, &stand_in, rows.places.clone(), columns.places.clone());
+        let frame = traced(scene, &stand_in, rows.sorted.clone(), columns.sorted.clone());
         picture.take(&frame, &columns, 0..along_v.len(), |k| rows.at(k));
         Ok(picture)
     }
@@ -126,8 +126,8 @@ impl WrongPicture {
         let width = self.raster.columns().len();
         let swapped = self.camera.made.pipeline.swap != Swap::No;
         for k in ks {
-            let row = row_of(k) * columns.places.len();
-            for c in 0..columns.places.len() {
+            let row = row_of(k) * columns.sorted.len();
+            for c in 0..columns.sorted.len() {
                 let from = row + columns.at(c);
                 let to = if swapped { c * width + k } else { k * width + c };
                 (self.t[to], self.object[to]) = (frame.t[from], frame.object[from]);

@@ -6,14 +6,14 @@ use std::sync::Arc;
 use pinhole_exchange::FileError;
 
 use super::lesson::Lesson;
-use super::open::{Place, Which};
+use super::open::{StepId, Which};
 use super::{builtin, read};
 
 /// A lesson named on the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LessonArgument {
     /// A lesson that comes with the program.
-    Builtin(Place),
+    Builtin(StepId),
     /// A lesson file.
     File(PathBuf),
 }
@@ -51,7 +51,7 @@ impl LessonArgument {
         };
         match step.checked_sub(1).filter(|step| *step < found.steps.len()) {
             Some(step) => {
-                Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(index), step }))
+                Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step }))
             }
             None => Err(format!(
                 "lesson {lesson} has no step {step}: it has steps 1 to {}",
@@ -64,11 +64,11 @@ impl LessonArgument {
     ///
     /// # Errors
     /// Returns an error if the file cannot be read or is no valid lesson.
-    pub fn load(&self) -> Result<(Place, Option<Arc<Lesson>>), FileError> {
+    pub fn load(&self) -> Result<(StepId, Option<Arc<Lesson>>), FileError> {
         match self {
-            LessonArgument::Builtin(place) => Ok((*place, None)),
+            LessonArgument::Builtin(id) => Ok((*id, None)),
             LessonArgument::File(path) => {
-                Ok((Place { lesson: Which::File, step: 0 }, Some(Arc::new(read::load(path)?))))
+                Ok((StepId { lesson: Which::File, step: 0 }, Some(Arc::new(read::load(path)?))))
             }
         }
     }

@@ -14,5 +14,5 @@ mod read;
 
 pub use argument::LessonArgument;
 pub use lesson::{AskedExercise, Lesson, Step, StepView};
-pub use open::{OpenLesson, Place, Which, title_of};
+pub use open::{OpenLesson, StepId, Which, title_of};
 pub use read::{VERSION, is_lesson, load, parse};

@@ -194,7 +194,7 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     {
         return Err(field.error("it is a lesson: name a scene file, or a built-in scene"));
     }
-    source.load().map_err(|error| match error.place {
+    source.load().map_err(|error| match error.location {
         Some(_) => error,
         // The path is wrong, so the error points to the path's place in the lesson.
         None => field.error(&error.to_string()),

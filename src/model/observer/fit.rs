@@ -131,7 +131,7 @@ impl Observer {
         let (right, up) = self.right_and_up();
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - 0.5 * MARGIN);
         let corners =
-            camera.resolve().map_or(Vec::new(), |resolved| frustum_part(&resolved, 1.0).into());
+            camera.resolve().map_or(Vec::new(), |resolved| frustum_corners(&resolved, 1.0).into());
         let points = corners.iter().map(|ball: &Ball| ball.center).chain([camera.eye]);
         let distances = points.map(|point| {
             let q = point - self.target();
@@ -157,7 +157,7 @@ impl Subject {
             let viewport = resolved.viewport();
             let size = viewport.width.max(viewport.height).max(viewport.distance);
             near_size = size.clamp(1e-9, 1e12);
-            balls.extend(frustum_part(&resolved, 1.0));
+            balls.extend(frustum_corners(&resolved, 1.0));
         }
         let given = match camera.orientation {
             Orientation::At { at, .. } => Some(at),
@@ -168,7 +168,7 @@ impl Subject {
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
         if let Ok(resolved) = camera.resolve() {
             let t = (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
-            balls.extend(frustum_part(&resolved, t));
+            balls.extend(frustum_corners(&resolved, t));
             walls = walls_seen(&resolved, scene, 2.0 * farthest.max(10.0 * near_size));
             balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
@@ -237,7 +237,7 @@ impl Subject {
 }
 
 /// Returns the points of the frustum's edges at this t.
-fn frustum_part(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
+fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
     rays_around(resolved, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
 }
 

@@ -216,7 +216,7 @@ fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
             assert!(is_in_sight(&framed, point), "{point} by {framed:?}");
         }
         let seen = own_points(&camera).into_iter().map(|point| seen_at(&framed, point));
-        let ys: Vec<f64> = seen.map(|place| place.y).collect();
+        let ys: Vec<f64> = seen.map(|point| point.y).collect();
         let [least, most] =
             [ys.iter().copied().fold(2.0, f64::min), ys.iter().copied().fold(-2.0, f64::max)];
         // In a picture 2 high.

@@ -140,7 +140,7 @@ impl Player {
     }
 
     /// Returns a description of the present phase.
-    pub fn place(&self) -> String {
+    pub fn position(&self) -> String {
         match self.kind {
             Kind::SwingUp | Kind::Orbit => format!("{:.0}°", 360.0 * self.phase),
             Kind::Walk => {

@@ -29,8 +29,8 @@ fn up_swings_round_the_view() {
 #[test]
 fn the_eye_orbits_at() {
     let start = start();
-    let places = [(0.25, (1.0, -1.0)), (0.5, (0.0, -2.0)), (0.75, (-1.0, -1.0))];
-    for (phase, (x, z)) in places {
+    let positions = [(0.25, (1.0, -1.0)), (0.5, (0.0, -2.0)), (0.75, (-1.0, -1.0))];
+    for (phase, (x, z)) in positions {
         let Still { camera, .. } = start.at(Kind::Orbit, phase).unwrap();
         assert!(camera.eye.distance(DVec3::new(x, 0.0, z)) < 1e-15, "{}", camera.eye);
         assert_eq!(camera.orientation, start.camera.orientation);
@@ -69,14 +69,14 @@ fn frames_of_a_turn_do_not_show_its_beginning_twice() {
 fn steps_go_to_whole_steps() {
     let mut player = Player::new(Kind::SwingUp, start());
     player.phase = 0.1;
-    for (by, place) in [(1, "45°"), (1, "60°"), (-1, "45°"), (-4, "345°")] {
+    for (by, position) in [(1, "45°"), (1, "60°"), (-1, "45°"), (-4, "345°")] {
         player.step(by);
-        assert_eq!(player.place(), place);
+        assert_eq!(player.position(), position);
     }
     let mut player = Player::new(Kind::Scan, start());
-    for (by, place) in [(1, "1 of 12 pixels"), (-3, "0 of 12 pixels"), (99, "12 of 12 pixels")] {
+    for (by, position) in [(1, "1 of 12 pixels"), (-3, "0 of 12 pixels"), (99, "12 of 12 pixels")] {
         player.step(by);
-        assert_eq!(player.place(), place);
+        assert_eq!(player.position(), position);
     }
 }
 

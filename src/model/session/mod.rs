@@ -222,14 +222,14 @@ impl Selection {
 
     /// Returns the selection after a change of the image's size: the pixel at the same position.
     pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
-        let place = |k: u32, before: u32, now: u32| {
+        let position = |k: u32, before: u32, now: u32| {
             let share = (f64::from(k) + 0.5) / f64::from(before);
             ((share * f64::from(now)) as u32).min(now - 1)
         };
         match self {
             Selection::Pixel(Pixel { row, column }) if before != now => Selection::Pixel(Pixel {
-                row: place(row, before.height(), now.height()),
-                column: place(column, before.width(), now.width()),
+                row: position(row, before.height(), now.height()),
+                column: position(column, before.width(), now.width()),
             }),
             same => same,
         }
@@ -253,7 +253,7 @@ impl Selection {
         let Pixel { row, column } = match self {
             Selection::Pixel(pixel) => pixel,
             Selection::Uv(uv) => match camera.pixel_of_uv(uv) {
-                Some(place) => return Selection::Pixel(place.pixel),
+                Some(position) => return Selection::Pixel(position.pixel),
                 None => return self,
             },
         };

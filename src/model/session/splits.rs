@@ -98,8 +98,8 @@ mod tests {
 
     #[test]
     fn the_table_is_in_the_enums_order_and_its_values_are_in_range() {
-        for (place, (split, first, range)) in TABLE.iter().enumerate() {
-            assert_eq!(*split as usize, place);
+        for (k, (split, first, range)) in TABLE.iter().enumerate() {
+            assert_eq!(*split as usize, k);
             assert!(range.contains(first), "{split:?}");
         }
     }

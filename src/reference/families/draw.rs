@@ -15,7 +15,7 @@ pub(crate) struct Draw {
 /// those of `f64` within 53, which their products do not.
 pub(crate) struct Sizes {
     pub(crate) quaternion: i64,
-    pub(crate) place: i64,
+    pub(crate) extent: i64,
     pub(crate) steps: i64,
 }
 
@@ -80,9 +80,9 @@ impl Draw {
 
     pub(crate) fn sizes(&mut self) -> Sizes {
         if self.single || self.once_in(2) {
-            Sizes { quaternion: 3, place: 1 << 10, steps: 1 << 8 }
+            Sizes { quaternion: 3, extent: 1 << 10, steps: 1 << 8 }
         } else {
-            Sizes { quaternion: 100, place: 1 << 40, steps: 1 << 20 }
+            Sizes { quaternion: 100, extent: 1 << 40, steps: 1 << 20 }
         }
     }
 

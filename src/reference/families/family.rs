@@ -18,7 +18,7 @@ pub struct RayCase {
 /// A camera's place and orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BasisCase {
-    /// Its place.
+    /// Its position.
     pub eye: [f64; 3],
     /// The way it is turned.
     pub orientation: Orientation,
@@ -186,16 +186,16 @@ impl Object {
     /// Returns it with other places, normals and radii.
     pub(super) fn map(
         self,
-        place: impl Fn([f64; 3]) -> [f64; 3],
+        map_point: impl Fn([f64; 3]) -> [f64; 3],
         normal: impl Fn([f64; 3]) -> [f64; 3],
         radius: impl Fn(f64) -> f64,
     ) -> Object {
         match self {
             Object::Sphere { center, radius: r } => {
-                Object::Sphere { center: place(center), radius: radius(r) }
+                Object::Sphere { center: map_point(center), radius: radius(r) }
             }
             Object::Plane { point, normal: n } => {
-                Object::Plane { point: place(point), normal: normal(n) }
+                Object::Plane { point: map_point(point), normal: normal(n) }
             }
         }
     }
@@ -228,16 +228,16 @@ impl FrameCase {
     /// The same picture with other places and radii.
     pub(super) fn map(
         self,
-        place: impl Fn([f64; 3]) -> [f64; 3],
+        map_point: impl Fn([f64; 3]) -> [f64; 3],
         radius: impl Fn(f64) -> f64,
     ) -> FrameCase {
         let orientation = match self.camera.orientation {
-            Orientation::At { at, up } => Orientation::At { at: place(at), up },
+            Orientation::At { at, up } => Orientation::At { at: map_point(at), up },
             other => other,
         };
-        let camera = Camera { eye: place(self.camera.eye), orientation, ..self.camera };
+        let camera = Camera { eye: map_point(self.camera.eye), orientation, ..self.camera };
         let objects =
-            self.objects.into_iter().map(|object| object.map(&place, |normal| normal, &radius));
+            self.objects.into_iter().map(|object| object.map(&map_point, |normal| normal, &radius));
         FrameCase { camera, objects: objects.collect() }
     }
 

@@ -37,9 +37,9 @@ fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
 
 /// A ray exactly parallel to a plane, inside or beside it, and normals one ulp beside.
 fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = draw.sizes();
+    let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
-    let point = [0; 3].map(|_| draw.whole(-place, place));
+    let point = [0; 3].map(|_| draw.whole(-extent, extent));
     let height = if draw.once_in(3) { 0.0 } else { draw.whole(-steps, steps) };
     let inside = plus(plus(point, draw.whole(-steps, steps), along), draw.whole(-3, 3), aside);
     let origin = plus(inside, height, normal);

@@ -150,9 +150,9 @@ fn grazing(draw: &mut Draw, k: f64) -> RayCase {
 
 /// A line that touches the sphere exactly, and radii one unit in the last place beside.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = draw.sizes();
+    let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
-    let touched = [0; 3].map(|_| draw.whole(-place, place));
+    let touched = [0; 3].map(|_| draw.whole(-extent, extent));
     let (back, radii) = (draw.whole(1, steps), draw.whole(1, steps));
     let radius = draw.moved_by_ulps(radii * length, ulps);
     let scale = draw.binary_scale();
@@ -176,9 +176,9 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
 
 /// The origin exactly on the surface, where t = 0 is no hit, and radii one ulp beside.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
-    let Sizes { quaternion, place, steps } = draw.sizes();
+    let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
-    let origin = [0; 3].map(|_| draw.whole(-place, place));
+    let origin = [0; 3].map(|_| draw.whole(-extent, extent));
     let radii = draw.whole(1, steps);
     let radius = draw.moved_by_ulps(radii * length, ulps);
     let direction = match draw.whole(0, 3) as i64 {

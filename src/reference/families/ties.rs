@@ -42,10 +42,10 @@ struct Contact {
 }
 
 fn contact(draw: &mut Draw) -> Contact {
-    let Sizes { quaternion, place, steps } = draw.sizes();
+    let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
     // No coordinate is 0: each of them has a neighbour.
-    let point = [0; 3].map(|_| draw.sign() * draw.whole(1, place));
+    let point = [0; 3].map(|_| draw.sign() * draw.whole(1, extent));
     Contact { point, along, out, aside, length, steps }
 }
 

@@ -135,8 +135,8 @@ impl CaseRun {
         let Some(work) = &self.work else { return self.case.clone() };
         let workers = work.sets.iter().flat_map(|set| &set.workers);
         let mut rows: Vec<_> = workers.map(|w| (w.method, w.tally.row(w.method))).collect();
-        let place = |method| Method::ALL.iter().position(|other| *other == method);
-        rows.sort_by_key(|(method, _)| place(*method));
+        let index = |method| Method::ALL.iter().position(|other| *other == method);
+        rows.sort_by_key(|(method, _)| index(*method));
         Case {
             coverage: work.coverage(),
             methods: rows.into_iter().map(|(_, row)| row).collect(),
@@ -239,8 +239,8 @@ impl SetWork {
     fn time(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
         let start = Instant::now();
         while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
-            let place = self.timings % self.workers.len();
-            let worker = &mut self.workers[place];
+            let index = self.timings % self.workers.len();
+            let worker = &mut self.workers[index];
             worker.tally.time(self.subject.time(&mut worker.kernel, one_thread));
             worker.tally.climb(worker.kernel.steps());
             self.timings += 1;

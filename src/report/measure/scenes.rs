@@ -23,7 +23,7 @@ const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
 
 /// The part of a scene that a case is about.
-struct Part {
+struct Subset {
     title: String,
     scene: Scene,
     limits: Limits,
@@ -37,22 +37,22 @@ pub(super) fn cases(
 ) -> Result<(Vec<CaseRun>, Vec<String>), CameraError> {
     let resolved = camera.resolve()?;
     let mut left_out = Vec::new();
-    let parts = parts(name, scene, camera, &mut left_out);
+    let subsets = subsets(name, scene, camera, &mut left_out);
     let camera = *camera;
-    let run = |Part { title, scene, limits }| {
+    let run = |Subset { title, scene, limits }| {
         let case = Case { name: title.clone(), ..Case::default() };
         CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved))
     };
-    Ok((parts.into_iter().map(run).collect(), left_out))
+    Ok((subsets.into_iter().map(run).collect(), left_out))
 }
 
 /// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
-fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Part> {
-    let part = |title: String, scene: Scene, seconds, pieces| {
+fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
+    let subset = |title: String, scene: Scene, seconds, pieces| {
         let limits = Limits { rounds: 41, budget: Duration::from_secs(seconds), pieces };
-        Part { title, scene, limits }
+        Subset { title, scene, limits }
     };
-    let mut parts = vec![part(name.to_owned(), scene.clone(), 12, 400)];
+    let mut subsets = vec![subset(name.to_owned(), scene.clone(), 12, 400)];
     let (spheres, planes) = (scene.spheres(), scene.planes());
     let objects = objects_of(scene);
     let is_inside = |index: &usize| {
@@ -61,7 +61,7 @@ fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>)
     let around: Vec<_> = (0..spheres.len()).filter(is_inside).map(|i| spheres[i]).collect();
     let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
         if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
-            parts.push(part(format!("{name}: {what}"), scene, 3, 100));
+            subsets.push(subset(format!("{name}: {what}"), scene, 3, 100));
         }
     };
     if !around.is_empty() && around.len() < objects.len() {
@@ -87,7 +87,7 @@ fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>)
     if around.is_empty() && !spheres.is_empty() {
         leave_out("no inside rows: the eye is outside every sphere");
     }
-    parts
+    subsets
 }
 
 /// All methods, or where there is no sphere, one for each way to meet a plane.

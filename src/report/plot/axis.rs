@@ -5,7 +5,7 @@ use crate::model::number::{power_of_ten, short};
 /// A stretch of a panel's edge, in points; may run backwards.
 pub(crate) type Stretch = [f64; 2];
 
-/// A logarithmic scale over whole decades, with a place of its own for zero.
+/// A logarithmic scale over whole decades, with a position of its own for zero.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Decades {
     low: i32,
@@ -32,15 +32,15 @@ impl Decades {
         Decades { low, high, along, zero }
     }
 
-    /// Place of a value along the edge.
-    pub(crate) fn place(&self, value: f64) -> f64 {
+    /// Position of a value along the edge.
+    pub(crate) fn position(&self, value: f64) -> f64 {
         if value <= 0.0 {
             return self.zero;
         }
-        self.place_of_power(value.log10())
+        self.position_of_power(value.log10())
     }
 
-    fn place_of_power(&self, exponent: f64) -> f64 {
+    fn position_of_power(&self, exponent: f64) -> f64 {
         let [from, to] = self.along;
         let part = (exponent - f64::from(self.low)) / f64::from(self.high - self.low);
         from + part.clamp(0.0, 1.0) * (to - from)
@@ -58,7 +58,7 @@ impl Decades {
         (self.low..=self.high)
             .filter(|exponent| exponent.rem_euclid(step) == 0)
             .map(|exponent| Tick {
-                at: self.place_of_power(f64::from(exponent)),
+                at: self.position_of_power(f64::from(exponent)),
                 text: power_of_ten(exponent),
             })
             .collect()
@@ -81,8 +81,8 @@ impl Close {
         Close { low: low - margin, high: high + margin, along }
     }
 
-    /// Place of a positive value along the edge.
-    pub(crate) fn place(&self, value: f64) -> f64 {
+    /// Position of a positive value along the edge.
+    pub(crate) fn position(&self, value: f64) -> f64 {
         let [from, to] = self.along;
         from + (value.log10() - self.low) / (self.high - self.low) * (to - from)
     }
@@ -95,7 +95,7 @@ impl Close {
                 .clone()
                 .flat_map(|exponent| digits.iter().map(move |digit| digit * 10f64.powi(exponent)))
                 .filter(|value| (self.low..=self.high).contains(&value.log10()))
-                .map(|value| Tick { at: self.place(value), text: short(value) })
+                .map(|value| Tick { at: self.position(value), text: short(value) })
                 .collect()
         };
         [&[1.0, 2.0, 3.0, 5.0, 7.0][..], &[1.0, 2.0, 5.0], &[1.0, 3.0]]
@@ -131,7 +131,7 @@ impl Knobs {
         let [from, to] = along;
         let mut scales = vec![KnobScale::Linear];
         if sorted.iter().all(|knob| *knob >= 0.0) {
-            // Where the knob may be off, zero has a place before the scale.
+            // Where the knob may be off, zero has a position before the scale.
             let off = sorted.first() == Some(&0.0);
             let inside = if off { from + 0.12 * (to - from) } else { from };
             let decades = Decades::over(sorted.iter().copied(), [inside, to], from);
@@ -146,15 +146,15 @@ impl Knobs {
     fn are_apart(&self) -> bool {
         let [from, to] = self.along;
         let gap = 0.05 * (to - from).abs();
-        self.sorted.windows(2).all(|pair| self.place(pair[1]) - self.place(pair[0]) >= gap)
+        self.sorted.windows(2).all(|pair| self.position(pair[1]) - self.position(pair[0]) >= gap)
     }
 
-    /// Place of a setting along the edge.
-    pub(crate) fn place(&self, knob: f64) -> f64 {
+    /// Position of a setting along the edge.
+    pub(crate) fn position(&self, knob: f64) -> f64 {
         let [from, to] = self.along;
         let (low, high) = (self.sorted.first(), self.sorted.last());
         let part = match &self.scale {
-            KnobScale::Logarithmic(decades) => return decades.place(knob),
+            KnobScale::Logarithmic(decades) => return decades.position(knob),
             KnobScale::Linear => match (low, high) {
                 // Halves, as the whole may be beyond the range of numbers.
                 (Some(low), Some(high)) if high > low => {
@@ -173,7 +173,7 @@ impl Knobs {
     /// The numbers written there: powers of ten on a logarithmic scale, else the settings; none so
     /// close to the one before that they would touch.
     pub(crate) fn ticks(&self) -> Vec<Tick> {
-        let setting = |knob: &f64| Tick { at: self.place(*knob), text: short(*knob) };
+        let setting = |knob: &f64| Tick { at: self.position(*knob), text: short(*knob) };
         let ticks: Vec<Tick> = match &self.scale {
             KnobScale::Logarithmic(decades) => {
                 let zero = self.sorted.iter().filter(|knob| **knob == 0.0).map(setting);
@@ -216,10 +216,10 @@ mod tests {
     #[test]
     fn decades_hold_all_values_and_keep_zero_apart() {
         let axis = Decades::over([0.0, 0.5, 3e4].into_iter(), [600.0, 0.0], 630.0);
-        assert_eq!(axis.place(0.0), 630.0);
-        assert_eq!(axis.place(0.1), 600.0);
-        assert_eq!(axis.place(1e5), 0.0);
-        assert_eq!(axis.place(100.0), 300.0);
+        assert_eq!(axis.position(0.0), 630.0);
+        assert_eq!(axis.position(0.1), 600.0);
+        assert_eq!(axis.position(1e5), 0.0);
+        assert_eq!(axis.position(100.0), 300.0);
         assert_eq!(texts(&axis.ticks(8)), ["10⁻¹", "1", "10", "10²", "10³", "10⁴", "10⁵"]);
         assert_eq!(texts(&axis.ticks(3)), ["1", "10³"]);
     }
@@ -229,9 +229,9 @@ mod tests {
         for values in [vec![], vec![0.0], vec![1.0], vec![f64::MAX], vec![5e-324]] {
             let axis = Decades::over(values.iter().copied(), [0.0, 1.0], -1.0);
             assert!(axis.high > axis.low);
-            assert!(values.iter().all(|value| axis.place(*value).is_finite()));
+            assert!(values.iter().all(|value| axis.position(*value).is_finite()));
             let axis = Close::over(values.iter().copied(), [0.0, 1.0]);
-            assert!(axis.place(1.0).is_finite() && axis.ticks().len() <= 700);
+            assert!(axis.position(1.0).is_finite() && axis.ticks().len() <= 700);
         }
     }
 
@@ -248,15 +248,15 @@ mod tests {
     #[test]
     fn knobs_that_may_be_off_or_negative_have_places() {
         let knobs = Knobs::over(&[0.0, 1e-12, 1e-6, 1.0], [0.0, 400.0]);
-        assert_eq!(knobs.place(0.0), 0.0);
-        assert_eq!(knobs.place(1e-12), 48.0);
-        assert_eq!(knobs.place(1.0), 400.0);
+        assert_eq!(knobs.position(0.0), 0.0);
+        assert_eq!(knobs.position(1e-12), 48.0);
+        assert_eq!(knobs.position(1.0), 400.0);
         assert_eq!(texts(&knobs.ticks())[..2], ["0", "10⁻¹²"]);
         let knobs = Knobs::over(&[2.0, -1.0, 0.0], [0.0, 90.0]);
-        assert_eq!([-1.0, 0.0, 2.0].map(|knob| knobs.place(knob)), [0.0, 30.0, 90.0]);
+        assert_eq!([-1.0, 0.0, 2.0].map(|knob| knobs.position(knob)), [0.0, 30.0, 90.0]);
         assert_eq!(texts(&knobs.ticks()), ["-1", "0", "2"]);
         let knobs = Knobs::over(&[-1000.0, -1.0, 0.0, 1.0, 1000.0], [0.0, 50.0]);
-        assert_eq!([-1000.0, -1.0, 1000.0].map(|knob| knobs.place(knob)), [5.0, 15.0, 45.0]);
+        assert_eq!([-1000.0, -1.0, 1000.0].map(|knob| knobs.position(knob)), [5.0, 15.0, 45.0]);
         assert_eq!(texts(&knobs.ticks()), ["-1000"], "no room for more");
     }
 }

@@ -20,7 +20,7 @@ const MARGIN: f64 = 12.0;
 pub(crate) struct Errors {
     scale: Decades,
     zero: f64,
-    /// Place of methods that have no hit in common with the truth, where there are some.
+    /// Position of methods that have no hit in common with the truth, where there are some.
     nowhere: Option<f64>,
 }
 
@@ -35,9 +35,9 @@ impl Errors {
         Errors { scale: Decades::over(summary.errors(), along, zero), zero, nowhere }
     }
 
-    /// Place of an error; `None` only if the whole row has no place for methods without one.
-    fn place(&self, error: Option<f64>) -> Option<f64> {
-        error.map_or(self.nowhere, |error| Some(self.scale.place(error)))
+    /// Position of an error; `None` only if the whole row has no place for methods without one.
+    fn position(&self, error: Option<f64>) -> Option<f64> {
+        error.map_or(self.nowhere, |error| Some(self.scale.position(error)))
     }
 
     /// Frame, lines across and their numbers; the numbers stand left of the frame.
@@ -51,7 +51,7 @@ impl Errors {
         }
         for ulp in [1.0, SINGLE] {
             if self.scale.holds(ulp) {
-                let at = self.scale.place(ulp);
+                let at = self.scale.position(ulp);
                 chart.dashed(&[[left, at], [right, at]], ULP, 1.5);
             }
         }
@@ -72,7 +72,7 @@ impl Errors {
     pub(crate) fn name_ulps(&self, chart: &mut Chart, frame: Frame) {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.holds(ulp) {
-                let at = [frame.right + 6.0, self.scale.place(ulp)];
+                let at = [frame.right + 6.0, self.scale.position(ulp)];
                 chart.text(at, Align::LEFT, plain(14.0), WEAK, name);
             }
         }
@@ -89,14 +89,14 @@ pub(crate) fn time(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &S
     let mut marks = Vec::new();
     for method in &summary.methods {
         let (Some(time), Some(y)) =
-            (method.time.filter(|time| *time > 0.0), errors.place(method.max))
+            (method.time.filter(|time| *time > 0.0), errors.position(method.max))
         else {
             continue;
         };
-        let x = scale.place(time);
+        let x = scale.position(time);
         let look = marker_of(method.family);
         if method.p99.is_some() && method.max.is_some() {
-            let low = errors.scale.place(method.p99.unwrap_or_default());
+            let low = errors.scale.position(method.p99.unwrap_or_default());
             chart.line(&[[x, y], [x, low]], look.color, 1.5);
             chart.line(&[[x - 5.0, low], [x + 5.0, low]], look.color, 2.0);
         }
@@ -126,8 +126,8 @@ pub(crate) fn knob(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &S
         let mut chains: Vec<Vec<Point>> = Vec::new();
         for (knob, row) in summary.along_knob(method.name) {
             let error = in_ulps_of_f64(row, row.ulp.max);
-            let Some(y) = errors.place(error) else { continue };
-            let center = [scale.place(knob), y];
+            let Some(y) = errors.position(error) else { continue };
+            let center = [scale.position(knob), y];
             marks.push(Mark {
                 center,
                 family: method.family,

@@ -94,7 +94,7 @@ impl App {
         let opened = match leave {
             Leave::Open(source) => self.open(source),
             Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
-            Leave::GoTo(place) => Ok(self.scene.go_to(place)),
+            Leave::GoTo(id) => Ok(self.scene.go_to(id)),
             Leave::BackToStep => Ok(self.scene.back_to_step()),
             Leave::Quit => {
                 self.window.close(ctx);

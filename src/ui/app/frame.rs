@@ -12,8 +12,8 @@ use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction};
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, selection, top_bar};
-use crate::ui::scene::places::{Divider, Places};
 use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::view_rects::{Divider, ViewRects};
 use crate::ui::scene::views;
 use crate::ui::workspaces::{Desk, Frame, Workspace, workspace};
 
@@ -28,13 +28,13 @@ impl App {
         let marks = self.scene.marks();
         changed |= self.panels(ui, marks, &mut actions);
         CentralPanel::default().show(ui, |ui| {
-            let (places, divided) = self.places(ui);
-            changed |= divided | self.view_inputs(ui, &places, &mut actions);
+            let (rects, divided) = self.rects(ui);
+            changed |= divided | self.view_inputs(ui, &rects, &mut actions);
             for action in actions {
                 changed |= self.apply(&ctx, action);
             }
-            self.derive(ui, &places);
-            changed |= self.outputs(ui, &places);
+            self.derive(ui, &rects);
+            changed |= self.outputs(ui, &rects);
         });
         self.over.marks(ui, self.scene.session.spotlight);
         self.keep_history(&ctx);
@@ -195,7 +195,7 @@ impl App {
     }
 
     /// Lays out the views, and what is beside them.
-    fn places(&mut self, ui: &mut Ui) -> (Places, Changed) {
+    fn rects(&mut self, ui: &mut Ui) -> (ViewRects, Changed) {
         let areas = self.workspace().areas;
         let session = &mut self.scene.session;
         let presenting = session.presenting.is_some();
@@ -206,31 +206,36 @@ impl App {
         let areas = areas(&mut Divider { ui, whole, splits, presenting });
         let changed = Changed::SESSION.when(session.settings.splits != before);
         let per_point = ui.ctx().pixels_per_point();
-        (Places::new(areas, image, per_point, presenting), changed)
+        (ViewRects::new(areas, image, per_point, presenting), changed)
     }
 
     /// Takes the inputs of mouse and keys in the views, and what they point at.
-    fn view_inputs(&mut self, ui: &mut Ui, places: &Places, actions: &mut Vec<Action>) -> Changed {
+    fn view_inputs(
+        &mut self,
+        ui: &mut Ui,
+        rects: &ViewRects,
+        actions: &mut Vec<Action>,
+    ) -> Changed {
         let workspace = self.workspace();
         let (scene, shown) = (&mut self.scene, &self.views.derived);
-        if let Some(rect) = places.world {
+        if let Some(rect) = rects.world {
             scene.frame(rect.aspect_ratio());
         }
         let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;
         if !self.over.covers() {
             let beside = workspace.beside.map_or("", |beside| beside.name);
-            changed = views::inputs(ui, places, beside, &mut scene.session, shown, actions);
-            hovered = views::hovered(ui, places, shown)
+            changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
+            hovered = views::hovered(ui, rects, shown)
                 .or_else(|| (workspace.hovered)(ui.ctx(), &self.tools, shown));
         }
         scene.session.hovered = hovered;
         changed
     }
 
-    fn derive(&mut self, ui: &Ui, places: &Places) {
-        let mut sizes = views::sizes(ui, places);
-        if let (Some(beside), Some(rect)) = (self.workspace().beside, places.beside) {
+    fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
+        let mut sizes = views::sizes(ui, rects);
+        if let (Some(beside), Some(rect)) = (self.workspace().beside, rects.beside) {
             (beside.derive)(&mut sizes, views::physical(ui, rect));
         }
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
@@ -238,10 +243,10 @@ impl App {
 
     /// Shows the views, and what the workspace has beside them. Whatever they change of the session is
     /// derived in the next pass.
-    fn outputs(&mut self, ui: &mut Ui, places: &Places) -> Changed {
+    fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) -> Changed {
         let workspace = self.workspace();
         let actions = &mut self.waiting;
-        let mut changed = self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
+        let mut changed = self.views.show(ui, rects, &mut self.scene, &mut self.hand, actions);
         let settings = self.scene.session.settings;
         let mut desk = Desk {
             open: &self.scene.open,
@@ -256,12 +261,12 @@ impl App {
             actions,
         };
         if let (Some(beside), Some(area), Some(rect)) =
-            (workspace.beside, places.beside_area, places.beside)
+            (workspace.beside, rects.beside_area, rects.beside)
         {
             changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
         }
-        ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
-            ui.set_clip_rect(places.rest);
+        ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
+            ui.set_clip_rect(rects.rest);
             changed |= (workspace.rest)(ui, &mut desk);
         });
         changed | exchange::paste_notice(ui.ctx(), &mut self.scene)

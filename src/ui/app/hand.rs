@@ -5,7 +5,7 @@ use egui::{Context, Id, Rect, Ui};
 use super::scene::OpenScene;
 use crate::ui::scene::handles::{Edited, HandInput};
 use crate::ui::scene::navigation::Navigation;
-use crate::ui::scene::places::Places;
+use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;
 use crate::view::derive::Derived;
 
@@ -39,13 +39,13 @@ impl InHand {
     }
 
     /// Tells what there is to say of that; takes note of where the views are now.
-    pub(super) fn tell(&mut self, ui: &Ui, places: &Places, scene: &OpenScene, shown: &Derived) {
-        let place = |rect: Option<Rect>, name: &str| -> Option<(Rect, Id)> {
+    pub(super) fn tell(&mut self, ui: &Ui, rects: &ViewRects, scene: &OpenScene, shown: &Derived) {
+        let view = |rect: Option<Rect>, name: &str| -> Option<(Rect, Id)> {
             Some((rect?, ui.scope_id().with(name)))
         };
         let (document, session) = (&scene.open.document, &scene.session);
-        self.handles.tell(ui, place(places.world, views::WORLD), shown, document, session);
-        let camera = place(places.camera, views::CAMERA);
+        self.handles.tell(ui, view(rects.world, views::WORLD), shown, document, session);
+        let camera = view(rects.camera, views::CAMERA);
         self.navigation.tell(ui, camera, &document.camera, session);
     }
 }

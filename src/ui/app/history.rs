@@ -65,8 +65,8 @@ impl SceneHistory {
         let time = ctx.input(|i| i.time);
         let scrolls = ctx.input(|i| i.smooth_scroll_delta().y != 0.0 || i.zoom_delta() != 1.0);
         let goes_on = self.last.as_ref().is_some_and(|last| {
-            let same_place = last.focus == focus && (focus.is_some() || scrolls);
-            name.gradual && name.text == last.name && same_place && time - last.time < PAUSE
+            let same_field = last.focus == focus && (focus.is_some() || scrolls);
+            name.gradual && name.text == last.name && same_field && time - last.time < PAUSE
         });
         let settled = std::mem::replace(&mut self.settled, document.clone());
         if goes_on {

@@ -7,7 +7,7 @@ use egui::{Panel, Ui};
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
-use crate::model::lessons::{Lesson, OpenLesson, Place, Which, apply};
+use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, apply};
 use crate::model::observer::Observer;
 use crate::model::session::{Session, Settings};
 use crate::ui::action::Action;
@@ -44,9 +44,9 @@ impl Lessons {
 
     /// The open lesson and its step, counted from 1, if it comes with the program.
     pub(super) fn remembered(&self) -> Option<(usize, usize)> {
-        let place = self.open.as_ref()?.place();
-        match place.lesson {
-            Which::Builtin(index) => Some((index + 1, place.step + 1)),
+        let id = self.open.as_ref()?.id();
+        match id.lesson {
+            Which::Builtin(index) => Some((index + 1, id.step + 1)),
             Which::File => None,
         }
     }
@@ -55,14 +55,10 @@ impl Lessons {
 impl OpenScene {
     /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
     /// where there is no such step.
-    pub(super) fn open_lesson(
-        &mut self,
-        place: Place,
-        file: Option<Arc<Lesson>>,
-    ) -> Option<Opened> {
+    pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
         let lessons = &mut self.lessons;
         lessons.file = file.or(lessons.file.take());
-        let next = OpenLesson::at(place, lessons.file.as_ref())?;
+        let next = OpenLesson::at(id, lessons.file.as_ref())?;
         let is_step = matches!(self.open.origin(), Origin::Step(_));
         let same_scene =
             is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
@@ -74,7 +70,7 @@ impl OpenScene {
         if let Some(scene) = argument_of(self.open.origin()) {
             lessons.scene_before = Some(scene);
         }
-        let title = format!("{}, step {}", next.short_title(), place.step + 1);
+        let title = format!("{}, step {}", next.short_title(), id.step + 1);
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         lessons.seen_from = self.session.observer;
@@ -84,9 +80,9 @@ impl OpenScene {
     }
 
     /// Shows another step.
-    pub(super) fn go_to(&mut self, place: Place) -> Opened {
+    pub(super) fn go_to(&mut self, id: StepId) -> Opened {
         self.session.ghost = None;
-        self.open_lesson(place, None).unwrap_or_default()
+        self.open_lesson(id, None).unwrap_or_default()
     }
 
     /// Sets everything as the open step says, where anything is not.
@@ -96,7 +92,7 @@ impl OpenScene {
         };
         let seen_from = self.lessons.seen_from;
         apply::clear_answers(open.step(), &mut self.session);
-        let opened = self.open_lesson(open.place(), None).unwrap_or_default();
+        let opened = self.open_lesson(open.id(), None).unwrap_or_default();
         self.session.observer = open.step().view.observer.or(seen_from);
         self.lessons.seen_from = seen_from;
         opened

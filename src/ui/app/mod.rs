@@ -31,7 +31,7 @@ use self::scene::OpenScene;
 use self::views::Views;
 use self::window::AppWindow;
 use crate::model::files::OpenDocument;
-use crate::model::lessons::{Lesson, OpenLesson, Place};
+use crate::model::lessons::{Lesson, OpenLesson, StepId};
 use crate::model::play::Player;
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::store::{Remembered, Store};
@@ -115,8 +115,8 @@ impl App {
 
     /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
     /// where there is no such step.
-    pub fn open_lesson(&mut self, place: Place, file: Option<Arc<Lesson>>) {
-        if let Some(opened) = self.scene.open_lesson(place, file) {
+    pub fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) {
+        if let Some(opened) = self.scene.open_lesson(id, file) {
             self.history.take_as_settled(&self.scene.open.document);
             self.show_opened(opened);
         }

@@ -83,7 +83,7 @@ impl Over {
 /// Commands for the steps of a lesson from a file, recent files and the scene's objects.
 fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) -> Vec<UiCommand> {
     let open = scene.lessons.open.as_ref();
-    let own = open.filter(|open| open.place().lesson == Which::File);
+    let own = open.filter(|open| open.id().lesson == Which::File);
     let mut commands =
         own.map_or_else(Vec::new, |own| commands_table::of_lesson(Which::File, own.lesson()));
     commands.extend(recent.iter().map(|path| {

@@ -8,7 +8,7 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
-use crate::model::lessons::{self, Place, Which};
+use crate::model::lessons::{self, StepId, Which};
 use crate::model::observer::Observer;
 use crate::model::play::Kind;
 use crate::model::session::ghost::{Beside, Ghost};
@@ -54,8 +54,8 @@ impl OpenScene {
         {
             let problem = |error| Message::new("This lesson cannot be opened", error);
             let lesson = lessons::load(path).map_err(problem)?;
-            let place = Place { lesson: Which::File, step: 0 };
-            return Ok(self.open_lesson(place, Some(Arc::new(lesson))).unwrap_or_default());
+            let id = StepId { lesson: Which::File, step: 0 };
+            return Ok(self.open_lesson(id, Some(Arc::new(lesson))).unwrap_or_default());
         }
         let problem = |error| Message::new("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
@@ -140,7 +140,8 @@ impl OpenScene {
         None
     }
 
-    /// Puts another camera in the place of this one; the selected pixel stays where it is in the image.
+    /// Puts another camera in place of this one; the selected pixel stays where it is in the
+    /// image.
     pub(super) fn replace_camera(&mut self, camera: Camera) {
         let before = std::mem::replace(&mut self.open.document.camera, camera);
         let selection = self.session.selection;

@@ -12,7 +12,7 @@ use crate::model::letters::typeset_message;
 use crate::ui::action::{Action, Observe};
 use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
-use crate::ui::scene::places::Places;
+use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::{framing, views};
 use crate::ui::tools::accuracy;
 use crate::ui::view_texture::ViewTexture;
@@ -86,7 +86,7 @@ impl Views {
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
-        places: &Places,
+        rects: &ViewRects,
         scene: &mut OpenScene,
         hand: &mut InHand,
         actions: &mut Vec<Action>,
@@ -97,15 +97,15 @@ impl Views {
             let image = scene.open.document.camera.image;
             let settings = &mut scene.session.settings;
             changed =
-                Changed::edited(settings, |settings| views::strips(ui, places, settings, image));
+                Changed::edited(settings, |settings| views::strips(ui, rects, settings, image));
         }
         let (document, session) = (&scene.open.document, &scene.session);
-        if let (Some(rect), Some(shown)) = (places.world, &derived.world_view) {
+        if let (Some(rect), Some(shown)) = (rects.world, &derived.world_view) {
             let stale = matches!(derived.fault, Some(Fault::Scene(_)));
             views::show(ui, rect, shown, &mut self.world, stale);
             views::speak(ui, views::WORLD, &views::spoken(derived));
         }
-        if let (Some(rect), Some(shown)) = (places.camera, &derived.camera_view) {
+        if let (Some(rect), Some(shown)) = (rects.camera, &derived.camera_view) {
             views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &views::spoken(derived));
         }
@@ -115,22 +115,21 @@ impl Views {
             views::tell_pointed(ui, session.hovered, document);
         }
         let mark = accuracy::drawn_by(derived, session.settings.method.0);
-        if let (Some(rect), Some(text)) = (places.camera.or(places.world), mark) {
+        if let (Some(rect), Some(text)) = (rects.camera.or(rects.world), mark) {
             views::drawn_by(ui, rect, &text);
         }
-        if let (Some(rect), Some(fault)) = (places.camera.or(places.world), derived.fault) {
+        if let (Some(rect), Some(fault)) = (rects.camera.or(rects.world), derived.fault) {
             views::reason(ui, rect, &typeset_message(fault));
         }
-        for (place, subsampling) in
-            [places.camera, places.world].into_iter().zip(derived.subsampling)
+        for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
         {
-            if let (Some(rect), Some(text)) = (place, subsampling.message()) {
+            if let (Some(rect), Some(text)) = (rect, subsampling.message()) {
                 views::coarse(ui, rect, &text);
             }
         }
-        hand.tell(ui, places, scene, derived);
+        hand.tell(ui, rects, scene, derived);
         let is_wanted = |rect| framing::hint(ui, rect, derived, document, session);
-        if places.world.is_some_and(is_wanted) {
+        if rects.world.is_some_and(is_wanted) {
             actions.push(Observe::FrameCamera.into());
             ui.ctx().request_repaint();
         }

@@ -71,7 +71,7 @@ fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
 
 /// Returns how a word stands in a text, at its best place.
 fn stands_in(word: &str, text: &str) -> Option<Fit> {
-    let places = text.match_indices(word).map(|(at, _)| {
+    let matches = text.match_indices(word).map(|(at, _)| {
         let begins = !text[..at].ends_with(char::is_alphanumeric);
         let ends = !text[at + word.len()..].starts_with(char::is_alphanumeric);
         match (begins, ends) {
@@ -80,7 +80,7 @@ fn stands_in(word: &str, text: &str) -> Option<Fit> {
             (false, _) => Fit::Inside,
         }
     });
-    places.max()
+    matches.max()
 }
 
 #[cfg(test)]

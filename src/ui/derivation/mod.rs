@@ -44,11 +44,11 @@ impl DerivationPanel {
         let focused = ctx.memory(|memory| memory.focused());
         let (mut hovered, mut has_focus) = (None, None);
         for (section, lines) in laid.derivation.sections.iter().zip(&laid.lines) {
-            for (line, place) in section.lines.iter().zip(lines) {
-                if focused == Some(place.id) {
+            for (line, laid) in section.lines.iter().zip(lines) {
+                if focused == Some(laid.id) {
                     has_focus = line.concept;
                 }
-                if ctx.read_response(place.id).is_some_and(|response| response.hovered()) {
+                if ctx.read_response(laid.id).is_some_and(|response| response.hovered()) {
                     hovered = line.concept;
                 }
             }
@@ -187,8 +187,8 @@ impl DerivationPanel {
             return;
         }
         let Some(lines) = self.laid.as_ref().and_then(|laid| laid.lines.get(k)) else { return };
-        for (line, place) in section.lines.iter().zip(lines) {
-            let response = show(ui, line, place, inks, is_lit(line));
+        for (line, laid) in section.lines.iter().zip(lines) {
+            let response = show(ui, line, laid, inks, is_lit(line));
             if goal.is_some_and(|goal| line.is_about(goal)) {
                 if !ui.clip_rect().contains_rect(response.rect) {
                     response.scroll_to_me(Some(Align::Center));
@@ -216,17 +216,17 @@ fn band(ui: &Ui, rect: Rect) {
     ui.painter().rect_filled(edge, CornerRadius::same(2), ui.visuals().selection.stroke.color);
 }
 
-fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) -> Response {
-    let size = vec2(ui.available_width(), place.height);
+fn show(ui: &mut Ui, line: &Line, laid: &LaidLine, inks: Inks, is_lit: bool) -> Response {
+    let size = vec2(ui.available_width(), laid.height);
     let (_, rect) = ui.allocate_space(size);
     // The accessible value of a plain text is the text.
-    let response = ui.interact(rect, place.id, Sense::click()).with_role(Role::Label);
-    let response = response.spoken(place.text.as_str());
+    let response = ui.interact(rect, laid.id, Sense::click()).with_role(Role::Label);
+    let response = response.spoken(laid.text.as_str());
     if response.clicked() {
         response.request_focus();
     }
     if is_lit {
-        ui.ctx().accesskit_node_builder(place.id, |node| node.set_description("highlighted"));
+        ui.ctx().accesskit_node_builder(laid.id, |node| node.set_description("highlighted"));
     }
     if response.gained_focus() {
         response.scroll_to_me(None);
@@ -237,10 +237,10 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     if is_lit {
         band(ui, rect);
     }
-    paint(ui, rect, line, place, inks);
+    paint(ui, rect, line, laid, inks);
     let hovered = response.hover_pos().filter(|_| response.hovered());
     let symbol = hovered
-        .and_then(|at| formula::meaning_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+        .and_then(|at| formula::meaning_at(ui.ctx(), &laid.layout, at - baseline_of(rect, laid)));
     if let Some(words) = symbol {
         Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
-use crate::model::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
+use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::asking::Asking as _;
@@ -57,7 +57,7 @@ fn text(ui: &mut Ui, open: &OpenLesson) {
 fn titles(ui: &mut Ui, open: &OpenLesson) {
     ui.spacing_mut().item_spacing.x = 10.0;
     ui.label(RichText::new(open.title()).size(TEXT).strong());
-    let (step, steps) = (open.place().step + 1, open.lesson().steps.len());
+    let (step, steps) = (open.id().step + 1, open.lesson().steps.len());
     ui.label(RichText::new(format!("{step} of {steps}")).size(TEXT).weak());
     let title = RichText::new(&open.step().title).size(TEXT).strong();
     ui.add(Label::new(title).truncate());
@@ -88,10 +88,10 @@ fn buttons(
         "Everything as the step says",
         back,
     );
-    let next = open.next().map(|place| Leave::GoTo(place).into());
+    let next = open.next().map(|id| Leave::GoTo(id).into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     button(ui, "Next →", "Next", &hint("The next step", LessonAction::Next), next);
-    let previous = open.previous().map(|place| Leave::GoTo(place).into());
+    let previous = open.previous().map(|id| Leave::GoTo(id).into());
     let hint = hint("The step before", LessonAction::Previous);
     button(ui, "← Previous", "Previous", &hint, previous);
     // Laid out like every menu, independent of the buttons' direction.
@@ -142,8 +142,8 @@ fn entries(
     ui.add_space(4.0);
     ui.label(RichText::new(title_of(which, lesson)).size(BUTTON).strong());
     for (index, step) in lesson.steps.iter().enumerate() {
-        let place = Place { lesson: which, step: index };
+        let id = StepId { lesson: which, step: index };
         let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
-        ui.selectable_label(place == open.place(), text).asks(Leave::GoTo(place), actions);
+        ui.selectable_label(id == open.id(), text).asks(Leave::GoTo(id), actions);
     }
 }

@@ -73,7 +73,7 @@ fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     let hint = "Close, with everything as it is now";
     button(ui, ["Keep", "Keep this", hint], PlayAction::Keep, actions);
     ui.button("Export…").asks(FigureAction::AskAnimation, actions);
-    place(ui, player);
+    position(ui, player);
 }
 
 /// Shows the choice of animation. Returns a newly chosen one.
@@ -102,12 +102,12 @@ fn speed(ui: &mut Ui, speed: &mut f64) {
 
 /// Shows the position as text and as a slider; dragging the slider pauses the animation. From right
 /// to left.
-fn place(ui: &mut Ui, player: &mut Player) {
+fn position(ui: &mut Ui, player: &mut Player) {
     let width = if player.kind == Kind::Scan { SCAN_PLACE } else { PLACE };
     let height = ui.spacing().interact_size.y;
     ui.allocate_ui(egui::vec2(width, height), |ui| {
         ui.set_min_width(width);
-        ui.label(RichText::new(player.place()).strong());
+        ui.label(RichText::new(player.position()).strong());
     });
     ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
     let response =

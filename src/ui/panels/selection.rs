@@ -21,13 +21,15 @@ pub(crate) fn ui(
     };
     *selection = selection.inside(resolved.image());
     let uv = selection.uv(resolved);
-    let place = resolved.pixel_of_uv(uv);
+    let position = resolved.pixel_of_uv(uv);
     // A point on an edge or corner belongs to no single pixel.
     let (inside, known) = match *selection {
         Selection::Pixel(pixel) => (Some(pixel), true),
         Selection::Uv(_) => (
-            place.map(|place| place.pixel),
-            place.is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
+            position.map(|position| position.pixel),
+            position.is_some_and(|position| {
+                position.column_edge.is_none() && position.row_edge.is_none()
+            }),
         ),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {

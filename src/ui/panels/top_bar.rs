@@ -8,7 +8,7 @@ use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
-use crate::model::lessons::{self, Place, Which};
+use crate::model::lessons::{self, StepId, Which};
 use crate::model::overlay_items::Item;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout, shade_about, shade_label};
@@ -82,7 +82,7 @@ fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         let which = Which::Builtin(index);
         ui.button(lessons::title_of(which, lesson))
-            .asks(Leave::GoTo(Place { lesson: which, step: 0 }), actions);
+            .asks(Leave::GoTo(StepId { lesson: which, step: 0 }), actions);
     }
 }
 

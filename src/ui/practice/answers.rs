@@ -10,7 +10,7 @@ use crate::model::letters::typeset_message;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::{Selection, Session};
 use crate::ui::action::{Action, AnswersAction, LookAction};
-use crate::ui::scene::places::strip_above;
+use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::fault;

@@ -5,8 +5,8 @@ use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 
-use super::places::strip_above;
 use super::readouts::NumberStyle;
+use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;

@@ -65,14 +65,14 @@ pub(crate) fn hint(
         .collect();
     // No handle may lie under the hint.
     let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM, Align2::LEFT_TOP, Align2::RIGHT_TOP];
-    let place = corners
+    let clear = corners
         .map(|corner| corner.align_size_within_rect(size, rect.shrink(GAP)))
         .into_iter()
-        .find(|place| !spots.iter().any(|spot| place.expand(2.0 * GAP).contains(*spot)));
-    let Some(place) = place else { return false };
+        .find(|clear| !spots.iter().any(|spot| clear.expand(2.0 * GAP).contains(*spot)));
+    let Some(clear) = clear else { return false };
     let button = Button::new(RichText::new(text).size(TEXT));
     let why = "Its handles would lie over each other: they come with a larger picture of it";
-    let response = ui.put(place, button).on_hover_text(why).named("Frame the camera");
+    let response = ui.put(clear, button).on_hover_text(why).named("Frame the camera");
     response.clicked()
 }
 

@@ -5,7 +5,7 @@ pub mod compare;
 pub mod framing;
 pub mod handles;
 pub mod navigation;
-pub mod places;
 pub mod readouts;
+pub mod view_rects;
 pub mod views;
 pub mod walking;

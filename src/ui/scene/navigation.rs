@@ -27,7 +27,7 @@ const NEARER: f64 = 0.1;
 #[derive(Debug, Default)]
 pub(crate) struct Navigation {
     /// The camera view's rectangle and its id in egui.
-    place: Option<(Rect, Id)>,
+    view: Option<(Rect, Id)>,
     turn: Option<Turn>,
     steered: Option<Steered>,
     /// True if the button is still down although its drag was cancelled.
@@ -71,8 +71,8 @@ impl Navigation {
         let any_down = ctx.input(|i| i.pointer.any_down());
         edited.session.hand.is_busy |= self.turn.is_some() || self.given_back;
         self.given_back &= any_down;
-        let response = self.place.and_then(|(_, id)| ctx.read_response(id));
-        let (Some((rect, _)), Some(response)) = (self.place, response) else {
+        let response = self.view.and_then(|(_, id)| ctx.read_response(id));
+        let (Some((rect, _)), Some(response)) = (self.view, response) else {
             (self.turn, self.steered) = (None, None);
             return;
         };
@@ -209,17 +209,17 @@ impl Navigation {
         self.turn.is_some() || self.steered.as_ref().is_some_and(|last| time - last.time < PAUSE)
     }
 
-    /// Shows the text about the current movement beside the pointer. The camera view is at `place`
+    /// Shows the text about the current movement beside the pointer. The camera view is at `view`
     /// now.
     pub(crate) fn tell(
         &mut self,
         ui: &Ui,
-        place: Option<(Rect, Id)>,
+        view: Option<(Rect, Id)>,
         now: &Camera,
         session: &Session,
     ) {
-        self.place = place;
-        let Some((rect, id)) = place else { return };
+        self.view = view;
+        let Some((rect, id)) = view else { return };
         let time = ui.input(|i| i.time);
         let steered = self.steered.as_ref().filter(|last| time - last.time < PAUSE);
         if let Some(last) = steered {
@@ -235,8 +235,8 @@ impl Navigation {
         let refused = self.refused.map(|reason| reason.to_string());
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
         // The pointer has no part in key presses: show the text in the picture's lower left.
-        let place = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
-        say(ui, id, place, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
+        let view = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
+        say(ui, id, view, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
     }
 }
 

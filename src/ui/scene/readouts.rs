@@ -6,7 +6,7 @@ use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest};
 use pinhole_exchange::document::Document;
 
-use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
+use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::number::{grouped, written};
 use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::fault::fault_text;
@@ -202,11 +202,11 @@ fn ray_lines(
     resolved: &ResolvedCamera,
     style: NumberStyle,
 ) -> Vec<(&'static str, String)> {
-    let place = match inspection.place {
+    let position = match inspection.image_position {
         None => "outside the image".to_owned(),
-        Some(place) => match inspection.pixel() {
+        Some(position) => match inspection.pixel() {
             Some(pixel) => style.pixel(pixel),
-            None => match place.touching(resolved.image()).len() {
+            None => match position.touching(resolved.image()).len() {
                 4 => "the corner of four pixels".to_owned(),
                 _ => "on the edge between pixels".to_owned(),
             },
@@ -215,7 +215,7 @@ fn ray_lines(
     let (u, v) = (style.number(inspection.uv.x), style.number(inspection.uv.y));
     let length = inspection.ray.distance_along(1.0);
     vec![
-        ("pixel", place),
+        ("pixel", position),
         ("(u, v)", format!("({u}, {v})")),
         ("p", style.vector(inspection.ray.origin)),
         ("d", style.vector(inspection.ray.direction)),
@@ -324,8 +324,8 @@ fn listed_parts(
     style: NumberStyle,
 ) -> Vec<(String, String)> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
-    listed.map(|(index, found)| (document.title_of(index), parts(found, style))).collect()
+    let listed = scene.into_iter().flat_map(|_| inspection.terms.iter().enumerate());
+    listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }
 
 fn copied_hits(
@@ -341,10 +341,10 @@ fn copied_hits(
 }
 
 /// Returns the numbers that decide hit or miss for one object.
-fn parts(found: &Parts, style: NumberStyle) -> String {
+fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     let number = |x| style.number(x);
     match found {
-        Parts::Sphere(q) => {
+        ObjectTerms::Sphere(q) => {
             let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
             let meaning = match q.discriminant {
                 d if d < 0.0 => "< 0: missed",
@@ -353,7 +353,7 @@ fn parts(found: &Parts, style: NumberStyle) -> String {
             };
             format!("a = {a},  b = {b},  c = {c},  D = b² − a c = {d} {meaning}")
         }
-        Parts::Plane(terms) => {
+        ObjectTerms::Plane(terms) => {
             let (rate, offset) = (number(terms.rate), number(terms.offset));
             let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
             format!("n·d = {rate},  n·(point − p) = {offset}{meaning}")

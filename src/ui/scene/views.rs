@@ -17,7 +17,7 @@ use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::handles::sphere_at;
-use crate::ui::scene::places::{Places, strip_above};
+use crate::ui::scene::view_rects::{ViewRects, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
@@ -41,10 +41,10 @@ pub(crate) const ANSWERS: &str = "Answers";
 pub(crate) const GHOST: &str = "Ghost";
 
 /// The sizes of the two views, in physical pixels.
-pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
+pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
     ViewSizes {
-        world: places.world.map(|rect| physical(ui, rect)),
-        camera: places.camera.map(|rect| physical(ui, rect)),
+        world: rects.world.map(|rect| physical(ui, rect)),
+        camera: rects.camera.map(|rect| physical(ui, rect)),
         scale: ui.ctx().pixels_per_point(),
         style: theme::style(ui),
         ..ViewSizes::default()
@@ -62,7 +62,7 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
 /// `beside`. They were done to `shown`, the last frame.
 pub(crate) fn inputs(
     ui: &mut Ui,
-    places: &Places,
+    rects: &ViewRects,
     beside: &str,
     session: &mut Session,
     shown: &Derived,
@@ -70,17 +70,17 @@ pub(crate) fn inputs(
 ) -> Changed {
     let selected = session.selection;
     let mut views = Vec::new();
-    if let Some(rect) = places.world {
+    if let Some(rect) = rects.world {
         let response = view(ui, rect, WORLD);
         world_input(ui, &response, session, shown);
         views.push(response);
     }
-    if let Some(rect) = places.camera {
+    if let Some(rect) = rects.camera {
         let response = view(ui, rect, CAMERA);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
-    if let Some(rect) = places.beside {
+    if let Some(rect) = rects.beside {
         let response = view(ui, rect, beside);
         camera_input(ui, &response, session, shown);
         views.push(response);
@@ -127,13 +127,13 @@ pub(crate) fn spoken(shown: &Derived) -> String {
         return typeset_message(fault);
     }
     let Some(inspection) = &shown.inspection else { return String::new() };
-    let place = match inspection.pixel() {
+    let position = match inspection.pixel() {
         Some(pixel) => format!("row {}, column {}", pixel.row, pixel.column),
         None => format!("u {}, v {}", inspection.uv.x, inspection.uv.y),
     };
     match inspection.first_hit() {
-        Some(hit) => format!("{place}: hits object {} at t = {}", hit.object, hit.t),
-        None => format!("{place}: hits nothing"),
+        Some(hit) => format!("{position}: hits object {} at t = {}", hit.object, hit.t),
+        None => format!("{position}: hits nothing"),
     }
 }
 
@@ -151,8 +151,8 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
     let size = (response.rect.size() * per_point).round();
     let at = (pointer - response.rect.min) * per_point;
     let uv = overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], [at.x, at.y]);
-    if let Some(place) = resolved.pixel_of_uv(uv) {
-        session.selection = Selection::Pixel(place.pixel);
+    if let Some(position) = resolved.pixel_of_uv(uv) {
+        session.selection = Selection::Pixel(position.pixel);
     }
 }
 
@@ -166,8 +166,8 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     {
         let at = (pointer - response.rect.min) * per_point;
         let uv = overlay::pick(resolved, frame, [at.x, at.y]);
-        if let Some(place) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
-            session.selection = Selection::Pixel(place.pixel);
+        if let Some(position) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
+            session.selection = Selection::Pixel(position.pixel);
         }
     }
     if let Some(t) = walking::dragged(ui, response, session.ray_point_t, shown) {
@@ -203,7 +203,7 @@ const ASKED_OBJECTS: usize = 4096;
 
 /// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
 /// mouse.
-pub(crate) fn hovered(ui: &Ui, places: &Places, shown: &Derived) -> Option<Hovered> {
+pub(crate) fn hovered(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Hovered> {
     // While presenting, the pointer often rests on a floor or wall: highlighting it would dim
     // everything else.
     let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
@@ -213,8 +213,8 @@ pub(crate) fn hovered(ui: &Ui, places: &Places, shown: &Derived) -> Option<Hover
     };
     let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
         let sphere = |at| sphere_at(shown, at).map(Concept::Object);
-        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), sphere).or_else(|| {
-            let rect = places.camera?;
+        in_view(ui, rects.world, WORLD, shown.world_view.as_ref(), sphere).or_else(|| {
+            let rect = rects.camera?;
             let size = rect.size() * ui.ctx().pixels_per_point();
             let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
             in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
@@ -265,7 +265,7 @@ pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Documen
 const NARROW: f32 = 310.0;
 
 /// Titles above the views, with a button that gives one all the room.
-pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
+pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
             ui.strong(text).on_hover_text(hint);
@@ -282,12 +282,12 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
             });
         });
     };
-    if let Some(rect) = places.world {
+    if let Some(rect) = rects.world {
         let hint = "Drag: orbit; Shift or the right button: pan; wheel: zoom; F: everything in sight. \
                     Handles are dragged.";
         strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
-    if let Some(rect) = places.camera_area {
+    if let Some(rect) = rects.camera_area {
         let text = match rect.width() < NARROW {
             true => CAMERA.to_owned(),
             false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
@@ -371,6 +371,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let height = (galley.size().y + 40.0).min(rect.height());
     let band = Rect::from_center_size(rect.center(), vec2(rect.width(), height));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
-    let place = Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
-    ui.put(place, egui::Label::new(galley));
+    let position =
+        Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
+    ui.put(position, egui::Label::new(galley));
 }

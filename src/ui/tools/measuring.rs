@@ -55,8 +55,8 @@ impl Measuring {
         let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
         let now = ctx.input(|input| input.time);
         let subject = self.subject.as_ref();
-        let place = Arc::as_ptr(scene);
-        if subject.is_none_or(|(known, objects)| known != camera || objects.as_ptr() != place) {
+        let address = Arc::as_ptr(scene);
+        if subject.is_none_or(|(known, objects)| known != camera || objects.as_ptr() != address) {
             self.subject = Some((*camera, Arc::downgrade(scene)));
             self.share = Some(0.0);
             (self.since, self.run, self.is_current) = (now, None, false);

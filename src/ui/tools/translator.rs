@@ -119,10 +119,12 @@ impl TranslatorPanel {
 }
 
 fn pixel_of(document: &Document, selection: Selection) -> Pixel {
-    let place = |uv| document.camera.resolve().ok()?.pixel_of_uv(uv);
+    let position = |uv| document.camera.resolve().ok()?.pixel_of_uv(uv);
     match selection.inside(document.camera.image) {
         Selection::Pixel(pixel) => pixel,
-        Selection::Uv(uv) => place(uv).map_or(Pixel { row: 0, column: 0 }, |place| place.pixel),
+        Selection::Uv(uv) => {
+            position(uv).map_or(Pixel { row: 0, column: 0 }, |position| position.pixel)
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::figures::Subject;
 use crate::model::files::title_of;
 use crate::model::session::Split;
 use crate::ui::changed::Changed;
-use crate::ui::scene::places::{Areas, STRIP, halves};
+use crate::ui::scene::view_rects::{Areas, STRIP, halves};
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
 

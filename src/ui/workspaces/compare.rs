@@ -5,7 +5,7 @@ use egui::Ui;
 use super::workspace::{Beside, Desk, Frame, Workspace};
 use crate::model::session::Split;
 use crate::ui::changed::Changed;
-use crate::ui::scene::places::{Areas, halves};
+use crate::ui::scene::view_rects::{Areas, halves};
 use crate::ui::scene::{compare, views};
 
 pub(super) const COMPARE: Workspace = Workspace {

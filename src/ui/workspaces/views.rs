@@ -5,8 +5,8 @@ use egui::Ui;
 use super::workspace::{Desk, Workspace};
 use crate::figures::Subject;
 use crate::ui::changed::Changed;
-use crate::ui::scene::places::Areas;
 use crate::ui::scene::readouts;
+use crate::ui::scene::view_rects::Areas;
 
 pub(super) const BOTH: Workspace = Workspace {
     areas: |divider| {

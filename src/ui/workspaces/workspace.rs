@@ -9,8 +9,8 @@ use crate::model::session::{Session, Split};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::derivation::DerivationPanel;
-use crate::ui::scene::places::{Areas, Divider};
 use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::view_rects::{Areas, Divider};
 use crate::ui::scene::views;
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::tools::translator::TranslatorPanel;
@@ -39,7 +39,7 @@ pub(crate) struct Beside {
     pub(crate) name: &'static str,
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
-    /// Shows it in a place, with its title above the area.
+    /// Shows it in a position, with its title above the area.
     pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
 }
 

@@ -67,9 +67,9 @@ fn of_pixel(
     numbers: Numbers,
 ) -> Vec<Line> {
     let (i, j) = numbers.counted(shares.pixel);
-    let place = |name, k: u32| equation(Formula::Scalar(name), number(&k.to_string()));
-    let rows = row([word("row"), place("i", i), Operator::Comma.into()]);
-    let pixel = row([rows, word("column"), place("j", j)]);
+    let position = |name, k: u32| equation(Formula::Scalar(name), number(&k.to_string()));
+    let rows = row([word("row"), position("i", i), Operator::Comma.into()]);
+    let pixel = row([rows, word("column"), position("j", j)]);
     let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
     let half = || number("0.5");
     // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
@@ -118,9 +118,9 @@ fn of_uv(
 ) -> Line {
     let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
     let values = tuple([numbers.scalar(ray.uv.x), numbers.scalar(ray.uv.y)]);
-    let note = match inspection.place {
+    let note = match inspection.image_position {
         None => "outside the image".to_owned(),
-        Some(place) if place.touching(resolved.image()).len() == 4 => {
+        Some(position) if position.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()
         }
         Some(PixelOfUv { column_edge: None, row_edge: None, pixel }) => {

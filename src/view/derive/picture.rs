@@ -154,9 +154,9 @@ impl Pictures {
             });
             (compared, map)
         });
-        let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
-        let loupe = place.map(|place| {
-            let [rows, columns] = loupe_window(&place, resolved.image());
+        let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
+        let loupe = position.map(|position| {
+            let [rows, columns] = loupe_window(&position, resolved.image());
             let (method, (resolved, generation, _), mode, palette, _) = key;
             let seen = (resolved, generation, Raster::part(rows, columns));
             let key = (method, seen, mode, palette, false);

@@ -360,13 +360,13 @@ impl HandleDrag<'_> {
     /// Selects the pixel nearest to a point of the viewport.
     fn pixel(&self, point: DVec3) -> HandleValues {
         let DragStart { before, resolved, .. } = self.start;
-        let place = resolved.as_ref().and_then(|resolved| {
+        let position = resolved.as_ref().and_then(|resolved| {
             let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
             resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half))
         });
-        match place {
-            Some(place) => HandleValues {
-                selection: crate::model::session::Selection::Pixel(place.pixel),
+        match position {
+            Some(position) => HandleValues {
+                selection: crate::model::session::Selection::Pixel(position.pixel),
                 ..*before
             },
             None => *before,

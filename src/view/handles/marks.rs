@@ -31,7 +31,7 @@ pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
     let beyond = stage.beyond(stage.document.camera.eye);
     let stems = grips.iter().filter_map(|grip| {
         let Handle::Normal(k) = grip.handle else { return None };
-        let point = stage.place(Handle::Point(k), stage.grasp(Handle::Point(k))?)?;
+        let point = stage.position(Handle::Point(k), stage.grasp(Handle::Point(k))?)?;
         let way = grip.at - point;
         let length = way.length();
         (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])

@@ -1,7 +1,7 @@
 //! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
 //! planes. This module is pure; pointer input is handled in `ui::scene::handles`.
 //!
-//! - `places`: the handles and their positions on the screen; `hit`: hit test.
+//! - `positions`: the handles and their positions on the screen; `hit`: hit test.
 //! - `values`: the values that a handle changes, before and after; `drag`: from the pointer to a
 //!   point of the world, and on to those values through [`pinhole_core::steering`].
 //! - `text`: names and values; `marks`: marks for the overlay.
@@ -12,13 +12,13 @@
 mod drag;
 mod hit;
 mod marks;
-mod places;
+mod positions;
 mod text;
 mod values;
 
 pub use drag::{DragOptions, DragStart, Dragged, HandleDrag, step_of, turned_by};
 pub use hit::{Hit, hit};
 pub use marks::drawn;
-pub use places::{Grip, Stage, grips};
+pub use positions::{Grip, Stage, grips};
 pub use text::{label, value, vector};
 pub use values::{HandleValues, Solid};

@@ -30,8 +30,8 @@ impl HandleValues {
     pub fn read(handle: Handle, document: &Document, selection: Selection) -> HandleValues {
         let solid = |k: usize| {
             let sphere = document.spheres.get(k).map(|item| Solid::Sphere(item.shape));
-            let place = k.checked_sub(document.sphere_count());
-            sphere.or_else(|| Some(Solid::Plane(document.planes.get(place?)?.shape)))
+            let k = k.checked_sub(document.sphere_count());
+            sphere.or_else(|| Some(Solid::Plane(document.planes.get(k?)?.shape)))
         };
         let object = handle.object().and_then(|k| Some((k, solid(k)?)));
         HandleValues { camera: document.camera, selection, object }

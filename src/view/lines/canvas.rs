@@ -23,21 +23,21 @@ impl Canvas {
         Canvas { painter, rect, window, scale, halo }
     }
 
-    pub(crate) fn place(&self, point: DVec2) -> Pos2 {
+    pub(crate) fn to_screen(&self, point: DVec2) -> Pos2 {
         let offset = self.scale * (point - self.window.center);
         // Positions far outside look alike, and f32 has a limited range.
         let offset = offset.clamp(DVec2::splat(-1e6), DVec2::splat(1e6));
         self.rect.center() + Vec2::new(offset.x as f32, -offset.y as f32)
     }
 
-    pub(crate) fn point(&self, place: Pos2) -> DVec2 {
-        let offset = place - self.rect.center();
+    pub(crate) fn to_plane(&self, position: Pos2) -> DVec2 {
+        let offset = position - self.rect.center();
         self.window.center + DVec2::new(offset.x.into(), (-offset.y).into()) / self.scale
     }
 
     /// Returns the lower left and upper right corners of the visible part.
     pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
-        (self.point(self.rect.left_bottom()), self.point(self.rect.right_top()))
+        (self.to_plane(self.rect.left_bottom()), self.to_plane(self.rect.right_top()))
     }
 
     /// Returns the distance from the centre to a corner: no visible point is farther from the
@@ -53,7 +53,7 @@ impl Canvas {
     /// Draws a straight line between two points of the plane; `dash` is in points, 0 for a solid
     /// line.
     pub(crate) fn line(&self, from: DVec2, to: DVec2, stroke: Stroke, dash: f32) {
-        let ends = [self.place(from), self.place(to)];
+        let ends = [self.to_screen(from), self.to_screen(to)];
         if dash > 0.0 {
             self.painter.extend(Shape::dashed_line(&ends, stroke, dash, 0.8 * dash));
         } else {
@@ -71,10 +71,10 @@ impl Canvas {
             let ends = [corners[k], corners[(k + 1) % 4]];
             let [f, g] = ends.map(|corner| sign * line.f(corner));
             if f >= 0.0 {
-                inside.push(self.place(ends[0]));
+                inside.push(self.to_screen(ends[0]));
             }
             if (f < 0.0) != (g < 0.0) {
-                inside.push(self.place(ends[0].lerp(ends[1], f / (f - g))));
+                inside.push(self.to_screen(ends[0].lerp(ends[1], f / (f - g))));
             }
         }
         if inside.len() > 2 {
@@ -84,7 +84,7 @@ impl Canvas {
 
     /// Draws an arrow between two points of the plane; its head is sized in points of the screen.
     pub(crate) fn arrow(&self, from: DVec2, to: DVec2, stroke: Stroke) {
-        let [from, to] = [self.place(from), self.place(to)];
+        let [from, to] = [self.to_screen(from), self.to_screen(to)];
         let along = to - from;
         let size = (5.0 + 3.5 * stroke.width).min(0.8 * along.length());
         let direction = along.normalized();

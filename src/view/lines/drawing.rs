@@ -135,7 +135,7 @@ fn signs(canvas: &Canvas, line: &ImplicitLine, ink: &Ink) {
             };
             let font = FontId::proportional(SMALL);
             let color = color.gamma_multiply(0.75);
-            canvas.painter.text(canvas.place(at), Align2::CENTER_CENTER, sign, font, color);
+            canvas.painter.text(canvas.to_screen(at), Align2::CENTER_CENTER, sign, font, color);
         }
     }
 }
@@ -143,7 +143,7 @@ fn signs(canvas: &Canvas, line: &ImplicitLine, ink: &Ink) {
 /// Draws the grid's numbers along the axes, or along the edge where an axis is out of sight.
 fn coordinates(canvas: &Canvas, ink: &Ink, labels: &mut LabelLayout) {
     let (_, [xs, ys]) = grid_lines(canvas);
-    let (origin, rect) = (canvas.place(DVec2::ZERO), canvas.rect);
+    let (origin, rect) = (canvas.to_screen(DVec2::ZERO), canvas.rect);
     let axis = Pos2::new(
         origin.x.clamp(rect.left() + 40.0, rect.right() - 4.0),
         origin.y.clamp(rect.top() + 2.0, rect.bottom() - 26.0),
@@ -154,11 +154,11 @@ fn coordinates(canvas: &Canvas, ink: &Ink, labels: &mut LabelLayout) {
     labels.write("x", name, [(right, Align2::RIGHT_BOTTOM)]);
     labels.write("y", name, [(Pos2::new(axis.x + 7.0, rect.top() + 4.0), Align2::LEFT_TOP)]);
     for x in xs.into_iter().filter(|x| *x != 0.0) {
-        let at = Pos2::new(canvas.place(DVec2::new(x, 0.0)).x, axis.y + 3.0);
+        let at = Pos2::new(canvas.to_screen(DVec2::new(x, 0.0)).x, axis.y + 3.0);
         labels.write(&number(x, 5), font, [(at, Align2::CENTER_TOP)]);
     }
     for y in ys.into_iter().filter(|y| *y != 0.0) {
-        let at = Pos2::new(axis.x - 5.0, canvas.place(DVec2::new(0.0, y)).y);
+        let at = Pos2::new(axis.x - 5.0, canvas.to_screen(DVec2::new(0.0, y)).y);
         labels.write(&number(y, 5), font, [(at, Align2::RIGHT_CENTER)]);
     }
 }
@@ -178,18 +178,18 @@ fn regions(canvas: &Canvas, line: &ImplicitLine, ink: &Ink, labels: &mut LabelLa
     let middle = line.nearest_to(canvas.center());
     // Positions along the line, beginning well away from its handles.
     let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
-    let places = |points: f64| {
+    let anchors = |points: f64| {
         let half = 0.5 * f64::from(canvas.rect.height()) / canvas.scale;
         shares.map(|share| {
             let on_line = middle + share * half * direction;
-            (canvas.place(on_line + points / canvas.scale * normal), Align2::CENTER_CENTER)
+            (canvas.to_screen(on_line + points / canvas.scale * normal), Align2::CENTER_CENTER)
         })
     };
     let font = |color| Font { size: REGIONS, color, bold: true };
-    labels.write("f > 0", font(ink.positive), places(46.0));
-    labels.write("f < 0", font(ink.negative), places(-46.0));
+    labels.write("f > 0", font(ink.positive), anchors(46.0));
+    labels.write("f < 0", font(ink.negative), anchors(-46.0));
     let font = Font { size: NAMES, color: ink.implicit, bold: true };
-    let [low, high] = [places(-26.0), places(26.0)];
+    let [low, high] = [anchors(-26.0), anchors(26.0)];
     labels.write("f = 0", font, high.into_iter().chain(low));
 }
 
@@ -206,7 +206,7 @@ fn parametric(canvas: &Canvas, lab: &LinesLab, ink: &Ink) {
         canvas.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, 0.0);
     }
     for (_, at) in generated(canvas, lab) {
-        canvas.painter.circle(canvas.place(at), 5.5, ink.ray, Stroke::new(1.5, canvas.halo));
+        canvas.painter.circle(canvas.to_screen(at), 5.5, ink.ray, Stroke::new(1.5, canvas.halo));
     }
     canvas.arrow(p, p + d, Stroke::new(6.0, ink.ray));
 }
@@ -248,7 +248,7 @@ fn trail(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout) -
     let whole = |t: f64| t.fract() == 0.0;
     let (first, then): (Vec<_>, Vec<_>) = points.into_iter().partition(|(t, _)| whole(*t));
     for (t, at) in first.into_iter().chain(then) {
-        labels.write(&number(t, 5), font, around(canvas.place(at), left, 10.0).take(1));
+        labels.write(&number(t, 5), font, around(canvas.to_screen(at), left, 10.0).take(1));
     }
     seen
 }
@@ -258,11 +258,11 @@ fn sides(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout) {
     let direction = lab.ray.d.normalize_or_zero();
     let font = Font { size: SMALL + 2.0, color: ink.ray, bold: false };
     for (text, sign) in [("t < 0", -1.0), ("t > 0", 1.0)] {
-        let places = [120.0, 170.0, 220.0, 90.0].into_iter().flat_map(|points| {
+        let anchors = [120.0, 170.0, 220.0, 90.0].into_iter().flat_map(|points| {
             let at = lab.ray.p + sign * points / canvas.scale * direction;
-            around(canvas.place(at), left_of(-lab.ray.d), 10.0).take(3)
+            around(canvas.to_screen(at), left_of(-lab.ray.d), 10.0).take(3)
         });
-        labels.write(text, font, places);
+        labels.write(text, font, anchors);
     }
 }
 
@@ -272,7 +272,7 @@ fn meeting(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout,
     else {
         return;
     };
-    let at = canvas.place(crossing.point);
+    let at = canvas.to_screen(crossing.point);
     if !canvas.rect.contains(at) {
         return;
     }
@@ -281,5 +281,5 @@ fn meeting(canvas: &Canvas, lab: &LinesLab, ink: &Ink, labels: &mut LabelLayout,
     let said = if crossing.ray_hits { "hit" } else { "ray missed" };
     let text = format!("{said}: t = {}", number(crossing.t, digits));
     let font = Font { size: NAMES, color: ink.text, bold: true };
-    labels.write(&text, font, handles::places_at_crossing(at));
+    labels.write(&text, font, handles::anchors_at_crossing(at));
 }

@@ -14,8 +14,8 @@ pub(crate) const GRASP: f32 = 13.0;
 /// Keeps labels off the handles.
 pub(crate) fn keep_free(canvas: &Canvas, lab: &LinesLab, labels: &mut LabelLayout) {
     for handle in Handle::ALL {
-        if let Some(place) = lab.place_of(handle) {
-            labels.keep_free(Rect::from_center_size(canvas.place(place), Vec2::splat(15.0)));
+        if let Some(position) = lab.position_of(handle) {
+            labels.keep_free(Rect::from_center_size(canvas.to_screen(position), Vec2::splat(15.0)));
         }
     }
 }
@@ -30,7 +30,7 @@ pub(crate) fn draw(canvas: &Canvas, lab: &LinesLab, ink: &Ink, held: impl Fn(Han
 
 /// Returns a handle's position, if it can be reached.
 pub(crate) fn in_sight(canvas: &Canvas, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
-    let at = canvas.place(lab.place_of(handle)?);
+    let at = canvas.to_screen(lab.position_of(handle)?);
     canvas.rect.expand(GRASP).contains(at).then_some(at)
 }
 
@@ -78,8 +78,8 @@ pub(crate) fn names(
         (Handle::T, t.as_str(), of_t, right),
         (Handle::Tip, "d", of_ray, right),
     ] {
-        if let Some(place) = lab.place_of(handle) {
-            labels.write(text, font, around(canvas.place(place), toward, 13.0));
+        if let Some(position) = lab.position_of(handle) {
+            labels.write(text, font, around(canvas.to_screen(position), toward, 13.0));
         }
     }
 }
@@ -95,6 +95,6 @@ pub(crate) fn cross(canvas: &Canvas, at: Pos2, ink: &Ink) {
 }
 
 /// Returns label positions below, above and beside the crossing.
-pub(crate) fn places_at_crossing(at: Pos2) -> Vec<(Pos2, Align2)> {
+pub(crate) fn anchors_at_crossing(at: Pos2) -> Vec<(Pos2, Align2)> {
     around(at, vec2(0.0, 1.0), 17.0).chain(around(at, vec2(0.0, 1.0), 30.0)).collect()
 }

@@ -100,8 +100,8 @@ mod tests {
         let picture = counted(image, Raster::shown_on(image, 2, 2));
         assert_eq!(picture.raster.rows(), [2, 7]);
         let row_of = |row| {
-            let place = picture.raster.nearest_to(Pixel { row, column: 0 })?;
-            picture.pixels.get(place).map(|c| c.r())
+            let offset = picture.raster.nearest_to(Pixel { row, column: 0 })?;
+            picture.pixels.get(offset).map(|c| c.r())
         };
         assert_eq!(row_of(0), Some(2));
         assert_eq!(row_of(4), Some(2));

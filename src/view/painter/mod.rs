@@ -56,7 +56,7 @@ impl Painter {
                     (None, _) => {
                         self.textures.insert(id, Texture::new(delta.image, delta.options));
                     }
-                    (Some(place), Some(texture)) => texture.update(place, &delta),
+                    (Some(region), Some(texture)) => texture.update(region, &delta),
                     (Some(_), None) => continue,
                 }
                 changed.insert(id);

@@ -16,7 +16,7 @@ use super::triangle::{Plane, Reading};
 #[derive(Debug, PartialEq)]
 pub(super) struct Rectangle {
     /// Position and size in points.
-    place: Rect,
+    rect: Rect,
     /// Texture coordinates at the left top and the right bottom corner.
     uv: Rect,
     color: Color32,
@@ -49,7 +49,7 @@ impl Rectangle {
             return None;
         }
         let uv = texture_corners(&vertices, &corners)?;
-        Some(Self { place: Rect::from_min_max(low, high), uv, color: a.color })
+        Some(Self { rect: Rect::from_min_max(low, high), uv, color: a.color })
     }
 
     /// Draws it; `scale` is pixels per point.
@@ -57,9 +57,9 @@ impl Rectangle {
         if self.color == Color32::TRANSPARENT {
             return;
         }
-        let place = self.place * scale;
-        let (left, right) = (snap(place.min.x), snap(place.max.x));
-        let (top, bottom) = (snap(place.min.y), snap(place.max.y));
+        let rect = self.rect * scale;
+        let (left, right) = (snap(rect.min.x), snap(rect.max.x));
+        let (top, bottom) = (snap(rect.min.y), snap(rect.max.y));
         let clip = band.clip;
         let columns = limit(first_centre(left), first_centre(right), clip.left, clip.right);
         let rows = limit(first_centre(top), first_centre(bottom), clip.top, clip.bottom);

@@ -111,10 +111,10 @@ impl Texture {
 
     /// Returns the colour at a position in egui's coordinates, from 0 to 1.
     pub(super) fn sample_at(&self, uv: egui::Pos2, filter: TextureFilter) -> Rgba {
-        let place = |x: f32, axis: usize| {
+        let texel = |x: f32, axis: usize| {
             Coordinate::new((f64::from(x) * self.size[axis] as f64 * ONE_TEXEL) as i64)
         };
-        self.sample(place(uv.x, 0), place(uv.y, 1), filter)
+        self.sample(texel(uv.x, 0), texel(uv.y, 1), filter)
     }
 }
 

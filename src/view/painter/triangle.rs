@@ -26,8 +26,8 @@ pub(super) struct Plane {
 impl Plane {
     /// Returns the plane through three values at three positions; `area` is twice the triangle's,
     /// in square steps.
-    fn through(places: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
-        let [p, q, r] = places;
+    fn through(points: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
+        let [p, q, r] = points;
         let (qx, qy) = ((q[0] - p[0]) as f64, (q[1] - p[1]) as f64);
         let (rx, ry) = ((r[0] - p[0]) as f64, (r[1] - p[1]) as f64);
         let (to_q, to_r) = (values[1] - values[0], values[2] - values[0]);
@@ -122,7 +122,7 @@ impl Side {
 
 /// Draws a triangle; vertices are in points, `scale` is pixels per point.
 pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3], scale: f32) {
-    let Some((vertices, places, area)) = oriented(vertices, scale) else { return };
+    let Some((vertices, points, area)) = oriented(vertices, scale) else { return };
     let colors = vertices.map(|vertex| unpack(vertex.color));
     if colors == [[0.0; 4]; 3] {
         return;
@@ -133,26 +133,26 @@ pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3
         let texel = texture.sample_at(p, texture.filter(0.0));
         if flat_color {
             let color = modulate(colors[0], texel);
-            rows(band, &places, |pixels, _, _| blend::fill(pixels, color));
+            rows(band, &points, |pixels, _, _| blend::fill(pixels, color));
         } else {
-            let gradient = Gradient::new(&places, area, colors.map(|c| modulate(c, texel)));
-            rows(band, &places, |pixels, row, first| gradient.draw(pixels, row, first));
+            let gradient = Gradient::new(&points, area, colors.map(|c| modulate(c, texel)));
+            rows(band, &points, |pixels, row, first| gradient.draw(pixels, row, first));
         }
         return;
     }
     let [width, height] = texture.size.map(|n| n as f64);
     let across = [p, q, r].map(|uv| f64::from(uv.x) * width);
     let down = [p, q, r].map(|uv| f64::from(uv.y) * height);
-    let u = Plane::through(&places, area, across);
-    let v = Plane::through(&places, area, down);
+    let u = Plane::through(&points, area, across);
+    let v = Plane::through(&points, area, down);
     let reading = Reading::new(texture, u, v);
     if flat_color {
-        rows(band, &places, |pixels, row, first| {
+        rows(band, &points, |pixels, row, first| {
             reading.draw(pixels, row, first, |_| colors[0]);
         });
     } else {
-        let gradient = Gradient::new(&places, area, colors);
-        rows(band, &places, |pixels, row, first| {
+        let gradient = Gradient::new(&points, area, colors);
+        rows(band, &points, |pixels, row, first| {
             let at = gradient.row(row);
             reading.draw(pixels, row, first, |column| gradient.at(at, column));
         });
@@ -166,8 +166,8 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Snapp
     if !(sum.x + sum.y).is_finite() {
         return None;
     }
-    let place = |v: &Vertex| [snap(v.pos.x * scale), snap(v.pos.y * scale)];
-    let (p, q, r) = (place(a), place(b), place(c));
+    let snapped = |v: &Vertex| [snap(v.pos.x * scale), snap(v.pos.y * scale)];
+    let (p, q, r) = (snapped(a), snapped(b), snapped(c));
     let area = (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
     match area.signum() {
         1 => Some(([a, b, c], [p, q, r], area as f64)),
@@ -179,10 +179,10 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Snapp
 /// Calls `draw` with the inside pixels of each row, the row, and their first column.
 fn rows(
     band: &mut Band<'_>,
-    places: &[SnappedPoint; 3],
+    points: &[SnappedPoint; 3],
     mut draw: impl FnMut(&mut [egui::Color32], usize, usize),
 ) {
-    let [p, q, r] = *places;
+    let [p, q, r] = *points;
     let clip = band.clip;
     let extent = |axis: usize| {
         let (low, high) = (p[axis].min(q[axis]).min(r[axis]), p[axis].max(q[axis]).max(r[axis]));
@@ -218,11 +218,11 @@ struct Gradient {
 }
 
 impl Gradient {
-    fn new(places: &[SnappedPoint; 3], area: f64, colors: [Rgba; 3]) -> Self {
+    fn new(points: &[SnappedPoint; 3], area: f64, colors: [Rgba; 3]) -> Self {
         let channels = [0, 1, 2, 3].map(|channel| {
-            Plane::through(places, area, colors.map(|color| f64::from(color[channel])))
+            Plane::through(points, area, colors.map(|color| f64::from(color[channel])))
         });
-        let left = places[0][0].min(places[1][0]).min(places[2][0]);
+        let left = points[0][0].min(points[1][0]).min(points[2][0]);
         Self {
             channels,
             across: channels.map(|plane| plane.across as f32),

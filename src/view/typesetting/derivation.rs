@@ -62,17 +62,17 @@ pub(crate) fn laid_line(ui: &Ui, line: &Line, id: Id, width: f32) -> LaidLine {
 }
 
 /// Returns the start of a line's first baseline.
-pub(crate) fn baseline_of(rect: Rect, place: &LaidLine) -> egui::Pos2 {
-    rect.min + PAD + vec2(0.0, place.layout.ascent)
+pub(crate) fn baseline_of(rect: Rect, laid: &LaidLine) -> egui::Pos2 {
+    rect.min + PAD + vec2(0.0, laid.layout.ascent)
 }
 
 /// Paints a line's formula and its note.
-pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
-    formula::paint(ui.painter(), baseline_of(rect, place), &place.layout, inks);
+pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, laid: &LaidLine, inks: Inks) {
+    formula::paint(ui.painter(), baseline_of(rect, laid), &laid.layout, inks);
     if !line.note.is_empty() {
-        let width = (rect.width() - place.note.x).max(20.0);
+        let width = (rect.width() - laid.note.x).max(20.0);
         let galley = note_galley(ui, line, width);
-        ui.painter().galley(rect.min + place.note, galley, ui.visuals().text_color());
+        ui.painter().galley(rect.min + laid.note, galley, ui.visuals().text_color());
     }
 }
 
@@ -98,10 +98,10 @@ pub(crate) fn draw(
             continue;
         }
         for line in &section.lines {
-            let place = laid_line(ui, line, Id::NULL, column.width());
-            let rect = Rect::from_min_size(at, vec2(column.width(), place.height));
-            paint(ui, rect, line, &place, inks);
-            at.y += place.height + BETWEEN_LINES;
+            let laid = laid_line(ui, line, Id::NULL, column.width());
+            let rect = Rect::from_min_size(at, vec2(column.width(), laid.height));
+            paint(ui, rect, line, &laid, inks);
+            at.y += laid.height + BETWEEN_LINES;
         }
     }
     if derivation.left_out > 0 {

@@ -41,9 +41,9 @@ impl LabelLayout {
         &mut self,
         text: &str,
         font: Font,
-        places: impl IntoIterator<Item = (Pos2, Align2)>,
+        anchors: impl IntoIterator<Item = (Pos2, Align2)>,
     ) -> Option<Rect> {
-        self.write_clear_of(&[], text, font, places)
+        self.write_clear_of(&[], text, font, anchors)
     }
 
     /// Writes a label as [`LabelLayout::write`] does, at the first position that also covers none of
@@ -53,10 +53,10 @@ impl LabelLayout {
         points: &[Pos2],
         text: &str,
         font: Font,
-        places: impl IntoIterator<Item = (Pos2, Align2)>,
+        anchors: impl IntoIterator<Item = (Pos2, Align2)>,
     ) -> Option<Rect> {
         let galley = self.galley(text, font);
-        for (at, align) in places {
+        for (at, align) in anchors {
             let rect = align.anchor_size(at, galley.size());
             // Two numbers side by side would read as one.
             let room = rect.expand2(Vec2::new(3.0, 0.0));

@@ -11,7 +11,8 @@ use crate::view::overlay::Label;
 /// Laid-out text with a halo around its letters, which keeps it legible over anything.
 ///
 /// egui has no such shape. It is given to egui as a [`Shape::Vec`]: the text in the halo's colour eight
-/// times around its place, and then the text. Figures [read it back](HaloText::from_shape) as one thing.
+/// times around its position, and then the text. Figures [read it back](HaloText::from_shape) as one
+/// thing.
 pub(crate) struct HaloText {
     pub(crate) text: TextShape,
     pub(crate) halo: Color32,

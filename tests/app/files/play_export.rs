@@ -137,13 +137,13 @@ fn a_number_typed_as_soon_as_the_dialog_is_open_is_no_part_of_the_path() {
     window.get_by_role_and_label(Role::Button, "Export…").click();
     window.run();
     let field = window.get_by_role_and_label(Role::TextInput, "path");
-    let (path, place) = (field.value(), field.rect());
+    let (path, rect) = (field.value(), field.rect());
     assert_eq!(path.as_deref(), long.join("scan.png").to_str());
-    assert_eq!(place.center().x, 0.5 * SIZE.x, "however long the folder's name is");
+    assert_eq!(rect.center().x, 0.5 * SIZE.x, "however long the folder's name is");
     type_into(&mut window, "frames", "3");
     assert_says(&window, "Export the animation");
     let field = window.get_by_role_and_label(Role::TextInput, "path");
-    assert_eq!((field.value(), field.rect()), (path, place));
+    assert_eq!((field.value(), field.rect()), (path, rect));
     let frames = window.get_by_role_and_label(Role::SpinButton, "frames").value();
     assert_eq!(frames.as_deref(), Some("3"));
     let there = fs::read_dir(&long).unwrap().count();

@@ -4,7 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use super::{Window, at_step, key, place, press};
+use super::{Window, at_step, key, press, shown_step};
 use crate::harness::{assert_says, drag_from, says, type_into};
 
 #[test]
@@ -35,10 +35,10 @@ fn one_key_brings_the_step_back_after_dragging() {
     assert_ne!(*window.state().session(), before.1);
     press(&mut window, "Back to the step");
     assert_eq!(*window.state().session(), before.1);
-    assert_eq!(place(&window), (3, 2));
+    assert_eq!(shown_step(&window), (3, 2));
     type_into(&mut window, "eye x", "9");
     press(&mut window, "Next");
-    assert_eq!(place(&window), (3, 3));
+    assert_eq!(shown_step(&window), (3, 3));
     assert!(!says(&window, "Save the changes to Lesson 3, step 2?"), "a step is no file");
 }
 

@@ -18,9 +18,9 @@ fn a_teachers_own_lesson_opens_and_is_in_the_contents() {
     let path = folder.path().join("mine.toml");
     let step = "[[step]]\ntitle = \"One\"\ntext = \"Look.\"\nscene = \"roll\"\n";
     std::fs::write(&path, format!("pinhole_lesson = 1\ntitle = \"My lesson\"\n{step}")).unwrap();
-    let (place, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();
+    let (id, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();
     let mut window = window("canonical");
-    window.state_mut().open_lesson(place, file);
+    window.state_mut().open_lesson(id, file);
     window.run();
     assert_says(&window, "My lesson");
     assert_says(&window, "Look.");
@@ -55,7 +55,7 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
     assert!(window.state().lesson().is_none());
     drop_file(&mut window, &good);
     let lesson = window.state().lesson().unwrap();
-    assert_eq!((lesson.title().as_str(), lesson.place().lesson), ("Mine", Which::File));
+    assert_eq!((lesson.title().as_str(), lesson.id().lesson), ("Mine", Which::File));
     assert!(
         window
             .state()

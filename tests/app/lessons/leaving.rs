@@ -5,12 +5,12 @@ use std::path::Path;
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::lessons::{Place, Which};
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
-use super::{Window, at_step, key, place, press};
+use super::{Window, at_step, key, press, shown_step};
 use crate::harness::{assert_says, type_into, window, window_with};
 
 #[test]
@@ -23,7 +23,7 @@ fn lessons_open_from_the_bar_and_close_without_a_trace() {
     window.run();
     window.get_by_label("Lesson 9: When it breaks").click();
     window.run();
-    assert_eq!(place(&window), (9, 1));
+    assert_eq!(shown_step(&window), (9, 1));
     assert_ne!(window.state().session().settings, before);
     press(&mut window, "Close the lesson");
     assert!(window.state().lesson().is_none());
@@ -50,7 +50,7 @@ fn a_scenes_changes_are_asked_about_and_a_steps_are_not() {
     assert!(window.state().lesson().is_none());
     open(&mut window);
     press(&mut window, "Discard");
-    assert_eq!(place(&window), (2, 1));
+    assert_eq!(shown_step(&window), (2, 1));
     // Saved, a step's scene is a file like any other.
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.toml");
@@ -69,7 +69,7 @@ fn a_scenes_changes_are_asked_about_and_a_steps_are_not() {
     assert_says(&window, "Save the changes to mine.toml?");
     press(&mut window, "Save");
     assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 4.0);
-    assert_eq!(place(&window), (2, 2));
+    assert_eq!(shown_step(&window), (2, 2));
 }
 
 #[test]
@@ -77,12 +77,12 @@ fn the_next_run_goes_on_at_the_step_and_has_the_settings_from_before() {
     let folder = tempfile::tempdir().unwrap();
     let store = Store::at(&folder.path().join("state.json"));
     let mut window = window_with("planet", Remembered::default(), Some(store.clone()));
-    window.state_mut().open_lesson(Place { lesson: Which::Builtin(8), step: 1 }, None);
+    window.state_mut().open_lesson(StepId { lesson: Which::Builtin(8), step: 1 }, None);
     window.run();
     type_into(&mut window, "eye x", "7");
     window.state_mut().on_exit();
     let remembered = store.load();
-    assert_eq!(remembered.lesson_place(), Some(Place { lesson: Which::Builtin(8), step: 1 }));
+    assert_eq!(remembered.lesson_step(), Some(StepId { lesson: Which::Builtin(8), step: 1 }));
     assert_eq!(remembered.last.as_deref(), Some(Path::new("planet")));
     assert_eq!(remembered.settings, Settings::default());
     assert!(!store.unsaved().exists(), "a step's changes are nobody's loss");

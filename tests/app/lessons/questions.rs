@@ -8,7 +8,7 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
 
-use super::{Window, at_step, go_to, key, place, press};
+use super::{Window, at_step, go_to, key, press, shown_step};
 use crate::app::practice::exercises::answers;
 use crate::harness::{assert_says, says};
 
@@ -100,7 +100,7 @@ fn what_was_typed_stays_from_step_to_step_until_r_takes_it_away() {
     let answered = window.state().session().exercises.clone();
     press(&mut window, "Previous");
     press(&mut window, "Next");
-    assert_eq!(place(&window), (2, 5));
+    assert_eq!(shown_step(&window), (2, 5));
     assert_eq!(window.state().session().exercises, answered);
     key(&mut window, Key::R);
     assert_eq!(window.state().session().exercises, blank);

@@ -7,7 +7,7 @@ use pinhole::model::lessons::builtin;
 use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
-use super::{at_step, key, place};
+use super::{at_step, key, shown_step};
 use crate::harness::{says, type_into, window};
 
 #[test]
@@ -21,22 +21,22 @@ fn keys_go_through_the_lessons_unless_a_view_wants_them() {
         (Key::PageUp, (1, 4)),
     ] {
         key(&mut window, pressed);
-        assert_eq!(place(&window), now, "{pressed:?}");
+        assert_eq!(shown_step(&window), now, "{pressed:?}");
     }
     window.get_by_role_and_label(Role::Image, "Camera view").focus();
     window.run();
     key(&mut window, Key::ArrowRight);
-    assert_eq!(place(&window), (1, 4));
+    assert_eq!(shown_step(&window), (1, 4));
     let pixel = Pixel { row: 99, column: 200 };
     assert_eq!(window.state().session().selection, Selection::Pixel(pixel));
     key(&mut window, Key::PageDown);
-    assert_eq!(place(&window), (2, 1), "a remote control works wherever the focus is");
+    assert_eq!(shown_step(&window), (2, 1), "a remote control works wherever the focus is");
     window.get_by_role_and_label(Role::SpinButton, "eye x").click();
     window.run();
     key(&mut window, Key::R);
-    assert_eq!(place(&window), (2, 1));
+    assert_eq!(shown_step(&window), (2, 1));
     key(&mut window, Key::ArrowRight);
-    assert_eq!(place(&window), (2, 1), "a field wants its arrows");
+    assert_eq!(shown_step(&window), (2, 1), "a field wants its arrows");
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn contents_lead_everywhere() {
     }
     window.get_by_label("2. Its basis").click();
     window.run();
-    assert_eq!(place(&window), (8, 2));
+    assert_eq!(shown_step(&window), (8, 2));
     assert!(!says(&window, "2. Its basis"), "the contents are closed again");
 }
 

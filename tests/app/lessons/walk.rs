@@ -8,7 +8,7 @@ use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::practice::exercises::Exercises;
 use pinhole::ui::app::App;
 
-use super::{Window, at_step, key, place, press};
+use super::{Window, at_step, key, press, shown_step};
 use crate::harness::{assert_says, drag_from, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.
@@ -71,7 +71,7 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
     for (index, lesson) in builtin::all().iter().enumerate() {
         for (k, step) in lesson.steps.iter().enumerate() {
             let now = (index + 1, k + 1);
-            assert_eq!(place(&window), now);
+            assert_eq!(shown_step(&window), now);
             assert_says(&window, &format!("Lesson {}: {}", now.0, lesson.title));
             assert_says(&window, &step.title);
             assert_says(&window, &step.text.replace('*', ""));
@@ -89,7 +89,7 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
         }
     }
     press(&mut window, "Previous");
-    assert_eq!(place(&window), (13, 2));
+    assert_eq!(shown_step(&window), (13, 2));
 }
 
 /// Another layout, which has the camera's fields; another eye, and another observer.
@@ -109,7 +109,7 @@ fn after_dragging_in_any_step_r_brings_back_all_of_it() {
     for (index, lesson) in builtin::all().iter().enumerate() {
         for (k, step) in lesson.steps.iter().enumerate() {
             let now = (index + 1, k + 1);
-            assert_eq!(place(&window), now);
+            assert_eq!(shown_step(&window), now);
             let before = window.state().session().clone();
             disturb(&mut window);
             assert_ne!(*window.state().document(), step.document, "{now:?}");

@@ -36,7 +36,7 @@ fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
     path
 }
 
-/// Presses a button, of which one for a layout may have its place in the menu of those without room.
+/// Presses a button, of which one for a layout may have its position in the menu of those without room.
 fn click(window: &mut Harness<'_, App>, label: &str) {
     if window.query_by_role_and_label(Role::Button, label).is_none() {
         window.get_by_role_and_label(Role::Button, "More").click_accesskit();
@@ -180,8 +180,8 @@ fn the_maps_title_and_key_are_seen_while_presenting() {
             window.run();
             let whole = window.ctx.content_rect();
             for label in ["right", "wrong"] {
-                let place = window.get_by_role_and_label(Role::Label, label).rect();
-                assert!(whole.contains_rect(place), "{label}: {place} in {whole}");
+                let rect = window.get_by_role_and_label(Role::Label, label).rect();
+                assert!(whole.contains_rect(rect), "{label}: {rect} in {whole}");
             }
         }
     }

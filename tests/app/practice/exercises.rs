@@ -340,15 +340,15 @@ fn the_questions_camera_opens_and_asks_about_changes_first() {
 #[test]
 fn a_verdict_moves_no_button() {
     let mut window = open(Exercise::EyeAtUp);
-    let place =
+    let rect =
         |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Check").rect();
-    let before = place(&window);
+    let before = rect(&window);
     answers(&mut window, "u", &["9", "-4", "1/3"]);
     click(&mut window, "Check");
     assert!(!said(&window, "u").is_empty());
-    assert_eq!(place(&window), before);
+    assert_eq!(rect(&window), before);
     click(&mut window, "Show the solution");
-    assert_eq!(place(&window), before);
+    assert_eq!(rect(&window), before);
 }
 
 #[test]

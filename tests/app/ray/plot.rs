@@ -161,14 +161,14 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
     let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
-    let place = |window: &Harness<'_, App>, t: f64| {
+    let to_screen = |window: &Harness<'_, App>, t: f64| {
         let derived = window.state().derived();
         let ray = derived.inspection.clone().unwrap().ray;
         let frame = derived.world_frame.clone().unwrap();
         rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
     };
     let observer = window.state().session().observer;
-    let (from, to) = (place(&window, 3.0), place(&window, 4.5));
+    let (from, to) = (to_screen(&window, 3.0), to_screen(&window, 4.5));
     window.hover_at(from);
     window.run();
     window.drag_at(from);

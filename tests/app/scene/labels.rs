@@ -3,7 +3,7 @@
 use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::lessons::{Place, Which};
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::ui::app::App;
 
 use crate::harness::window;
@@ -61,7 +61,7 @@ fn no_label_lies_over_a_handle_or_another_label() {
     harness.set_size(vec2(683.0, 512.0));
     harness.key_press(Key::F5);
     for (lesson, step) in [(6, 1), (6, 2), (6, 4), (8, 0)] {
-        harness.state_mut().open_lesson(Place { lesson: Which::Builtin(lesson), step }, None);
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
         harness.run();
         assert_apart(&harness, &format!("lesson {}.{}", lesson + 1, step + 1));
     }

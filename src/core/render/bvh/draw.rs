@@ -52,7 +52,7 @@ pub(crate) fn draw_visible<S: Simd>(
             }
             continue;
         }
-        for (place, block) in group.blocks.iter().enumerate().skip(start) {
+        for (k, block) in group.blocks.iter().enumerate().skip(start) {
             if own_rows(target, &block.extent.rows()).is_empty() {
                 continue;
             }
@@ -63,10 +63,10 @@ pub(crate) fn draw_visible<S: Simd>(
                 continue;
             }
             let vectors = BLOCK / S::f64s::LEN;
-            let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
+            let kept = group.outlines.get(k * vectors..(k + 1) * vectors);
             drawing.block(simd, target, (block, group.has_others), kept);
             if target.is_full() {
-                return Some((number, place + 1));
+                return Some((number, k + 1));
             }
         }
         if !visible.is_crowded {
@@ -110,7 +110,7 @@ impl Drawing<'_> {
         if own_rows(target, &block.extent.rows()).is_empty() {
             return;
         }
-        let spheres = u64::from(self.visible.index.blocks[block.place as usize].count);
+        let spheres = u64::from(self.visible.index.blocks[block.id as usize].count);
         self.drawn.counts.hidden += spheres;
         if is_first_band(target, block) {
             self.drawn.counts.in_view += spheres;
@@ -127,7 +127,7 @@ impl Drawing<'_> {
         kept: Option<&[Outlines]>,
     ) {
         let index = self.visible.index;
-        let slots = SphereIndex::slots_of(block.place as usize);
+        let slots = SphereIndex::slots_of(block.id as usize);
         let counts_here = is_first_band(target, block);
         for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
             let lanes = from..from + S::f64s::LEN;

@@ -53,11 +53,11 @@ impl Occlusion {
         }
         for row in down {
             for column in across.clone() {
-                let place = row * self.across + column;
-                if self.is_stale[place] && self.farthest[place] >= nearest {
+                let cell = row * self.across + column;
+                if self.is_stale[cell] && self.farthest[cell] >= nearest {
                     self.look(t, row, column);
                 }
-                if self.farthest[place] >= nearest {
+                if self.farthest[cell] >= nearest {
                     return false;
                 }
             }
@@ -81,9 +81,9 @@ impl Occlusion {
                 farthest[0] = of_row.iter().copied().fold(farthest[0], farther);
             }
         }
-        let place = row * self.across + column;
-        self.farthest[place] = farthest.into_iter().fold(0.0, farther);
-        self.is_stale[place] = false;
+        let cell = row * self.across + column;
+        self.farthest[cell] = farthest.into_iter().fold(0.0, farther);
+        self.is_stale[cell] = false;
     }
 }
 

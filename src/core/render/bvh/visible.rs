@@ -17,7 +17,7 @@ use crate::scene::sphere_order::BLOCK;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisibleBox {
     /// Number among its kind.
-    pub(crate) place: u32,
+    pub(crate) id: u32,
     /// Lower bound of the t of all their hits.
     pub(crate) nearest: f32,
     pub(crate) extent: Extent,
@@ -82,8 +82,7 @@ impl<'a> VisibleSpheres<'a> {
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
-        let in_groups: u32 =
-            groups.iter().map(|group| index.groups[group.place as usize].count).sum();
+        let in_groups: u32 = groups.iter().map(|group| index.groups[group.id as usize].count).sum();
         let keeps_outlines = in_groups <= KEPT;
         let found: Vec<(VisibleGroup, Counts)> = groups
             .into_par_iter()
@@ -92,7 +91,7 @@ impl<'a> VisibleSpheres<'a> {
             .map(|bounds| {
                 let mut dropped = Counts::default();
                 let mut blocks = Vec::new();
-                for block in index.blocks_of(bounds.place as usize) {
+                for block in index.blocks_of(bounds.id as usize) {
                     match seen(&index.blocks, block, &space, axes) {
                         Ok((bounds, _)) => blocks.push(bounds),
                         Err(why) => drop_box(&mut dropped, why, index.blocks[block].count, 1),
@@ -132,8 +131,7 @@ impl<'a> VisibleSpheres<'a> {
                 false => outlines_of(simd, self.index, &self.space, &group.blocks),
             };
             let outlines = if self.keeps_outlines { &group.outlines } else { &found };
-            let blocks =
-                group.blocks.iter().map(|block| SphereIndex::slots_of(block.place as usize));
+            let blocks = group.blocks.iter().map(|block| SphereIndex::slots_of(block.id as usize));
             let vectors = blocks.flat_map(|slots| slots.step_by(S::f64s::LEN));
             for (from, outlines) in vectors.zip(outlines) {
                 let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
@@ -157,7 +155,7 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
     /// Radius in columns or rows.
     const LARGE: f64 = 400.0;
     let (near, radius) =
-        (f64::from(bounds.nearest) * space.distance, groups[bounds.place as usize].radius);
+        (f64::from(bounds.nearest) * space.distance, groups[bounds.id as usize].radius);
     let slope = space.row_slope.min(space.column_slope);
     near <= NEAR * radius || radius > LARGE * slope * near
 }
@@ -173,7 +171,7 @@ fn outlines_of<S: Simd>(
     let vectors = BLOCK / S::f64s::LEN;
     let mut all = vec![Outlines::default(); blocks.len() * vectors];
     for (block, of_block) in blocks.iter().zip(all.chunks_exact_mut(vectors)) {
-        let slots = SphereIndex::slots_of(block.place as usize);
+        let slots = SphereIndex::slots_of(block.id as usize);
         for (from, outlines) in slots.step_by(S::f64s::LEN).zip(of_block) {
             outlines.find(simd, space, &index.spheres(from..from + S::f64s::LEN));
         }
@@ -197,12 +195,12 @@ fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
 #[inline(always)]
 fn seen(
     boxes: &[Bound],
-    place: usize,
+    id: usize,
     space: &CameraSpace,
     axes: &RasterAxes,
 ) -> Result<(VisibleBox, f64), Unseen> {
     const SHARE: f64 = 1e-9;
-    let Bound { middle, half, area, radius, .. } = boxes[place];
+    let Bound { middle, half, area, radius, .. } = boxes[id];
     let q: [f64; 3] = std::array::from_fn(|i| middle[i] - space.eye[i]);
     let along = |axis: [f64; 3]| q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2];
     let reach = |axis: [f64; 3]| {
@@ -243,5 +241,5 @@ fn seen(
     let area = std::f64::consts::PI * area / (depth * depth * space.row_slope * space.column_slope);
     let nearest = (near / space.distance).max(0.0) as f32 * (1.0 - 1e-6);
     let extent = Extent::new(rows, columns);
-    Ok((VisibleBox { place: place as u32, nearest, extent }, area))
+    Ok((VisibleBox { id: id as u32, nearest, extent }, area))
 }

@@ -34,7 +34,7 @@ pub(crate) struct BandBuffers<'a, T> {
     pub(crate) normal: &'a mut [DVec3],
 }
 
-/// A thread's own buffers, in the place of those that were not asked for.
+/// A thread's own buffers, in place of those that were not asked for.
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,

@@ -116,14 +116,14 @@ impl Raster {
         &self.columns
     }
 
-    /// Returns, for each row of the image, the place among [`Raster::rows`] of the nearest one, and
+    /// Returns, for each row of the image, the position among [`Raster::rows`] of the nearest one, and
     /// likewise for columns; of two equally near ones the first.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
-        let places = |traced, count| (0..count).map(|own| nearest(traced, own)).collect();
-        [places(&self.rows, image.height()), places(&self.columns, image.width())]
+        let indices = |traced, count| (0..count).map(|own| nearest(traced, own)).collect();
+        [indices(&self.rows, image.height()), indices(&self.columns, image.width())]
     }
 
-    /// The place among the raster's pixels, row by row, of the one in the nearest row and column, as
+    /// The position among the raster's pixels, row by row, of the one in the nearest row and column, as
     /// [`Raster::nearest`] has it for all; `None` where no pixel is traced.
     pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
         (!self.is_empty()).then(|| {
@@ -164,7 +164,7 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
-/// Place of the nearest traced row or column; of two equally near ones the first.
+/// Position of the nearest traced row or column; of two equally near ones the first.
 fn nearest(traced: &[u32], own: u32) -> usize {
     let after = traced.partition_point(|x| *x < own);
     let before = after.saturating_sub(1);

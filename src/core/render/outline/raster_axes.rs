@@ -87,7 +87,7 @@ impl RasterAxes {
     /// Finds where in these rows of the raster a vector of row numbers lies, and in which
     /// lanes they do.
     #[inline(always)]
-    pub(crate) fn place_rows<S: Simd>(
+    pub(crate) fn locate_rows<S: Simd>(
         &self,
         simd: S,
         numbers: S::f64s,
@@ -95,20 +95,20 @@ impl RasterAxes {
     ) -> (S::f64s, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);
         if self.rows_are_whole {
-            let place = numbers - splat(self.row_numbers[rows.start]);
-            let is_here = place.simd_ge(splat(0.0)) & place.simd_lt(splat(rows.len() as f64));
-            return (place, is_here.to_bitmask());
+            let offset = numbers - splat(self.row_numbers[rows.start]);
+            let is_here = offset.simd_ge(splat(0.0)) & offset.simd_lt(splat(rows.len() as f64));
+            return (offset, is_here.to_bitmask());
         }
-        let (mut place, mut is_here) = (splat(0.0), 0);
+        let (mut offset, mut is_here) = (splat(0.0), 0);
         for lane in 0..S::f64s::LEN {
             if let Some(row) = self.row_at(numbers.as_slice()[lane])
                 && rows.contains(&row)
             {
-                place.as_mut_slice()[lane] = (row - rows.start) as f64;
+                offset.as_mut_slice()[lane] = (row - rows.start) as f64;
                 is_here |= 1 << lane;
             }
         }
-        (place, is_here)
+        (offset, is_here)
     }
 
     /// The raster's first and last column with a number from `first` to `last`, both whole.

@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot, length};
-use crate::exact::quadratic::{Form, SphereParts};
+use crate::exact::quadratic::{Form, SphereTerms};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
 /// A sphere's quadratic as polynomials: with the direction `s + m e + k g`, m columns and k rows
@@ -73,7 +73,7 @@ impl Conic {
     /// suffices elsewhere: with `|m| <= r S + sqrt |D|` the error is at most
     /// `2 r S M + 2 sqrt |D| M + M^2`, and `-|D| + 2 sqrt |D| M <= M^2`, so that D computed above the
     /// bound (with `2 M^2`) is not negative.
-    pub(crate) fn new(sphere: &SphereParts<f64>, rays: &Steppers, patch: &Patch) -> Conic {
+    pub(crate) fn new(sphere: &SphereTerms<f64>, rays: &Steppers, patch: &Patch) -> Conic {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let corner = |x| patch.corner(x);
@@ -141,7 +141,7 @@ impl Conic {
     /// `t = 2 b / a`.
     pub(crate) fn thresholds(
         &self,
-        sphere: &SphereParts<f64>,
+        sphere: &SphereTerms<f64>,
         side: Ordering,
         least_length: f64,
         t_doubt: f64,

@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use crate::camera::image::Pixel;
-use crate::camera::resolved::{ResolvedCamera, ViewPlace};
+use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
 use crate::exact::bounded::{Number, UNIT, Vector, length, near};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::quadratic::DirectionParts;
+use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::ldexp;
 use crate::render::frame::Raster;
 
@@ -25,7 +25,7 @@ pub(crate) struct FrameRays<'a> {
     /// l of each row.
     pub(crate) l: Vec<f64>,
     /// `n e` of each column, in `f64`.
-    column_parts: Vec<Vector<f64>>,
+    column_terms: Vec<Vector<f64>>,
     /// Upper bound of the length of every direction.
     longest: f64,
     pub(crate) steppers: Steppers,
@@ -73,12 +73,12 @@ impl<'a> FrameRays<'a> {
         FrameRays {
             camera,
             raster,
-            column_parts: n.iter().map(|n| steppers.e.map(|x| n * x)).collect(),
+            column_terms: n.iter().map(|n| steppers.e.map(|x| n * x)).collect(),
             longest: 1.01 * parts.iter().sum::<f64>(),
             n,
             l,
             steppers,
-            stretch: ViewPlace::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
+            stretch: ViewportPoint::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
             scale,
         }
     }
@@ -106,11 +106,11 @@ impl<'a> FrameRays<'a> {
 
     /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.
     #[inline(always)]
-    pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionParts<f64> {
+    pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionTerms<f64> {
         let Steppers { g, z, .. } = &self.steppers;
-        let (part, l) = (self.column_parts[column], self.l[row]);
+        let (part, l) = (self.column_terms[column], self.l[row]);
         let d = std::array::from_fn(|i| part[i] + (l * g[i] + z[i]));
-        DirectionParts { d, length: self.longest, doubt: self.steppers.doubt() }
+        DirectionTerms { d, length: self.longest, doubt: self.steppers.doubt() }
     }
 
     /// The pixel in the raster's `row`th row and `column`th column.

@@ -9,7 +9,7 @@ use fearless_simd::{Select, Simd};
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, dot, length};
 use crate::exact::error_free::Lane;
 use crate::exact::lanes::Lanes;
-use crate::exact::quadratic::SphereParts;
+use crate::exact::quadratic::SphereTerms;
 use crate::exact::scale::ldexp;
 use crate::render::polynomial::blend::{DOUBT, MISS, T_SHARE};
 use crate::render::polynomial::conic::{Conic, ConicRow, Thresholds};
@@ -51,7 +51,7 @@ impl SphereKernel {
     /// `None` where the units are extreme.
     pub(crate) fn new(
         rays: &FrameRays,
-        parts: &SphereParts<f64>,
+        parts: &SphereTerms<f64>,
         side: Ordering,
         scale: i32,
         patch: &Patch,

@@ -1,6 +1,6 @@
 //! Spheres of a few pixels, each of which is asked by itself, in `f64`.
 
-use crate::exact::quadratic::{Quadratic, SphereParts};
+use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::render::polynomial::blend::{DOUBT, T_SHARE, is_in_range};
 
 /// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
@@ -8,7 +8,7 @@ use crate::render::polynomial::blend::{DOUBT, T_SHARE, is_in_range};
 #[inline(always)]
 pub(crate) fn pixel_hit(
     quadratic: &Quadratic<f64>,
-    parts: &SphereParts<f64>,
+    parts: &SphereTerms<f64>,
     factor: f64,
     known: f32,
 ) -> f64 {

@@ -22,9 +22,9 @@ pub(crate) fn fill_exactly(
     }
     let (camera, width) = (plan.rays.camera(), plan.axes.width());
     let mut known: Option<(u32, ObjectFromOrigin)> = None;
-    for (place, object) in object.iter().copied().enumerate() {
+    for (offset, object) in object.iter().copied().enumerate() {
         if object == NO_OBJECT {
-            if let Some(t) = t.get_mut(place) {
+            if let Some(t) = t.get_mut(offset) {
                 *t = f64::INFINITY;
             }
             continue;
@@ -34,12 +34,12 @@ pub(crate) fn fill_exactly(
             known = given.map(|given| (object, ObjectFromOrigin::new(&given, camera.eye())));
         }
         let Some((_, seen)) = &known else { continue };
-        let ray = camera.exact_ray(plan.rays.pixel(rows.start + place / width, place % width));
+        let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
         let root = seen.root_of_hit();
-        if let Some(t) = t.get_mut(place) {
+        if let Some(t) = t.get_mut(offset) {
             *t = seen.t(&ray, root).to_f64();
         }
-        if let Some(normal) = normals.get_mut(place) {
+        if let Some(normal) = normals.get_mut(offset) {
             *normal = match seen {
                 ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
                 ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),

@@ -23,12 +23,12 @@ impl RowBand<'_> {
         let (row, column) = (row as usize, column as usize);
         self.steps.f64 += 1;
         let sphere = self.plan.scene.spheres()[index as usize];
-        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
-        let known = self.object[place];
+        let offset = (row - self.rows.start) * self.plan.rays.n.len() + column;
+        let known = self.object[offset];
         let known_sphere = self.plan.scene.spheres().get(known as usize);
         if known_sphere == Some(&sphere) {
             // The same sphere given twice.
-            self.object[place] = known.min(index);
+            self.object[offset] = known.min(index);
             return;
         }
         let seen = self.seen(index);
@@ -47,12 +47,12 @@ impl RowBand<'_> {
     ) {
         let camera = self.plan.rays.camera();
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
-        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
+        let offset = (row - self.rows.start) * self.plan.rays.n.len() + column;
         // The ladder counts this decision at its own step.
         self.steps.f64 -= 1;
         let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
         let hit = Hit { index, seen, root };
-        let known = self.object[place];
+        let known = self.object[offset];
         if known != NO_OBJECT
             && let Some(object) = self.plan.scene.object(known)
         {
@@ -66,12 +66,12 @@ impl RowBand<'_> {
                 return;
             }
         }
-        self.object[place] = index;
+        self.object[offset] = index;
         if let Some(t) = t {
-            self.t[place] = to_single(f64::from(t));
+            self.t[offset] = to_single(f64::from(t));
             return;
         }
         let t = seen.t_within(&ray, root, T_SHARE);
-        self.t[place] = to_single(t.to_f64());
+        self.t[offset] = to_single(t.to_f64());
     }
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
-use crate::exact::quadratic::{Quadratic, SphereParts};
+use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::exact::steps::Steps;
 use crate::render::bvh::draw::{DrawnSpheres, draw_visible};
 use crate::render::frame::NO_OBJECT;
@@ -191,7 +191,7 @@ impl<'a> RowBand<'a> {
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
         let eye = self.plan.rays.camera().eye();
-        let parts = SphereFromOrigin::rough_parts(&sphere, eye);
+        let parts = SphereFromOrigin::rough_terms(&sphere, eye);
         let is_per_pixel = rows.len() * columns.len() <= FEW_PIXELS;
         if is_per_pixel
             && let Some(parts) = &parts
@@ -229,7 +229,7 @@ impl<'a> RowBand<'a> {
         index: u32,
         rows: Range<usize>,
         columns: Range<usize>,
-        parts: &SphereParts<f64>,
+        parts: &SphereTerms<f64>,
         factor: f64,
     ) {
         let rays = &self.plan.rays;
@@ -239,13 +239,13 @@ impl<'a> RowBand<'a> {
             self.steps.f64 += columns.len() as u64;
             for column in columns.clone() {
                 let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
-                let place = (row - self.rows.start) * width + column;
-                let found = pixel_hit(&quadratic, parts, factor, self.t[place]);
+                let offset = (row - self.rows.start) * width + column;
+                let found = pixel_hit(&quadratic, parts, factor, self.t[offset]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
                     self.resolve_exactly(index, seen, row, column, None);
                 } else if found < f64::INFINITY {
-                    (self.t[place], self.object[place]) = (to_single(found), index);
+                    (self.t[offset], self.object[offset]) = (to_single(found), index);
                 }
             }
         }
@@ -307,15 +307,16 @@ impl<'a> RowBand<'a> {
             let lanes = from..to.next_multiple_of(LANES);
             answer(&self.m[lanes.clone()], k, &mut found[lanes]);
             let start = (row - self.rows.start) * self.plan.rays.n.len() + columns.start;
-            let place = start + from..start + to;
-            let (t, object) = (&mut self.t[place.clone()], &mut self.object[place.clone()]);
+            let offset = start + from..start + to;
+            let (t, object) = (&mut self.t[offset.clone()], &mut self.object[offset.clone()]);
             let (level, found_here) = (self.plan.level, &found[from..to]);
             let in_doubt = dispatch!(level, simd => blend(simd, found_here, t, object, index));
             self.steps.f64 += found_here.len() as u64;
             if in_doubt {
-                for (place, (column, found)) in place.zip((columns.start + from..).zip(found_here))
+                for (offset, (column, found)) in
+                    offset.zip((columns.start + from..).zip(found_here))
                 {
-                    if is_in_doubt(*found, self.t[place], self.object[place], index) {
+                    if is_in_doubt(*found, self.t[offset], self.object[offset], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
                         self.resolve_exactly(index, seen, row, column, None);
@@ -349,10 +350,10 @@ fn draw<S: Simd>(
     if let Some(visible) = &plan.visible {
         return draw_visible(simd, visible, from, target, drawn);
     }
-    for (place, span) in plan.spans.iter().enumerate().skip(from.0) {
+    for (offset, span) in plan.spans.iter().enumerate().skip(from.0) {
         span.draw(simd, target);
         if target.is_full() {
-            return Some((place + 1, 0));
+            return Some((offset + 1, 0));
         }
     }
     None

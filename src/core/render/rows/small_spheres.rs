@@ -87,8 +87,8 @@ pub(crate) fn draw_small<S: Simd>(
             note_doubts(outlines, lane, ids[lane], number, target);
         }
     }
-    for place in 0..count {
-        let run = usize::from(runs.listed[place]);
+    for offset in 0..count {
+        let run = usize::from(runs.listed[offset]);
         let lane = run % S::f64s::LEN;
         runs.draw::<S>(simd, run, (&spheres, lane, ids[lane]), target);
     }
@@ -184,7 +184,7 @@ impl Runs {
             RowEnds::<S>::new(simd, middle, squared, load(&outlines.thin));
         let is_left = number.simd_le(load(&outlines.last_row)).to_bitmask();
         let is_near = squared.simd_ge(-load(&outlines.square_doubt)).to_bitmask();
-        let (row, is_here) = target.axes.place_rows(simd, number, &target.rows);
+        let (row, is_here) = target.axes.locate_rows(simd, number, &target.rows);
         let (from, _, is_there) = target.axes.clip(simd, first, last);
         let is_sure = is_sure.to_bitmask();
 
@@ -218,7 +218,7 @@ impl Runs {
         target: &mut SpanTarget,
     ) {
         let (row, from) = (whole(self.row[run]), whole(self.from[run]));
-        let place = row * target.axes.width() + from;
+        let offset = row * target.axes.width() + from;
         target.is_reached[row] = true;
         let splat = |x: f32| f32x8::splat(simd, x);
         let columns = f32x8::from_slice(simd, &target.axes.columns[from..from + PIXELS]);
@@ -229,21 +229,21 @@ impl Runs {
         let is_inside = columns.simd_le(last);
         let mut doubtful = 0;
         let pixels = Pixels { simd, found, is_inside, index };
-        if target.t.len() - place >= PIXELS {
-            let (t, object) = (&mut target.t[place..], &mut target.object[place..]);
+        if target.t.len() - offset >= PIXELS {
+            let (t, object) = (&mut target.t[offset..], &mut target.object[offset..]);
             doubtful = pixels.take_over(&mut t[..PIXELS], &mut object[..PIXELS]);
         } else {
-            let left = target.t.len() - place;
+            let left = target.t.len() - offset;
             let (mut t, mut object) = ([0.0; PIXELS], [0; PIXELS]);
-            t[..left].copy_from_slice(&target.t[place..]);
-            object[..left].copy_from_slice(&target.object[place..]);
+            t[..left].copy_from_slice(&target.t[offset..]);
+            object[..left].copy_from_slice(&target.object[offset..]);
             doubtful |= pixels.take_over(&mut t, &mut object);
-            target.t[place..].copy_from_slice(&t[..left]);
-            target.object[place..].copy_from_slice(&object[..left]);
+            target.t[offset..].copy_from_slice(&t[..left]);
+            target.object[offset..].copy_from_slice(&object[..left]);
         }
         target.decided += u64::from(is_inside.to_bitmask().count_ones());
         if doubtful != 0 {
-            note_ties(target, (place, doubtful), found.into(), index);
+            note_ties(target, (offset, doubtful), found.into(), index);
         }
     }
 }
@@ -271,25 +271,25 @@ impl<S: Simd> Pixels<S> {
     }
 }
 
-/// Leaves pixels from a place on, whose bits are set, to the ladder: they are too close to what is
+/// Leaves pixels from a position on, whose bits are set, to the ladder: they are too close to what is
 /// known.
 #[cold]
 #[inline(never)]
 fn note_ties(
     target: &mut SpanTarget,
-    (place, doubtful): (usize, u64),
+    (offset, doubtful): (usize, u64),
     found: [f32; PIXELS],
     index: u32,
 ) {
     let width = target.axes.width();
     for lane in lanes_of(doubtful) {
-        let place = place + lane;
-        if target.is_same_as_known(place, index) {
+        let offset = offset + lane;
+        if target.is_same_as_known(offset, index) {
             continue;
         }
         // The ladder counts it.
         target.decided -= 1;
-        let (row, column) = (target.rows.start + place / width, place % width);
+        let (row, column) = (target.rows.start + offset / width, offset % width);
         let (row, column) = (row as u32, column as u32);
         target.doubts.push(Doubt { index, row, column, t: Some(found[lane]) });
     }

@@ -85,11 +85,11 @@ pub(crate) struct SpanTarget<'a> {
 impl SpanTarget<'_> {
     /// Returns whether the sphere is the one that the pixel shows, given twice: then the one that
     /// is listed first is shown, and nothing is in doubt.
-    pub(crate) fn is_same_as_known(&mut self, place: usize, index: u32) -> bool {
-        let known = self.object[place];
+    pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
+        let known = self.object[offset];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
         if is_same {
-            self.object[place] = known.min(index);
+            self.object[offset] = known.min(index);
         }
         is_same
     }
@@ -171,10 +171,10 @@ impl Span {
                 if self.outline.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
             let found = found.0;
             for (column, &t) in (at..=to).zip(found.as_slice()) {
-                let place = start + column;
-                let (known, object) = (target.t[place], target.object[place]);
+                let offset = start + column;
+                let (known, object) = (target.t[offset], target.object[offset]);
                 let is_apart = t < known * (1.0 - TIE) || t > known * (1.0 + TIE);
-                if object != self.index && !is_apart && !target.is_same_as_known(place, self.index)
+                if object != self.index && !is_apart && !target.is_same_as_known(offset, self.index)
                 {
                     let (row, column) = (row as u32, column as u32);
                     target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });

@@ -96,5 +96,5 @@ impl<'a> HitShader<'a> {
 /// A colour lit from the eye, as [`Shade::Lambert`] has it; `cosine` is `|n.d| / |d|`.
 pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
     let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
-    color.map(|byte| srgb.byte_of((light * srgb.parts_of(byte) + 0.5) as u32))
+    color.map(|byte| srgb.byte_of((light * srgb.linear_of(byte) + 0.5) as u32))
 }

@@ -38,7 +38,7 @@ where
     ) -> Self {
         let mut columns: [Vec<f64>; 3] = Default::default();
         for column in raster.columns() {
-            let part = camera.column_part(camera.u_of_column(*column));
+            let part = camera.column_term(camera.u_of_column(*column));
             for (column, x) in columns.iter_mut().zip(part.to_array()) {
                 column.push(x);
             }
@@ -77,7 +77,7 @@ where
             let rays = RowRays {
                 eye: self.camera.eye(),
                 columns: self.columns.each_ref().map(|part| &part[..]),
-                row: self.camera.row_part(self.camera.v_of_row(self.raster.rows()[row])),
+                row: self.camera.row_term(self.camera.v_of_row(self.raster.rows()[row])),
                 is_plain: self.is_plain,
             };
             self.toner.row(self.level, &rays, &runs, &wide, &mut tones);

@@ -71,7 +71,7 @@ impl<'a> Toner<'a> {
     #[inline(always)]
     pub(crate) fn color(&self, tones: Tones) -> Rgb {
         match self.shade {
-            Shade::Lambert => tones.map(|parts| self.srgb.byte_of(parts)),
+            Shade::Lambert => tones.map(|linear| self.srgb.byte_of(linear)),
             _ => tones.map(|byte| byte as u8),
         }
     }
@@ -88,7 +88,7 @@ impl<'a> Toner<'a> {
             }
             Shade::Lambert => {
                 let light = (AMBIENT + FROM_EYE * surface.cosine(ray)) as f32;
-                color.map(|byte| (light * self.srgb.parts_of(byte) + 0.5) as u32)
+                color.map(|byte| (light * self.srgb.linear_of(byte) + 0.5) as u32)
             }
         }
     }
@@ -142,11 +142,11 @@ impl<'a> Toner<'a> {
         tones: &mut ToneRow,
     ) -> bool {
         let [r, g, b] = run.color;
-        let parts = [self.srgb.parts_of(r), self.srgb.parts_of(g), self.srgb.parts_of(b)];
+        let linear = [self.srgb.linear_of(r), self.srgb.linear_of(g), self.srgb.linear_of(b)];
         match self.normals.surface(run.object) {
             Some(Surface::Plane(normal)) if rays.is_plain => {
                 let plane = LitPlane { n: splat3(simd, normal) };
-                light_of_run(simd, rays, run, parts, tones, &plane);
+                light_of_run(simd, rays, run, linear, tones, &plane);
                 true
             }
             Some(Surface::Sphere(sphere)) if rays.is_plain => {
@@ -158,7 +158,7 @@ impl<'a> Toner<'a> {
                     r_squared: Lanes::splat(simd, radius * radius),
                     one: Lanes::splat(simd, 1.0),
                 };
-                light_of_run(simd, rays, run, parts, tones, &sphere);
+                light_of_run(simd, rays, run, linear, tones, &sphere);
                 true
             }
             _ => false,
@@ -317,7 +317,7 @@ fn light_of_run<S: Simd>(
     simd: S,
     rays: &RowRays,
     run: &Run,
-    parts: [f32; 3],
+    linear: [f32; 3],
     tones: &mut ToneRow,
     lit: &impl Lit<S>,
 ) {
@@ -329,8 +329,8 @@ fn light_of_run<S: Simd>(
         let high = ambient + from_eye * lit.cosine(directions(simd, rays, high));
         let light: S::f32s = low.0.narrow(high.0);
         for k in 0..3 {
-            let parts = S::f32s::splat(simd, parts[k]);
-            let tone: S::u32s = (light * parts + rounding).min(most).to_int();
+            let linear = S::f32s::splat(simd, linear[k]);
+            let tone: S::u32s = (light * linear + rounding).min(most).to_int();
             tone.store_slice(&mut tones[k][start..start + S::f32s::LEN]);
         }
     }

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 /// The curve both ways.
 pub(crate) struct Srgb {
     /// Byte to linear light, in [parts](PARTS).
-    parts: [f32; 256],
+    linear: [f32; 256],
     /// The curve from parts to the byte nearest in linear light. Where the curve is steepest, at 0,
     /// a byte has 20 parts.
     bytes: Vec<u8>,
@@ -30,18 +30,18 @@ impl Srgb {
         let half_way: Vec<f32> = linear.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         let byte_of = |light: f32| half_way.partition_point(|end| *end <= light) as u8;
         let bytes = (0..=PARTS).map(|part| byte_of(part as f32 / PARTS as f32)).collect();
-        Srgb { parts: linear.map(|light| light * PARTS as f32), bytes }
+        Srgb { linear: linear.map(|light| light * PARTS as f32), bytes }
     }
 
     /// The byte's light, in parts.
     #[inline(always)]
-    pub(crate) fn parts_of(&self, byte: u8) -> f32 {
-        self.parts[usize::from(byte)]
+    pub(crate) fn linear_of(&self, byte: u8) -> f32 {
+        self.linear[usize::from(byte)]
     }
 
     /// The byte of so much light, in parts; at most full light.
     #[inline(always)]
-    pub(crate) fn byte_of(&self, parts: u32) -> u8 {
-        self.bytes[(parts as usize).min(PARTS)]
+    pub(crate) fn byte_of(&self, linear: u32) -> u8 {
+        self.bytes[(linear as usize).min(PARTS)]
     }
 }

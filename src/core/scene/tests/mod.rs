@@ -129,10 +129,10 @@ proptest! {
     ) {
         let mut index = SphereIndex::new(&spheres);
         assert_is_index_of(&index, &spheres);
-        for (place, sphere) in others {
-            let place = place.index(spheres.len());
-            spheres[place] = sphere;
-            index.replace(place as u32, &sphere);
+        for (k, sphere) in others {
+            let k = k.index(spheres.len());
+            spheres[k] = sphere;
+            index.replace(k as u32, &sphere);
         }
         assert_is_index_of(&index, &spheres);
     }
@@ -164,12 +164,12 @@ fn replacing_a_sphere_by_itself_changes_nothing() {
     let new = SphereIndex::new(&spheres);
     let mut index = new.clone();
     let other = Sphere { center: DVec3::splat(1e9), radius: 1e3 };
-    for place in (0..3000).step_by(7) {
-        index.replace(place, &other);
+    for k in (0..3000).step_by(7) {
+        index.replace(k, &other);
     }
     assert_ne!(index, new);
-    for place in (0..3000).step_by(7) {
-        index.replace(place, &spheres[place as usize]);
+    for k in (0..3000).step_by(7) {
+        index.replace(k, &spheres[k as usize]);
     }
     assert_eq!(index, new, "an updated box is what a new one is");
 }
@@ -265,14 +265,14 @@ proptest! {
         }));
         let Ok(ray) = Ray::new(origin, direction) else { return Ok(()) };
         let mut scene = Scene::new(spheres, vec![]).unwrap();
-        for (place, (point, size)) in (0..).zip(touched) {
+        for (k, (point, size)) in (0..).zip(touched) {
             // About as far from the line as its radius.
             let point = DVec3::from(point).clamp(DVec3::splat(-1e3), DVec3::splat(1e3));
             let (t, radius) = (point.x, 10_f64.powf(size));
             let beside = radius * direction.any_orthogonal_vector().normalize_or_zero();
             let center = ray.origin + t * direction + beside;
             if let Ok(sphere) = Sphere::new(center, radius) {
-                scene.replace_sphere(place, sphere).unwrap();
+                scene.replace_sphere(k, sphere).unwrap();
             }
         }
         let mut found: Vec<(u32, u64)> =

@@ -37,9 +37,9 @@ fn every_pixels_centre_falls_into_the_pixel() {
         for row in 0..rows {
             for column in 0..columns {
                 let pixel = Pixel { row, column };
-                let place = camera.pixel_of_uv(camera.uv_of_pixel(pixel));
+                let position = camera.pixel_of_uv(camera.uv_of_pixel(pixel));
                 let inside = PixelOfUv { pixel, column_edge: None, row_edge: None };
-                assert_eq!(place, Some(inside), "{width} x {height}");
+                assert_eq!(position, Some(inside), "{width} x {height}");
             }
         }
     }
@@ -62,16 +62,24 @@ fn every_edge_is_told() {
                 pixel_width * f64::from(k) - 0.5 * width,
             ];
             for u in ways {
-                let place = camera.pixel_of_uv(DVec2::new(u, centre.y)).unwrap();
-                assert_eq!((place.column_edge, place.row_edge), (Some(k), None), "{u} of {width}");
-                assert_eq!(place.pixel, Pixel { row, column: k.min(columns - 1) });
+                let position = camera.pixel_of_uv(DVec2::new(u, centre.y)).unwrap();
+                assert_eq!(
+                    (position.column_edge, position.row_edge),
+                    (Some(k), None),
+                    "{u} of {width}"
+                );
+                assert_eq!(position.pixel, Pixel { row, column: k.min(columns - 1) });
             }
         }
         for k in 0..=rows {
             let v = camera.v_of_row_edge(k);
-            let place = camera.pixel_of_uv(DVec2::new(centre.x, v)).unwrap();
-            assert_eq!((place.column_edge, place.row_edge), (None, Some(k)), "{v} of {height}");
-            assert_eq!(place.pixel, Pixel { row: k.min(rows - 1), column });
+            let position = camera.pixel_of_uv(DVec2::new(centre.x, v)).unwrap();
+            assert_eq!(
+                (position.column_edge, position.row_edge),
+                (None, Some(k)),
+                "{v} of {height}"
+            );
+            assert_eq!(position.pixel, Pixel { row: k.min(rows - 1), column });
         }
     }
 }
@@ -81,8 +89,8 @@ fn beside_an_edge_is_inside() {
     let camera = with_viewport(1.6, 0.9, 333, 187);
     let edge = camera.u_of_column_edge(100);
     for (beside, column) in [(-1e-14, 99), (1e-14, 100)] {
-        let place = camera.pixel_of_uv(DVec2::new(edge + beside, 0.0)).unwrap();
-        assert_eq!((place.pixel.column, place.column_edge), (column, None));
+        let position = camera.pixel_of_uv(DVec2::new(edge + beside, 0.0)).unwrap();
+        assert_eq!((position.pixel.column, position.column_edge), (column, None));
     }
 }
 
@@ -90,8 +98,8 @@ fn beside_an_edge_is_inside() {
 fn touching_pixels() {
     let camera = with_viewport(4.0, 2.0, 4, 2);
     let touching = |u, v| -> Vec<(u32, u32)> {
-        let place = camera.pixel_of_uv(DVec2::new(u, v)).unwrap();
-        place.touching(camera.image()).iter().map(|pixel| (pixel.row, pixel.column)).collect()
+        let position = camera.pixel_of_uv(DVec2::new(u, v)).unwrap();
+        position.touching(camera.image()).iter().map(|pixel| (pixel.row, pixel.column)).collect()
     };
     assert_eq!(touching(0.5, 0.5), [(0, 2)]);
     assert_eq!(touching(0.0, 0.5), [(0, 1), (0, 2)]);
@@ -183,8 +191,8 @@ proptest! {
             column: (column * f64::from(image.width())) as u32,
         };
         let point = camera.ray_of_pixel(pixel).at(3.0);
-        let place = camera.pixel_of_uv(camera.project(point).uv).unwrap();
-        prop_assert_eq!(place.pixel, pixel);
+        let position = camera.pixel_of_uv(camera.project(point).uv).unwrap();
+        prop_assert_eq!(position.pixel, pixel);
         prop_assert!(image.contains(pixel));
     }
 

@@ -27,11 +27,11 @@ pub(crate) fn plane(point: [f64; 3], normal: [f64; 3]) -> Plane {
 /// Number of `f64`s between two numbers, counted across 0.
 pub(crate) fn ulps(a: f64, b: f64) -> u64 {
     assert!(!a.is_nan() && !b.is_nan(), "{a} against {b}");
-    let place = |x: f64| {
+    let rank = |x: f64| {
         let bits = x.to_bits() as i64;
         if bits < 0 { i64::MIN - bits } else { bits }
     };
-    place(a).abs_diff(place(b))
+    rank(a).abs_diff(rank(b))
 }
 
 /// Asserts that two numbers are at most `most` ulp apart; 0 must be 0.

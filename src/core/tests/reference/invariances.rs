@@ -22,13 +22,13 @@ fn all_rays(count: usize) -> impl Iterator<Item = RayCase> {
 }
 
 /// Every place mapped, every vector turned, every radius multiplied.
-fn mapped(objects: &[Object], place: Map, vector: Map, scale: f64) -> Vec<Object> {
+fn mapped(objects: &[Object], point_map: Map, vector_map: Map, scale: f64) -> Vec<Object> {
     let one = |object: &Object| match *object {
         Object::Sphere { center, radius } => {
-            Object::Sphere { center: place(center), radius: radius * scale }
+            Object::Sphere { center: point_map(center), radius: radius * scale }
         }
         Object::Plane { point, normal } => {
-            Object::Plane { point: place(point), normal: vector(normal) }
+            Object::Plane { point: point_map(point), normal: vector_map(normal) }
         }
     };
     objects.iter().map(one).collect()

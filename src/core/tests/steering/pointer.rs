@@ -19,15 +19,15 @@ fn straight() -> ResolvedCamera {
     .unwrap()
 }
 
-/// An observer, the place of an anchor in its picture, and the anchor.
+/// An observer, the position of an anchor in its picture, and the anchor.
 fn observed() -> impl Strategy<Value = (ResolvedCamera, DVec2, DVec3)> {
     let uv = || (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(DVec2::from);
     (direction(), direction(), -6.0..6.0_f64, uv(), -2.0..2.0_f64).prop_filter_map(
         "up across the view",
-        |(view, place, size, uv, depth)| {
+        |(view, position, size, uv, depth)| {
             let size = 10_f64.powf(size);
             let camera = Camera {
-                eye: size * place,
+                eye: size * position,
                 orientation: Orientation::View { view, up: vec3(0.1, 1.0, 0.2) },
                 viewport: Viewport { width: 1.0, height: 1.0, distance: 0.8 },
                 ..Camera::CANONICAL

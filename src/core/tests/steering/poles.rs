@@ -13,7 +13,7 @@ use super::{
 };
 use crate::common::seed::config;
 
-/// The eye (about at) or at (about the eye), put to a place so many lengths of the way between them
+/// The eye (about at) or at (about the eye), put to a position so many lengths of the way between them
 /// off.
 fn dragged(camera: &Camera, offset: DVec3, is_eye: bool) -> Result<Steered, SteerError> {
     let pivot = camera.pivot().unwrap();

@@ -158,7 +158,7 @@ fn twice() -> Vec<Sphere> {
 fn lattice() -> Vec<Sphere> {
     let layer = |k: i32| (-5..=5).flat_map(move |i| (-4..=4).map(move |j| (i, j, k)));
     let center = |(i, j, k): (i32, i32, i32)| [2 * i, 2 * j, -12 - 2 * k].map(f64::from);
-    (0..4).flat_map(layer).map(|place| sphere(center(place), 1.0)).collect()
+    (0..4).flat_map(layer).map(|cell| sphere(center(cell), 1.0)).collect()
 }
 
 /// Pixels of 1/16 at distance 1, one of them at the picture's middle.

@@ -270,13 +270,13 @@ impl<'a> Checker<'a> {
         objects.extend((shown != NO_OBJECT).then_some(shown));
         objects.sort_unstable();
         objects.dedup();
-        let place = self.frame.at(pixel / self.across.len(), pixel % self.across.len()).pixel;
+        let position = self.frame.at(pixel / self.across.len(), pixel % self.across.len()).pixel;
         let (first, ulps) = if by_reference {
-            self.by_reference(&objects, place, found)
+            self.by_reference(&objects, position, found)
         } else {
-            self.by_exact_ray(&objects, place, found)
+            self.by_exact_ray(&objects, position, found)
         };
-        let first = first.map_or(NO_OBJECT, |place| objects[place]);
+        let first = first.map_or(NO_OBJECT, |position| objects[position]);
         if first == shown && ulps <= 1.0 {
             return None;
         }
@@ -285,17 +285,17 @@ impl<'a> Checker<'a> {
     }
 
     /// Finds which of some objects is first, and how far off `t` is.
-    fn by_reference(&self, objects: &[u32], place: Pixel, t: f32) -> (Option<usize>, f64) {
+    fn by_reference(&self, objects: &[u32], position: Pixel, t: f32) -> (Option<usize>, f64) {
         let objects: Vec<reference::Object> =
             objects.iter().map(|index| as_reference(self.scene.object(*index).unwrap())).collect();
         let camera = camera_as_reference(self.camera);
         let view = camera.prepare(&objects).ok();
-        let hit = view.and_then(|view| view.first_hit_of_pixel(place.row, place.column));
+        let hit = view.and_then(|view| view.first_hit_of_pixel(position.row, position.column));
         let ulps = hit.as_ref().filter(|_| t.is_finite()).map_or(0.0, |hit| hit.t.ulps_from_f32(t));
         (hit.map(|hit| hit.object), ulps)
     }
 
-    fn by_exact_ray(&self, objects: &[u32], place: Pixel, t: f32) -> (Option<usize>, f64) {
+    fn by_exact_ray(&self, objects: &[u32], position: Pixel, t: f32) -> (Option<usize>, f64) {
         // Spheres have the lower indices, so that the order stays.
         let (mut spheres, mut planes) = (Vec::new(), Vec::new());
         for index in objects {
@@ -305,7 +305,7 @@ impl<'a> Checker<'a> {
             }
         }
         let few = Scene::new(spheres, planes).unwrap();
-        let hit = few.first_hit_of(&self.resolved.exact_ray(place));
+        let hit = few.first_hit_of(&self.resolved.exact_ray(position));
         let ulps = hit.map_or(0.0, |hit| {
             let rounded = hit.t as f32;
             let is_near = [rounded.next_down(), rounded, rounded.next_up()].contains(&t);

@@ -33,11 +33,11 @@ impl Meshes {
         }
         let mut colors: Vec<Rgb> = Vec::new();
         let mut mesh_of = |color: Rgb, shape: usize| {
-            let place = colors.iter().position(|known| *known == color).unwrap_or_else(|| {
+            let k = colors.iter().position(|known| *known == color).unwrap_or_else(|| {
                 colors.push(color);
                 colors.len() - 1
             });
-            2 * place + shape
+            2 * k + shape
         };
         let mut nodes = Vec::new();
         for sphere in &spheres {

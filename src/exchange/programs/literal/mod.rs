@@ -13,7 +13,7 @@ use crate::FileError;
 use crate::error::one_line;
 use crate::format::Input;
 
-pub(crate) use statements::{Argument, Statement, last_part};
+pub(crate) use statements::{Argument, Statement, last_segment};
 
 /// The statements of a text, and how its faults are told.
 pub(crate) struct Source<'a> {
@@ -38,7 +38,7 @@ impl<'a> Source<'a> {
         Ok(Source { text, statements })
     }
 
-    /// `statement: right`, at its place.
+    /// `statement: right`, at its position.
     pub(crate) fn refused(&self, statement: &Statement, right: &str) -> FileError {
         self.text.error_at(
             statement.at,

@@ -2,7 +2,7 @@
 
 use pinhole_core::{Camera, Orientation, fov_of_extent};
 
-use super::{Source, last_part, three};
+use super::{Source, last_segment, three};
 use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::pose::Pose;
@@ -23,8 +23,8 @@ const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertica
 fn detect(text: &str) -> bool {
     let text = text.trim_start();
     let is_named = MATRICES.iter().any(|name| {
-        let places = text.match_indices(name);
-        places.into_iter().any(|(at, name)| text[at + name.len()..].trim_start().starts_with('='))
+        let matches = text.match_indices(name);
+        matches.into_iter().any(|(at, name)| text[at + name.len()..].trim_start().starts_with('='))
     });
     let of_numbers =
         |c: char| c.is_ascii_digit() || c.is_whitespace() || "()[],.;+-eE\u{feff}".contains(c);
@@ -37,7 +37,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let mut numbers = Vec::new();
     for statement in &source.statements {
-        let is_matrix = MATRICES.contains(&last_part(&statement.target));
+        let is_matrix = MATRICES.contains(&last_segment(&statement.target));
         let is_alone = is_matrix && source.statements.len() == 1;
         if !(statement.called.is_empty() && (statement.target.is_empty() || is_alone)) {
             return Err(source.refused(statement, RIGHT));

@@ -48,7 +48,7 @@ const DECLARATIONS: [&str; 8] =
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
 
 /// Last part of a name: `vec3` of `glm::vec3`.
-pub(crate) fn last_part(name: &str) -> &str {
+pub(crate) fn last_segment(name: &str) -> &str {
     name.rsplit(['.', ':']).next().unwrap_or_default()
 }
 
@@ -139,7 +139,7 @@ fn statement(piece: Piece) -> Option<Statement> {
     let is_new = value.text.starts_with("new") && value.text[3..].starts_with(char::is_whitespace);
     let call = if is_new { value.from(3).trimmed() } else { value };
     match call_of(call) {
-        Some((name, inside)) if !MAKERS.contains(&last_part(name)) => {
+        Some((name, inside)) if !MAKERS.contains(&last_segment(name)) => {
             made.called = name.to_owned();
             made.is_new = is_new;
             made.arguments = inside.split().into_iter().map(argument).collect();
@@ -173,7 +173,7 @@ fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
 }
 
 fn argument(piece: Piece) -> Argument {
-    let call = call_of(piece).map(|(name, inside)| (last_part(name), inside));
+    let call = call_of(piece).map(|(name, inside)| (last_segment(name), inside));
     let angle = call.filter(|(name, _)| RADIANS.contains(name)).map(|(_, inside)| inside.text);
     let mut numbers = literal(piece.text);
     // GLM fills a vector with one number.
@@ -205,7 +205,7 @@ fn literal(text: &str) -> Option<Vec<f64>> {
             // Two commas leave a number out.
             "," if !is_behind_value => return None,
             "," => (commas, is_behind_value) = (commas + 1, false),
-            name if cells.peek() == Some(&"(") && MAKERS.contains(&last_part(name)) => (),
+            name if cells.peek() == Some(&"(") && MAKERS.contains(&last_segment(name)) => (),
             cell => {
                 let mut value = number(cell)?;
                 if cells.next_if_eq(&"/").is_some() {

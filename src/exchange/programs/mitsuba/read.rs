@@ -15,9 +15,9 @@ use crate::format::{Imported, Input};
 pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let xml = Xml::parse(text.text).map_err(|error| {
         let pos = error.pos();
-        let place = crate::Place { line: pos.row as usize, column: pos.col as usize };
+        let location = crate::Location { line: pos.row as usize, column: pos.col as usize };
         let problem = format!("no XML: {error}");
-        FileError::at(text.path, place, problem)
+        FileError::at(text.path, location, problem)
     })?;
     let file = File::new(text, &xml);
     let mut notes = Vec::new();

@@ -9,7 +9,7 @@ use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, size_note};
 use crate::format::text::n;
 use crate::format::{Imported, Input};
-use crate::{FileError, Place};
+use crate::{FileError, Location};
 
 const K_NAMES: [&str; 7] = [
     "K",
@@ -225,7 +225,7 @@ fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3),
     if let (Some((matrix, rows)), Some((vector, others))) = (by_matrix, by_vector)
         && !rows.iter().zip(others).all(|(row, other)| row.abs_diff_eq(other, AGREE))
     {
-        let line = Place::of_byte(reader.text.text.as_bytes(), matrix.at).line;
+        let line = Location::of_byte(reader.text.text.as_bytes(), matrix.at).line;
         let name = &matrix.name;
         let right =
             format!("{name} in line {line} is another rotation: only one of them may be given");

@@ -55,7 +55,7 @@ impl<'t> Shapes<'t> {
         &mut self,
         at: usize,
         parameters: &Parameters,
-        place: &Affine,
+        transform: &Affine,
         paint: Paint,
     ) {
         let kind = parameters.kind.unwrap_or("shape");
@@ -71,11 +71,11 @@ impl<'t> Shapes<'t> {
             let said = "left out with zmin, zmax or phimax: Pinhole has whole spheres";
             return self.left.add(kind, said);
         }
-        let Some(scale) = place.scale() else {
+        let Some(scale) = transform.scale() else {
             return self.left.add(kind, "left out: scaled to an ellipsoid");
         };
         let radius = radius * scale;
-        if !(radius > 0.0 && radius.is_finite() && place.at.is_finite()) {
+        if !(radius > 0.0 && radius.is_finite() && transform.at.is_finite()) {
             let problem = match radius > 0.0 {
                 true => "its numbers must be finite".to_owned(),
                 false => format!("radius is {}: it must be greater than 0", n(radius)),
@@ -90,7 +90,7 @@ impl<'t> Shapes<'t> {
                 None
             }
         };
-        let shape = Sphere { center: place.at, radius };
+        let shape = Sphere { center: transform.at, radius };
         self.spheres.push(Item { name: None, color, shape });
     }
 

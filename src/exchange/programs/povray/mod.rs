@@ -46,8 +46,8 @@ pub(super) const IMPORTER: Importer = Importer {
     label: "POV-Ray",
     read,
     detect: |text| {
-        let mut places = text.match_indices("camera");
-        places.any(|(at, word)| text[at + word.len()..].trim_start().starts_with('{'))
+        let mut matches = text.match_indices("camera");
+        matches.any(|(at, word)| text[at + word.len()..].trim_start().starts_with('{'))
     },
 };
 

@@ -6,7 +6,7 @@ use super::comments::without_comments;
 use crate::error::one_line;
 use crate::format::Input;
 use crate::programs::pieces::{Piece, is_of_word};
-use crate::{FileError, Place};
+use crate::{FileError, Location};
 
 /// A text whose comments are blanked and whose angle brackets are square, so that places stay.
 pub(super) struct Code<'a> {
@@ -30,7 +30,7 @@ impl<'a> Code<'a> {
     }
 
     pub(super) fn error(&self, at: usize, problem: impl Into<String>) -> FileError {
-        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), at), problem)
+        FileError::at(self.path, Location::of_byte(self.text.as_bytes(), at), problem)
     }
 
     /// `field is value: right`, where the value stands.

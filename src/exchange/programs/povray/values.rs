@@ -202,9 +202,9 @@ impl Reader<'_, '_, '_> {
         }
         let mut value = self.atom()?;
         if let Some(part) = self.rest.strip_prefix('.').map(word_at) {
-            let place = ["x", "y", "z"].iter().position(|axis| *axis == part)?;
+            let k = ["x", "y", "z"].iter().position(|axis| *axis == part)?;
             self.rest = &self.rest[1 + part.len()..];
-            value = vec![*value.get(place)?];
+            value = vec![*value.get(k)?];
         }
         Some(value.into_iter().map(|x| sign * x).collect())
     }

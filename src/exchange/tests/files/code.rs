@@ -54,9 +54,9 @@ fn named(name: &str) -> &'static Language {
 /// The corners and the middle, and some others.
 fn pixels(camera: &ResolvedCamera) -> Vec<Pixel> {
     let (last_row, last_column) = (camera.image().height() - 1, camera.image().width() - 1);
-    let places = [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)];
+    let corners = [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)];
     let inside = [(1, 2), (2, 1), (4, 5)].map(|(a, b)| (last_row / (a + 1), last_column / (b + 1)));
-    places.into_iter().chain(inside).map(|(row, column)| Pixel { row, column }).collect()
+    corners.into_iter().chain(inside).map(|(row, column)| Pixel { row, column }).collect()
 }
 
 /// Distance of an origin and a direction from the camera's, as a share of their length.
@@ -265,8 +265,8 @@ fn julia_is_read_by_its_grammar() {
         fs::write(&path, named("julia").code(&camera).unwrap()).unwrap();
         let mut run = Command::new("node");
         run.arg(&script).arg(&modules).arg(&path);
-        let places = pixels.iter().flat_map(|pixel| [pixel.row, pixel.column]);
-        let output = run.args(places.map(|place| place.to_string())).output().unwrap();
+        let numbers = pixels.iter().flat_map(|pixel| [pixel.row, pixel.column]);
+        let output = run.args(numbers.map(|number| number.to_string())).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let text = String::from_utf8(output.stdout).unwrap();
         let worst = worst_error(&camera, &pixels, &numbers_of(&text));

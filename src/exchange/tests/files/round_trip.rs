@@ -166,9 +166,9 @@ proptest! {
         text.splice(from..(from + length).min(text.len()), damage.chars());
         let text: String = text.into_iter().collect();
         if let Err(error) = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")) {
-            let place = error.place.unwrap();
-            let line = text.split('\n').nth(place.line - 1).unwrap();
-            prop_assert!(place.column <= line.chars().count() + 1, "{}\n{}", error, text);
+            let location = error.location.unwrap();
+            let line = text.split('\n').nth(location.line - 1).unwrap();
+            prop_assert!(location.column <= line.chars().count() + 1, "{}\n{}", error, text);
         }
     }
 }

@@ -19,7 +19,7 @@ fn povray(objects: &str) -> (Vec<([f64; 3], f64)>, Vec<String>) {
 
 #[test]
 fn pov_ray_s_steps_move_an_object_one_after_the_other() {
-    for (object, place) in [
+    for (object, expected) in [
         ("sphere { <1, 2, 3>, 2 translate <1, 0, 0> scale 2 }", ([4.0, 4.0, 6.0], 4.0)),
         ("sphere { <1, 2, 3> 2 scale 2 translate x*3 }", ([5.0, 4.0, 6.0], 4.0)),
         ("sphere { <1, 2, 3>, 0.5 rotate y*90 }", ([3.0, 2.0, -1.0], 0.5)),
@@ -31,7 +31,7 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
         ("sphere { <1, 2, 3>, 1 texture { pigment { Red } scale 9 } }", ([1.0, 2.0, 3.0], 1.0)),
     ] {
         let (spheres, notes) = povray(object);
-        assert_eq!((spheres, notes), (vec![place], Vec::new()), "{object}");
+        assert_eq!((spheres, notes), (vec![expected], Vec::new()), "{object}");
     }
     let apart = "it must be taken apart: translate, scale, rotate or matrix by itself";
     for (moved, said) in [

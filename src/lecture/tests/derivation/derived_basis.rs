@@ -176,11 +176,11 @@ proptest! {
     #[test]
     fn the_checks_by_hand_decide_as_the_door_does(
         view in vector(-1.0..1.0), up in vector(-1.0..1.0), noise in vector(-14.0..-6.0),
-        place in 0..3_usize, mirrored in prop::bool::ANY,
+        k in 0..3_usize, mirrored in prop::bool::ANY,
     ) {
         let Basis { u, v, w } = Basis::from_view_up(view, up).unwrap();
         let mut set = [if mirrored { -u } else { u }, v, w];
-        set[place] += noise;
+        set[k] += noise;
         let [u, v, w] = set;
         let checked = by_hand(u, v, w);
         let passes = checked.lengths.iter().flatten().all(|check| check.passes)

@@ -148,8 +148,8 @@ fn each_mistake_alone_is_found_by_name() {
 fn pairs_are_found_wherever_they_can_be_told() {
     let exercise = general();
     let alone = |exercise: &Exercise| Exercise { planes: vec![], ..exercise.clone() };
-    for (place, (first, _)) in MISTAKES.iter().enumerate() {
-        for (second, _) in &MISTAKES[place + 1..] {
+    for (k, (first, _)) in MISTAKES.iter().enumerate() {
+        for (second, _) in &MISTAKES[k + 1..] {
             let pair = [*first, *second];
             let student = Student { exercise: &exercise, mistakes: &pair };
             let are_in = |known: &[&str]| pair.iter().all(|id| known.contains(id));

@@ -99,8 +99,8 @@ proptest! {
         prop_assert_eq!(found(&exercise, &Answers::Rays(rays)), [[""; 0]]);
         // One wrong answer among right ones is nobody's way of going wrong.
         let mut hits = student.hits();
-        let place = (turns[0][0].abs() * 1999.0) as usize % hits.len();
-        hits[place].hit = Some(GivenHit {
+        let k = (turns[0][0].abs() * 1999.0) as usize % hits.len();
+        hits[k].hit = Some(GivenHit {
             t: Some(Written::exactly(3.0 * factors[0])),
             point: None,
             object: None,

@@ -27,7 +27,7 @@ use pinhole_lecture::mistakes::Mistake;
 use super::{Group, Keys, UiCommand, When};
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
-use crate::model::lessons::{self, Lesson, Place, Which, title_of};
+use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about, shade_label};
@@ -93,7 +93,7 @@ pub(super) fn table() -> Vec<UiCommand> {
     commands.extend(translations());
     commands.extend(switches());
     commands.extend(looks());
-    commands.extend(places());
+    commands.extend(destinations());
     commands
 }
 
@@ -291,7 +291,7 @@ fn looks() -> Vec<UiCommand> {
     commands
 }
 
-fn places() -> Vec<UiCommand> {
+fn destinations() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     for scene in builtin::all() {
         let action = Leave::Open(SceneSource::Builtin(scene));
@@ -317,7 +317,7 @@ pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let steps = lesson.steps.iter().enumerate().map(|(step, shown)| {
         let name = format!("{title}, {}. {}", step + 1, shown.title);
         let about = "Shows this step of the lesson.";
-        command(Group::Step, name, about, Leave::GoTo(Place { lesson: which, step }))
+        command(Group::Step, name, about, Leave::GoTo(StepId { lesson: which, step }))
     });
     steps.collect()
 }

@@ -70,11 +70,11 @@ fn face(ui: &mut Ui, conditioning: f64) {
         let (inner, outer) = (at(hub, angle, RADIUS - 5.0), at(hub, angle, RADIUS + 4.0));
         ui.painter().line_segment([inner, outer], Stroke::new(1.5, text));
         let label = ["1", "10", "100", "10³", "10⁴", "10⁵", "10⁶"][decade];
-        let place = at(hub, angle, RADIUS + 15.0);
-        ui.painter().text(place, Align2::CENTER_CENTER, label, FontId::proportional(TICK), text);
+        let center = at(hub, angle, RADIUS + 15.0);
+        ui.painter().text(center, Align2::CENTER_CENTER, label, FontId::proportional(TICK), text);
     }
-    let place = (conditioning.log10() as f32).clamp(0.0, DECADES);
-    let tip = at(hub, angle_of(place), RADIUS - 12.0);
+    let decade = (conditioning.log10() as f32).clamp(0.0, DECADES);
+    let tip = at(hub, angle_of(decade), RADIUS - 12.0);
     ui.painter().line_segment([hub, tip], Stroke::new(3.0, text));
     ui.painter().circle_filled(hub, 5.0, text);
 }

@@ -101,12 +101,12 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
         "The angle between up and view: u, v and w stay, but get very sensitive near 0° and 180°";
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
         // Logarithmic scale: fine near both ends, where it matters.
-        let mut place = (0.5 * degrees.to_radians()).tan().log10();
+        let mut exponent = (0.5 * degrees.to_radians()).tan().log10();
         let slider = ui
-            .add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false))
+            .add(Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false))
             .named("up from view slider");
         if slider.changed() {
-            degrees = (2.0 * 10f64.powf(place).atan()).to_degrees();
+            degrees = (2.0 * 10f64.powf(exponent).atan()).to_degrees();
         }
         let field = NumberField::new("up from view", &mut degrees).suffix("°").width(FIELD);
         let field = field.within(SMALLEST..=180.0 - SMALLEST).show(ui);

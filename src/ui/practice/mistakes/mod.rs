@@ -10,8 +10,8 @@ use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::number::grouped;
 use crate::model::practice::mistakes_view::MistakesView;
-use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;

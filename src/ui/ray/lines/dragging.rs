@@ -74,7 +74,7 @@ fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option
         && let Some(pointer) = response.interact_pointer_pos()
     {
         let beside: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        lab.drag(handle, canvas.point(pointer + beside), fineness);
+        lab.drag(handle, canvas.to_plane(pointer + beside), fineness);
     }
     if response.has_focus() {
         let presses = |key| ui.input(|i| i.num_presses(key) as f64);
@@ -84,8 +84,8 @@ fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option
             lab.nudge(handle, DVec2::new(right, up), fineness);
         }
     }
-    let place = lab.place_of(handle)?;
-    let value = format!("({}, {})", number(place.x, 5), number(place.y, 5));
+    let position = lab.position_of(handle)?;
+    let value = format!("({}, {})", number(position.x, 5), number(position.y, 5));
     Some(response.with_role(Role::Slider).named(handle.name()).spoken(value))
 }
 

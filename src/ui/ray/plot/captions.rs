@@ -33,8 +33,8 @@ impl Captions {
         let _ = ["behind the eye", "behind\nthe eye"]
             .iter()
             .any(|text| words.write_clear_of(&curves, text, font, left(eye)).is_some());
-        let places = right(viewport).chain(left(viewport));
-        words.write_clear_of(&curves, "viewport: t = 1", font, places);
+        let anchors = right(viewport).chain(left(viewport));
+        words.write_clear_of(&curves, "viewport: t = 1", font, anchors);
         words.write_clear_of(&curves, "eye: t = 0", font, right(eye).chain(left(eye)));
     }
 

@@ -221,7 +221,7 @@ fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
     let (low, high) = axes.height;
     let mut points: Vec<Vec<Pos2>> = Vec::new();
     let mut leaves: Vec<(Pos2, bool)> = Vec::new();
-    let place = |(t, y): (f64, f64)| pos2(axes.x(t), axes.y(y));
+    let to_screen = |(t, y): (f64, f64)| pos2(axes.x(t), axes.y(y));
     let edge_of = |y: f64| if y > high { Some(high) } else { (y < low).then_some(low) };
     let mut before: Option<(f64, f64)> = None;
     for &sample in samples {
@@ -229,19 +229,20 @@ fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
         let crossing = |outside: (f64, f64), inside: (f64, f64)| {
             let edge = edge_of(outside.1)?;
             let share = (edge - inside.1) / (outside.1 - inside.1);
-            Some((place((inside.0 + share * (outside.0 - inside.0), edge)), edge == high))
+            Some((to_screen((inside.0 + share * (outside.0 - inside.0), edge)), edge == high))
         };
         match (was.map(|w| (w, edge_of(w.1))), edge_of(sample.1)) {
             (None | Some((_, None)), None) => {
                 if was.is_none() {
                     points.push(Vec::new());
                 }
-                points.last_mut().into_iter().for_each(|part| part.push(place(sample)));
+                points.last_mut().into_iter().for_each(|part| part.push(to_screen(sample)));
             }
             (Some((was, Some(_))), None) => {
                 let entry = crossing(was, sample);
                 leaves.extend(entry);
-                points.push(entry.map(|(at, _)| at).into_iter().chain([place(sample)]).collect());
+                points
+                    .push(entry.map(|(at, _)| at).into_iter().chain([to_screen(sample)]).collect());
             }
             (Some((was, None)), Some(_)) => {
                 let exit = crossing(sample, was);
@@ -257,7 +258,7 @@ fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
         // side it is.
         let middle = 0.5 * (axes.t.start() + axes.t.end());
         if let Some(edge) = before.and_then(|(_, y)| edge_of(y)) {
-            leaves.push((place((middle, edge)), edge == high));
+            leaves.push((to_screen((middle, edge)), edge == high));
         }
     }
     Strokes { points, leaves }
@@ -270,7 +271,7 @@ fn color_of(curve: &Curve) -> Color32 {
 
 fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     let stroke = Stroke::new(3.0, color_of(curve));
-    let (dash, gap) = DASHES[curve.place % DASHES.len()];
+    let (dash, gap) = DASHES[curve.index % DASHES.len()];
     if dash > 0.0 {
         painter.extend(Shape::dashed_line(points, stroke, dash, gap));
     } else {
@@ -319,7 +320,7 @@ fn zeros(
             }
             let at = pos2(axes.x(root.t), y);
             painter.circle(at, 5.5, colors.background, Stroke::new(3.0, color_of(curve)));
-            let places = [
+            let anchors = [
                 (at + vec2(0.0, 8.0), Align2::CENTER_TOP),
                 (at + vec2(0.0, -8.0), Align2::CENTER_BOTTOM),
                 (at + vec2(0.0, 27.0), Align2::CENTER_TOP),
@@ -328,7 +329,7 @@ fn zeros(
             words.write(
                 &number(root.t, 4),
                 Font { size: TEXT, color: colors.ink, bold: false },
-                places,
+                anchors,
             );
         }
     }
@@ -378,9 +379,9 @@ fn point_that_walks(
 /// Returns the positions for a curve's name: beside points along the curve, inside the plot.
 fn places_at(strokes: &Strokes, within: Rect) -> Vec<(Pos2, Align2)> {
     let all: Vec<Pos2> = strokes.points.iter().flatten().copied().collect();
-    let mut places = Vec::new();
+    let mut anchors = Vec::new();
     let mut around = |at: Pos2| {
-        places.extend([
+        anchors.extend([
             (at + vec2(9.0, -3.0), Align2::LEFT_CENTER),
             (at + vec2(-9.0, -3.0), Align2::RIGHT_CENTER),
             (at + vec2(0.0, -7.0), Align2::CENTER_BOTTOM),
@@ -396,5 +397,5 @@ fn places_at(strokes: &Strokes, within: Rect) -> Vec<(Pos2, Align2)> {
     }
     // At the very edge, the middle of the name would be cut off.
     let inner = within.shrink(1.0);
-    places.into_iter().filter(|(at, _)| inner.expand(40.0).contains(*at)).collect()
+    anchors.into_iter().filter(|(at, _)| inner.expand(40.0).contains(*at)).collect()
 }

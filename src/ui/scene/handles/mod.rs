@@ -28,7 +28,7 @@ const CLICK: f32 = 2.0;
 #[derive(Debug, Default)]
 pub(crate) struct HandInput {
     /// The world view's rectangle and its id in egui.
-    place: Option<(Rect, Id)>,
+    view: Option<(Rect, Id)>,
     start: Option<Taken>,
     /// The handle that was clicked last, so that the next click reaches the one below it.
     clicked: Option<Handle>,
@@ -104,9 +104,9 @@ impl HandInput {
         hand.is_busy = self.start.is_some() || self.given_back;
         let down = ctx.input(|i| i.pointer.primary_down());
         self.given_back &= down;
-        let response = self.place.and_then(|(_, id)| ctx.read_response(id));
+        let response = self.view.and_then(|(_, id)| ctx.read_response(id));
         let (Some((rect, id)), Some(frame), Some(response)) =
-            (self.place, shown.world_frame.as_deref(), response)
+            (self.view, shown.world_frame.as_deref(), response)
         else {
             self.let_go(edited.session);
             return;
@@ -331,6 +331,6 @@ pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
     let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();
     let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
-    let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    frame.object.get(place).copied().filter(|object| inside && *object != NO_OBJECT)
+    let view = (at.y as usize) * image.width() as usize + at.x as usize;
+    frame.object.get(view).copied().filter(|object| inside && *object != NO_OBJECT)
 }

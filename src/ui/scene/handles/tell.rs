@@ -31,17 +31,17 @@ const GAP: f32 = 20.0;
 const HINT: f64 = 0.7;
 
 impl HandInput {
-    /// Shows the text about the handles in the world view, which is at `place` now.
+    /// Shows the text about the handles in the world view, which is at `view` now.
     pub(crate) fn tell(
         &mut self,
         ui: &Ui,
-        place: Option<(Rect, Id)>,
+        view: Option<(Rect, Id)>,
         shown: &Derived,
         document: &Document,
         session: &Session,
     ) {
-        self.place = place;
-        let (Some((rect, id)), Some(frame)) = (place, shown.world_frame.as_deref()) else { return };
+        self.view = view;
+        let (Some((rect, id)), Some(frame)) = (view, shown.world_frame.as_deref()) else { return };
         let scale = ui.ctx().pixels_per_point();
         let view = View { rect, id, observer: frame.camera(), scale };
         nodes(ui, &view, shown, document, session);
@@ -55,7 +55,7 @@ impl HandInput {
         let all = grips(&view.stage(document, shown.resolved.as_ref(), session), hand);
         let point = |spot: DVec2| rect.min + vec2(spot.x as f32, spot.y as f32) / scale;
         let own = all.iter().find(|grip| grip.handle == handle).map(|grip| point(grip.spot));
-        // A held handle may have no position for a while, when the viewport has no area.
+        // A held handle may have no place for a while, when the viewport has no area.
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| by_pointer);
         let Some(spot) = pointer.or(own) else { return };
         let others: Vec<_> = all.iter().filter(|g| g.handle.object().is_none()).collect();
@@ -169,7 +169,7 @@ fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
 pub(crate) fn say(
     ui: &Ui,
     id: Id,
-    place: Pos2,
+    view: Pos2,
     away: Vec2,
     lines: &[String],
     refused: Option<&str>,
@@ -180,7 +180,7 @@ pub(crate) fn say(
         RectAlign { parent, child: Align2([align(!right), align(!below)]) }
     };
     let (right, below) = (away.x >= 0.0, away.y >= 0.0);
-    let anchor = PopupAnchor::ParentRect(Rect::from_center_size(place, Vec2::splat(2.0 * GAP)));
+    let anchor = PopupAnchor::ParentRect(Rect::from_center_size(view, Vec2::splat(2.0 * GAP)));
     let id = id.with("said");
     let mut tooltip =
         egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, anchor).gap(0.0);

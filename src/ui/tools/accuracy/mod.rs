@@ -11,8 +11,8 @@ use pinhole_exchange::document::Document;
 
 use crate::model::number::short;
 use crate::model::session::{MethodName, Selection, Session};
-use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts;
+use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -186,7 +186,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let truth = trace(scene, resolved, &raster, Outputs::default());
     let traced = trace_by(method, scene, resolved, &raster);
     let from = u32::from(session.settings.count_from_one);
-    let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
+    let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
         // Every digit: the difference is in the last ones.
@@ -198,13 +198,13 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
         PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
     };
     let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
-    let text = format!("{place}: ladder {ladder}; {method} {other}: {verdict}");
+    let text = format!("{position}: ladder {ladder}; {method} {other}: {verdict}");
     Some(RichText::new(text).strong())
 }
 
 fn pixel_of(selection: Selection, resolved: &ResolvedCamera) -> Option<Pixel> {
     match selection.inside(resolved.image()) {
         Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(uv) => resolved.pixel_of_uv(uv).map(|place| place.pixel),
+        Selection::Uv(uv) => resolved.pixel_of_uv(uv).map(|position| position.pixel),
     }
 }

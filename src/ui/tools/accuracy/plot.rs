@@ -33,7 +33,7 @@ struct Mark<'a> {
 pub(super) fn ui(ui: &mut Ui, case: &Case) {
     // In greys, only the ring marks a wrong method.
     let wrong = theme::finished(ui, WRONG);
-    let mark = |row| Some(Mark { row, at: place_of(row)?, color: color_of(ui, row) });
+    let mark = |row| Some(Mark { row, at: point_of(row)?, color: color_of(ui, row) });
     let marks: Vec<Mark> = case.methods.iter().filter_map(mark).collect();
     let hover = |hover: &HoverPosition<'_>| match hover {
         HoverPosition::NearDataPoint { plot_name, .. } => {
@@ -86,7 +86,7 @@ fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
 }
 
 /// Returns the position of a method; `None` before it was timed, or without any common hit.
-fn place_of(row: &MethodRow) -> Option<[f64; 2]> {
+fn point_of(row: &MethodRow) -> Option<[f64; 2]> {
     let time = row.ns_per_pixel.median.filter(|time| *time > 0.0)?;
     let error = in_ulps_of_f64(row, row.ulp.max)?;
     let error = if error > 0.0 { error.log10().max(EXACT + 0.5) } else { EXACT };

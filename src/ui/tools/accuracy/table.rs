@@ -51,13 +51,13 @@ pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
 
 fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
     ui.horizontal(|ui| {
-        let (place, _) = ui.allocate_exact_size(vec2(9.0, 9.0), egui::Sense::hover());
+        let (swatch, _) = ui.allocate_exact_size(vec2(9.0, 9.0), egui::Sense::hover());
         let color = color_of(ui, row);
-        let radius = 0.5 * place.width();
+        let radius = 0.5 * swatch.width();
         if row.is_single() {
-            ui.painter().circle_stroke(place.center(), radius - 1.0, Stroke::new(2.0, color));
+            ui.painter().circle_stroke(swatch.center(), radius - 1.0, Stroke::new(2.0, color));
         } else {
-            ui.painter().circle_filled(place.center(), radius, color);
+            ui.painter().circle_filled(swatch.center(), radius, color);
         }
         match Method::from_name(&row.name) {
             Some(method) => {

@@ -10,7 +10,7 @@ use pinhole_lecture::{BasisDerivation, Cross};
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 
-use crate::view::overlay::camera_view::{Overlay, place_of};
+use crate::view::overlay::camera_view::{Overlay, position_of};
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
@@ -211,7 +211,7 @@ impl Overlay<'_> {
     fn highlight_selected(&mut self, highlighted: Highlighted) {
         let Some(inspection) = self.view.inspection else { return };
         let (resolved, size) = (self.view.resolved, self.view.size);
-        let at = place_of(resolved, size, inspection.uv);
+        let at = position_of(resolved, size, inspection.uv);
         let pen = Self::pen(highlighted, self.colors.ray);
         let radius = 6.0 * self.view.scale;
         let point = |s: &mut Self, text: String| {
@@ -229,7 +229,8 @@ impl Overlay<'_> {
             }
             Concept::Pixel => {
                 let per_pixel = self.view.dots_per_pixel();
-                let touched = inspection.place.map(|place| place.touching(resolved.image()));
+                let touched =
+                    inspection.image_position.map(|position| position.touching(resolved.image()));
                 for pixel in touched.into_iter().flatten() {
                     let corner = |k: u32| {
                         DVec2::new((pixel.column + k).into(), (pixel.row + k).into()) * per_pixel
@@ -264,8 +265,8 @@ impl Overlay<'_> {
     /// those along u and v in the picture.
     fn highlight_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
         let (resolved, size, middle) = (self.view.resolved, self.view.size, self.middle());
-        let place = |uv: DVec2| place_of(resolved, size, uv);
-        let (at, corner) = (place(uv), place(DVec2::new(uv.x, 0.0)));
+        let to_dots = |uv: DVec2| position_of(resolved, size, uv);
+        let (at, corner) = (to_dots(uv), to_dots(DVec2::new(uv.x, 0.0)));
         let [w, u, v] = ALONG;
         let [color_u, color_v, color_w] = self.colors.basis;
         let pen = Self::pen(highlighted, color_w);
@@ -341,8 +342,8 @@ impl Cells {
         let cell = at / self.per_pixel;
         // The cast saturates: positions left of or above the picture give index 0.
         let pixel = Pixel { row: cell.y as u32, column: cell.x as u32 };
-        let Some(place) = self.frame.raster().nearest_to(pixel) else { return NO_OBJECT };
-        self.frame.object.get(place).copied().unwrap_or(NO_OBJECT)
+        let Some(offset) = self.frame.raster().nearest_to(pixel) else { return NO_OBJECT };
+        self.frame.object.get(offset).copied().unwrap_or(NO_OBJECT)
     }
 }
 

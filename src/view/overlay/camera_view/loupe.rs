@@ -8,7 +8,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraView, Overlay, place_of};
+use crate::view::overlay::camera_view::{CameraView, Overlay, position_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::sketch::Pen;
@@ -36,15 +36,15 @@ pub struct Loupe {
 
 /// Returns the rows and columns under the loupe, cut to the image. The selected position is in
 /// their middle, or in the middle one.
-pub fn loupe_window(place: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
+pub fn loupe_window(position: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, own: u32, count: u32| {
         let half = PIXELS / 2;
         let (middle, end) = edge.map_or((own, own + 1), |edge| (edge, edge));
         middle.saturating_sub(half)..(end + half).min(count)
     };
     [
-        around(place.row_edge, place.pixel.row, image.height()),
-        around(place.column_edge, place.pixel.column, image.width()),
+        around(position.row_edge, position.pixel.row, image.height()),
+        around(position.column_edge, position.pixel.column, image.width()),
     ]
 }
 
@@ -66,12 +66,13 @@ impl Inset {
     fn open<'a>(view: &CameraView<'a>) -> Option<(&'a Loupe, PixelOfUv, DVec2, Inset)> {
         let loupe = view.loupe.filter(|loupe| loupe.picture.is_whole())?;
         let inspection = view.inspection.filter(|_| view.items.shows(Item::Loupe))?;
-        let (place, at) = (inspection.place?, place_of(view.resolved, view.size, inspection.uv));
-        Some((loupe, place, at, Inset::new(view, &place, at)))
+        let (position, at) =
+            (inspection.image_position?, position_of(view.resolved, view.size, inspection.uv));
+        Some((loupe, position, at, Inset::new(view, &position, at)))
     }
 
     /// Places the loupe in the corner of the view farthest from the selected position.
-    fn new(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
+    fn new(view: &CameraView, position: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
         let pixels = f64::from(PIXELS);
         let rim = scale * RIM;
@@ -85,13 +86,13 @@ impl Inset {
         };
         let from = DVec2::new(corner(at.x, extent.x, size.x), corner(at.y, extent.y, size.y));
         let middle = |edge: Option<u32>, own: u32| edge.map_or(f64::from(own) + 0.5, f64::from);
-        let pixel = place.pixel;
+        let pixel = position.pixel;
         Inset {
             from,
             size,
             middle: DVec2::new(
-                middle(place.column_edge, pixel.column),
-                middle(place.row_edge, pixel.row),
+                middle(position.column_edge, pixel.column),
+                middle(position.row_edge, pixel.row),
             ),
             center: from + rim + 0.5 * cells,
             cell,
@@ -106,7 +107,7 @@ impl Inset {
 
     /// Returns where the loupe shows a point of the image; x and y are in pixels from the upper
     /// left corner.
-    fn place(&self, x: f64, y: f64) -> DVec2 {
+    fn to_screen(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
     }
 }
@@ -115,20 +116,20 @@ impl Overlay<'_> {
     /// Draws the loupe over everything else.
     pub(super) fn loupe(&mut self) {
         let (view, colors) = (self.view, self.colors);
-        let Some((loupe, place, at, inset)) = Inset::open(view) else { return };
+        let Some((loupe, position, at, inset)) = Inset::open(view) else { return };
         let end = inset.from + inset.size;
         let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
         self.line(&[at, at.clamp(inset.from, end)], pen(colors.ray, 1.5));
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);
-        for pixel in place.touching(view.resolved.image()) {
+        for pixel in position.touching(view.resolved.image()) {
             let corner =
-                |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
+                |k: u32| inset.to_screen(f64::from(pixel.column + k), f64::from(pixel.row + k));
             self.frame(corner(0), corner(1), pen(colors.ray, 2.5).about(Concept::Pixel));
         }
         let per_pixel = view.dots_per_pixel();
-        let spot = inset.place(at.x / per_pixel.x, at.y / per_pixel.y);
+        let spot = inset.to_screen(at.x / per_pixel.x, at.y / per_pixel.y);
         for axis in [DVec2::X, DVec2::Y] {
             let arm = 0.8 * inset.cell * axis;
             self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).about(Concept::Pixel));
@@ -145,7 +146,7 @@ impl Overlay<'_> {
         let columns = raster.columns();
         for (row, pixels) in raster.rows().iter().zip(loupe.picture.pixels.chunks(columns.len())) {
             for (column, color) in columns.iter().zip(pixels) {
-                let corner = |k: u32| inset.place(f64::from(column + k), f64::from(row + k));
+                let corner = |k: u32| inset.to_screen(f64::from(column + k), f64::from(row + k));
                 let edge = Pen::new(Item::Loupe, self.colors.ink.gamma_multiply(0.6), 1.0);
                 let (from, to) = (corner(0), corner(1));
                 self.filled(from, to, Pen::new(Item::Loupe, *color, 1.0));
@@ -160,16 +161,16 @@ impl Overlay<'_> {
 /// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the
 /// loupe covers.
 pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
-    let Some((loupe, place, _, inset)) = Inset::open(view) else { return };
+    let Some((loupe, position, _, inset)) = Inset::open(view) else { return };
     let (low, high) = (inset.from, inset.from + inset.size);
     drawing.labels.retain(|label| {
         let apart = wide(label.position) - 0.5 * (low + high);
         apart.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(view.scale))).any()
     });
-    let touched = place.touching(view.resolved.image());
+    let touched = position.touching(view.resolved.image());
     let mut texts = rows(&touched, loupe, &inset, view.scale);
     texts.extend(columns(&touched, loupe, &inset, view.scale));
-    let centre = view.resolved.uv_of_pixel(place.pixel);
+    let centre = view.resolved.uv_of_pixel(position.pixel);
     let is_centre = view.inspection.is_some_and(|inspection| inspection.uv == centre);
     let kind = match touched.len() {
         4 => "corner of 4 pixels",
@@ -199,7 +200,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     let name = |row: &u32| {
         // Two names need more room than two small pixels have.
         let least = 0.55 * f64::from(TEXT) * scale;
-        let own = inset.place(0.0, f64::from(*row) + 0.5).y - inset.center.y;
+        let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
         let row = row + u32::from(loupe.count_from_one);
         (format!("row {row}"), DVec2::new(inset.rim(scale).x, inset.center.y + y))

@@ -75,10 +75,10 @@ pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32;
 
 /// Returns the position of a (u, v) in the camera view, in dots: the inverse of [`camera_uv_at`].
 pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
-    dot(place_of(resolved, size, uv))
+    dot(position_of(resolved, size, uv))
 }
 
-fn place_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
+fn position_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
     let viewport = resolved.viewport();
     DVec2::new(
         width as f64 * (0.5 + uv.x / viewport.width),
@@ -190,8 +190,8 @@ impl Overlay<'_> {
         (size, bold): (f32, bool),
     ) {
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
-            let (places, font) = ((anchor, toward), (pen.color, size, bold));
-            self.requests.push(Request::new(pen, text.into(), places, font, self.colors.halo));
+            let (anchors, font) = ((anchor, toward), (pen.color, size, bold));
+            self.requests.push(Request::new(pen, text.into(), anchors, font, self.colors.halo));
         }
     }
 
@@ -246,12 +246,12 @@ impl Overlay<'_> {
         let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
         let resolved = self.view.resolved;
-        let at = place_of(resolved, self.view.size, inspection.uv);
+        let at = position_of(resolved, self.view.size, inspection.uv);
         let pixel_size = self.view.dots_per_pixel().min_element() / scale;
-        let touched = inspection.place.map(|place| place.touching(resolved.image()));
+        let touched = inspection.image_position.map(|position| position.touching(resolved.image()));
         let touched = touched.unwrap_or_default();
         let centered = touched.len() == 1
-            && place_of(resolved, self.view.size, resolved.uv_of_pixel(touched[0])).distance(at)
+            && position_of(resolved, self.view.size, resolved.uv_of_pixel(touched[0])).distance(at)
                 < 0.01;
         if pixel_size >= 5.0 {
             touched.iter().for_each(|pixel| self.pixel(*pixel, frame));

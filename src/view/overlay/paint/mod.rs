@@ -93,11 +93,11 @@ impl Stroked {
 
     /// Paints it into a picture that starts `top` dots below the drawing's top.
     fn paint(&self, top: f32, pixmap: &mut PixmapMut) {
-        let place = Transform::from_translate(0.0, -top);
+        let transform = Transform::from_translate(0.0, -top);
         let (outline, paint) = (&self.outline, &self.paint);
         match &self.hairline {
-            None => pixmap.fill_path(outline, paint, FillRule::Winding, place, None),
-            Some(stroke) => pixmap.stroke_path(outline, paint, stroke, place, None),
+            None => pixmap.fill_path(outline, paint, FillRule::Winding, transform, None),
+            Some(stroke) => pixmap.stroke_path(outline, paint, stroke, transform, None),
         }
     }
 }

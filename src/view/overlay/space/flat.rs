@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pinhole_core::{DVec2, DVec3};
 
-use crate::view::overlay::space::screen::{RayParts, unit};
+use crate::view::overlay::space::screen::{PixelRays, unit};
 
 /// A plane with two coordinates on it, a and b.
 ///
@@ -31,7 +31,7 @@ pub(crate) struct FlatSpot {
     /// t of the observer's ray; greater than 0.
     pub(crate) t: f64,
     /// The plane's coordinates (a, b).
-    pub(crate) place: DVec2,
+    pub(crate) position: DVec2,
 }
 
 /// The linear function `x*X + y*Y + Z` of a dot (x, y).
@@ -39,7 +39,7 @@ pub(crate) struct FlatSpot {
 struct Linear(DVec3);
 
 impl Linear {
-    fn new(rays: &RayParts, vector: DVec3) -> Linear {
+    fn new(rays: &PixelRays, vector: DVec3) -> Linear {
         Linear(DVec3::new(vector.dot(rays.across), vector.dot(rays.down), vector.dot(rays.corner)))
     }
 
@@ -53,7 +53,7 @@ impl Flat {
     /// `axis_b`; the two axes are orthogonal. Returns `None` if the numbers leave the range of
     /// `f64`, and if the observer is in the plane.
     pub(crate) fn new(
-        rays: &RayParts,
+        rays: &PixelRays,
         origin: DVec3,
         axis_a: DVec3,
         axis_b: DVec3,
@@ -86,12 +86,12 @@ impl Flat {
     /// and with `|a|` and `|b|` at most `half`.
     pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
-        let place = DVec2::new(self.a.at(dot), self.b.at(dot));
-        if !(rate > 0.0 && place.abs().max_element() <= half * rate) {
+        let position = DVec2::new(self.a.at(dot), self.b.at(dot));
+        if !(rate > 0.0 && position.abs().max_element() <= half * rate) {
             return None;
         }
-        let (t, place) = (self.offset / rate, place / rate);
-        (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot { t, place })
+        let (t, position) = (self.offset / rate, position / rate);
+        (t > 0.0 && t.is_finite() && position.is_finite()).then_some(FlatSpot { t, position })
     }
 
     /// Returns the dots of a row that [`Flat::at`] finds on the plane, up to one more or fewer at
@@ -156,7 +156,7 @@ impl Flat {
     fn cover(
         &self,
         line: &mut [f32],
-        place: &[f32],
+        position: &[f32],
         inverse_rate: &[f32],
         numerator: Linear,
         lines: &Lines,
@@ -165,11 +165,11 @@ impl Flat {
         let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
         let reach = 0.5 * lines.width + 0.5;
         let sparse = 1.0 / (3.0 * lines.width);
-        for ((line, place), inverse_rate) in line.iter_mut().zip(place).zip(inverse_rate) {
-            let (across, down) = (n.x - place * r.x, n.y - place * r.y);
+        for ((line, position), inverse_rate) in line.iter_mut().zip(position).zip(inverse_rate) {
+            let (across, down) = (n.x - position * r.x, n.y - position * r.y);
             let per_dot =
                 (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
-            let cells = (place - lines.shift) * lines.inverse_step;
+            let cells = (position - lines.shift) * lines.inverse_step;
             // Adding and subtracting 1.5 * 2^23 rounds to a whole number, without a call.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);

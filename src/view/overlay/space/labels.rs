@@ -66,7 +66,7 @@ pub(crate) fn place(requests: Vec<Request>, drawing: &Drawing, size: DVec2) -> V
                 && are_apart(&taken, center, half)
         };
         let find = |free: &dyn Fn(DVec2) -> bool| {
-            best_place(&request, half, f64::from(scale), &obstacles, free)
+            best_position(&request, half, f64::from(scale), &obstacles, free)
         };
         let beside_handles = |center| free(center) && are_apart(&handles, center, half);
         if let Some(center) = find(&beside_handles).or_else(|| find(&free)) {
@@ -102,7 +102,7 @@ fn half_extent(label: &Label, scale: f32) -> DVec2 {
     wide(label.half_extent(scale))
 }
 
-fn best_place(
+fn best_position(
     request: &Request,
     half: DVec2,
     scale: f64,

@@ -118,7 +118,7 @@ impl Patch {
 
     fn hides(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
         self.flat.at(dot, self.radius).is_some_and(|spot| {
-            covers(spot.t) && self.opacity_at(spot.place.length_squared() as f32) > SEEN_THROUGH
+            covers(spot.t) && self.opacity_at(spot.position.length_squared() as f32) > SEEN_THROUGH
         })
     }
 

@@ -168,13 +168,13 @@ impl Screen {
 
     /// Returns the direction of the observer's ray through a point `at` of the screen, as
     /// `at.x * across + at.y * down + corner`.
-    pub(crate) fn ray_parts(&self) -> RayParts {
+    pub(crate) fn pixel_rays(&self) -> PixelRays {
         let (basis, viewport) = (self.observer.basis(), self.observer.viewport());
         let across = basis.u * (viewport.width / self.size.x);
         let down = basis.v * (-viewport.height / self.size.y);
         let corner = -0.5 * viewport.width * basis.u + 0.5 * viewport.height * basis.v
             - viewport.distance * basis.w;
-        RayParts { eye: self.observer.eye(), across, down, corner }
+        PixelRays { eye: self.observer.eye(), across, down, corner }
     }
 }
 
@@ -189,9 +189,9 @@ pub(crate) struct CutLine {
     pub(crate) whole_to: bool,
 }
 
-/// The observer's rays; see [`Screen::ray_parts`].
+/// The observer's rays; see [`Screen::pixel_rays`].
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RayParts {
+pub(crate) struct PixelRays {
     pub(crate) eye: DVec3,
     pub(crate) across: DVec3,
     pub(crate) down: DVec3,

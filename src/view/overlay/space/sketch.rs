@@ -246,8 +246,8 @@ impl Sketch<'_> {
     ) {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
-            let places = (anchor, toward);
-            self.requests.push(Request::new(pen, text.into(), places, font, self.colors.halo));
+            let anchors = (anchor, toward);
+            self.requests.push(Request::new(pen, text.into(), anchors, font, self.colors.halo));
         }
     }
 

@@ -16,9 +16,9 @@ fn the_picture_on_the_viewport_has_its_own_colours() {
     let mut colors = std::collections::HashSet::new();
     for pixel in (0..8).flat_map(|row| (0..8).map(move |column| Pixel { row, column })) {
         let center = stage.resolve().viewport_point(stage.resolve().uv_of_pixel(pixel));
-        let at = stage.place(center);
+        let at = stage.to_screen(center);
         let dot = dots[at.y as usize * SIZE.0 as usize + at.x as usize];
-        let traced = picture.raster.nearest_to(pixel).map(|place| picture.pixels[place]);
+        let traced = picture.raster.nearest_to(pixel).map(|to_screen| picture.pixels[to_screen]);
         assert_eq!(Some(dot), traced, "{pixel:?}");
         colors.insert(dot);
     }
@@ -58,14 +58,14 @@ fn picking_is_the_inverse_of_seeing() {
     let mut found = 0;
     for (i, j) in (0..20).flat_map(|i| (0..20).map(move |j| (i, j))) {
         let uv = DVec2::new(f64::from(i) - 9.5, f64::from(j) - 9.5) / 20.0;
-        let at = stage.place(stage.resolve().viewport_point(uv));
+        let at = stage.to_screen(stage.resolve().viewport_point(uv));
         let picked = pick(stage.resolve(), &stage.frame, [at.x as f32, at.y as f32]);
         // Positions are f32: some 1e-5 dots, each of which is some 0.02 wide on the viewport.
         assert!(picked.is_some_and(|picked| picked.distance(uv) < 1e-5), "{uv}: {picked:?}");
         found += 1;
     }
     assert_eq!(found, 400);
-    let beside = stage.place(stage.resolve().viewport_point(DVec2::new(0.6, 0.0)));
+    let beside = stage.to_screen(stage.resolve().viewport_point(DVec2::new(0.6, 0.0)));
     assert_eq!(pick(stage.resolve(), &stage.frame, [beside.x as f32, beside.y as f32]), None);
 }
 
@@ -75,7 +75,7 @@ fn what_a_sphere_hides_cannot_be_picked() {
     let scene = Scene::new(vec![sphere(0.0, 0.0, 2.0, 0.3)], vec![]).expect("a scene");
     let stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     let pick_at = |uv: DVec2| {
-        let at = stage.place(stage.resolve().viewport_point(uv));
+        let at = stage.to_screen(stage.resolve().viewport_point(uv));
         pick(stage.resolve(), &stage.frame, [at.x as f32, at.y as f32])
     };
     assert_eq!(pick_at(DVec2::ZERO), None);

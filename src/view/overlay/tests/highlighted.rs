@@ -136,10 +136,10 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
         .collect::<Vec<_>>()
         .try_into()
         .expect("four corners");
-    assert!(eye.distance(stage.place(DVec3::ZERO)) < 0.01);
+    assert!(eye.distance(stage.to_screen(DVec3::ZERO)) < 0.01);
     // Up and w point where they should, and the far corner is where both together lead.
     let toward = |from: DVec2, to: DVec2| (to - from).normalize();
-    let seen = |point: DVec3| toward(eye, stage.place(point));
+    let seen = |point: DVec3| toward(eye, stage.to_screen(point));
     assert!(toward(eye, a).distance(seen(0.1 * up)) < 0.05);
     assert!(toward(eye, b).distance(seen(0.1 * DVec3::Z)) < 0.05);
     let together = 0.1 * (up + DVec3::Z);

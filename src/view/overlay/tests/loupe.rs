@@ -10,8 +10,8 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
     let resolved =
         Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.resolve().expect("a camera");
     let inspection = Inspection::new(&resolved, &Scene::default(), Selection::Uv(uv));
-    let place = inspection.place.expect("a place in the image");
-    let [rows, columns] = loupe_window(&place, resolved.image());
+    let position = inspection.image_position.expect("a place in the image");
+    let [rows, columns] = loupe_window(&position, resolved.image());
     let raster = Raster::part(rows, columns);
     let pixels = vec![Color32::GRAY; raster.len()];
     let picture = Picture { raster, image: resolved.image(), pixels };
@@ -27,7 +27,7 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
         highlighted: None,
         loupe: Some(&loupe),
     };
-    (view.drawing(), place)
+    (view.drawing(), position)
 }
 
 fn texts(drawing: &Drawing) -> Vec<&str> {
@@ -97,8 +97,8 @@ fn the_loupe_is_in_the_view_and_not_over_the_place() {
 
 #[test]
 fn at_the_image_s_border_there_are_fewer_pixels() {
-    let (drawing, place) = drawing(DVec2::new(-0.5, 0.5), 400, 600, false);
-    let [rows, columns] = loupe_window(&place, image(400, 400));
+    let (drawing, position) = drawing(DVec2::new(-0.5, 0.5), 400, 600, false);
+    let [rows, columns] = loupe_window(&position, image(400, 400));
     assert_eq!((rows, columns), (0..4, 0..4));
     assert_eq!(texts(&drawing)[..3], ["row 0", "0", "column"]);
 }

@@ -34,8 +34,8 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
     // The tangents from the observer, 5 away, meet the ray at 10 * 0.5 / sqrt(25 - 0.25) from the
     // middle.
     let half = 10.0 * 0.5 / (24.75f64).sqrt();
-    let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
-    let [eye, from, to] = [0.0, half - 5.0, -half - 5.0].map(place);
+    let to_screen = |z: f64| stage.to_screen(DVec3::new(0.0, 0.0, z)).x.round() as i64;
+    let [eye, from, to] = [0.0, half - 5.0, -half - 5.0].map(to_screen);
     // The selected pixel's frame is a dot wide.
     let long = |(_, from, to): &(char, i64, i64)| to - from > 5;
     let found: Vec<_> = runs(&drawing, Item::Ray).into_iter().filter(long).collect();
@@ -56,12 +56,12 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
     stage.inspection =
         Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO)));
-    let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
+    let to_screen = |z: f64| stage.to_screen(DVec3::new(0.0, 0.0, z)).x.round() as i64;
     let ray: Vec<_> = runs(&stage.view().drawing(), Item::Ray)
         .into_iter()
         .filter(|(_, from, to)| to - from > 20)
         .collect();
-    assert_eq!(ray, [('-', place(0.0), place(-6.0))]);
+    assert_eq!(ray, [('-', to_screen(0.0), to_screen(-6.0))]);
 }
 
 #[test]

@@ -108,7 +108,7 @@ impl Stage {
         self.resolved.as_ref().expect("a camera with a basis")
     }
 
-    fn place(&self, point: DVec3) -> DVec2 {
+    fn to_screen(&self, point: DVec3) -> DVec2 {
         let [x, y] = world_position_of(&self.frame, point).expect("a point in sight");
         DVec2::new(x.into(), y.into())
     }

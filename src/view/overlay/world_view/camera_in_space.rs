@@ -131,12 +131,12 @@ impl Sketch<'_> {
             [at(-0.5 * w, 0.5 * h), at(-0.5 * w + size, 0.5 * h), at(-0.5 * w, 0.5 * h - size)];
         self.polygon(&corner, pen.without_halo());
         let font = (color, MARK_TEXT, false);
-        let place =
+        let on_screen =
             |s: &Self, uv: DVec2| s.screen.spot(resolved.viewport_point(uv)).map(|spot| spot.at);
-        let center = place(self, DVec2::ZERO);
+        let center = on_screen(self, DVec2::ZERO);
         let named = [("top", DVec2::new(0.0, tip)), ("(0, 0)", DVec2::new(-0.5 * w, 0.5 * h))];
         for (text, uv) in named {
-            if let (Some(center), Some(spot)) = (center, place(self, uv))
+            if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
                 && points > 90.0
             {
                 self.label(pen, text, spot, spot - center, font);
@@ -149,7 +149,7 @@ impl Sketch<'_> {
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
-        let touched = inspection.place.map(|place| place.touching(resolved.image()));
+        let touched = inspection.image_position.map(|position| position.touching(resolved.image()));
         for pixel in touched.into_iter().flatten() {
             self.pixel(resolved, pixel);
         }

@@ -213,7 +213,9 @@ impl Sketch<'_> {
         let pen = self.highlighted_pen(highlighted, self.colors.ray);
         match highlighted.concept {
             Concept::Pixel => {
-                let touched = inspection.place.map(|place| place.touching(resolved.image()));
+                let touched = inspection
+                    .image_position
+                    .map(|image_position| image_position.touching(resolved.image()));
                 touched.into_iter().flatten().for_each(|pixel| self.pixel(resolved, pixel));
                 self.highlighted_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
             }

@@ -125,7 +125,7 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     let layers = Layers::new(frame, Color32::TRANSPARENT);
     let layer = viewport_layer(resolved, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
-    let uv = spot.place * DVec2::new(resolved.viewport().width, resolved.viewport().height);
+    let uv = spot.position * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
@@ -158,7 +158,7 @@ fn viewport_layer<'a>(
     behind: Color32,
 ) -> Option<ViewportLayer<'a>> {
     let (basis, viewport) = (resolved.basis(), resolved.viewport());
-    let rays = Screen::new(observer, 1.0).ray_parts();
+    let rays = Screen::new(observer, 1.0).pixel_rays();
     let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
     let flat = Flat::new(&rays, resolved.viewport_point(DVec2::ZERO), u, v)?;
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
@@ -187,7 +187,7 @@ impl<'a> WorldView<'a> {
             return Vec::new();
         }
         let onlooker = Onlooker {
-            rays: self.screen().ray_parts(),
+            rays: self.screen().pixel_rays(),
             target: self.observer.target(),
             distance: self.observer.distance(),
             camera_eye: self.camera.eye,

@@ -9,7 +9,7 @@ use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::circle;
 use crate::view::overlay::space::flat::{Flat, Grid};
 use crate::view::overlay::space::layers::{Patch, mix};
-use crate::view::overlay::space::screen::{RayParts, tangents, unit};
+use crate::view::overlay::space::screen::{PixelRays, tangents, unit};
 use crate::view::overlay::space::sketch::{Pen, Sketch};
 use crate::view::overlay::style::Colors;
 
@@ -29,7 +29,7 @@ const SHOWN_PLANES: usize = 16;
 
 /// The observer of a plane, and the target it looks at.
 pub(crate) struct Onlooker {
-    pub(crate) rays: RayParts,
+    pub(crate) rays: PixelRays,
     pub(crate) target: DVec3,
     pub(crate) distance: f64,
     /// Eye of the edited camera.

@@ -14,12 +14,12 @@ pub(in crate::figures) struct Page<'a> {
     /// The background, unless it is transparent.
     pub(in crate::figures) ground: Option<Color32>,
     /// All that is drawn, from the back to the front.
-    pub(in crate::figures) parts: Vec<Part>,
+    pub(in crate::figures) primitives: Vec<Primitive>,
 }
 
 /// A primitive of a vector figure.
 #[derive(Clone, Debug)]
-pub(in crate::figures) enum Part {
+pub(in crate::figures) enum Primitive {
     /// Pixels, stretched over the whole figure, nearest-neighbour.
     Picture(Picture),
     /// A fill or a stroke.

@@ -66,12 +66,12 @@ pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
         let in_the_way = is_small && handle.is_on_viewport() && !is_held(*handle);
         stage.items.shows(handle.item()) && !in_the_way
     });
-    let in_place = shown.filter_map(|handle| {
+    let placed = shown.filter_map(|handle| {
         let held = hand.held.filter(|grasp| grasp.handle == handle);
-        let at = stage.place(handle, held.or_else(|| stage.grasp(handle))?)?;
+        let at = stage.position(handle, held.or_else(|| stage.grasp(handle))?)?;
         Some(Grip { handle, at, spot: stage.spot(at)? })
     });
-    in_place.collect()
+    placed.collect()
 }
 
 impl Stage<'_> {
@@ -128,7 +128,7 @@ impl Stage<'_> {
     }
 
     /// Returns the position of a handle in the world.
-    pub fn place(&self, handle: Handle, Grasp { length, toward, .. }: Grasp) -> Option<DVec3> {
+    pub fn position(&self, handle: Handle, Grasp { length, toward, .. }: Grasp) -> Option<DVec3> {
         let camera = self.camera();
         let on_viewport = |uv: DVec2| Some(self.resolved?.viewport_point(uv));
         match handle {
@@ -163,8 +163,8 @@ impl Stage<'_> {
     }
 
     fn plane(&self, k: usize) -> Option<pinhole_core::Plane> {
-        let place = k.checked_sub(self.document.sphere_count())?;
-        Some(self.document.planes.get(place)?.shape)
+        let position = k.checked_sub(self.document.sphere_count())?;
+        Some(self.document.planes.get(position)?.shape)
     }
 
     /// Returns the position of a point on the observer's screen, in dots; `None` outside the

@@ -18,7 +18,7 @@ const SMALLEST: f32 = 120.0;
 
 /// The rectangles in the middle of the window, in points, aligned to physical pixels.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Places {
+pub(crate) struct ViewRects {
     /// The rectangle of the world view's picture.
     pub world: Option<Rect>,
     /// The area that the camera view may fill.
@@ -128,9 +128,14 @@ impl Divider<'_> {
     }
 }
 
-impl Places {
+impl ViewRects {
     /// Lays out everything in these areas, with a title above each picture.
-    pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, presenting: bool) -> Places {
+    pub(crate) fn new(
+        areas: Areas,
+        image: ImageSize,
+        per_point: f32,
+        presenting: bool,
+    ) -> ViewRects {
         // What is beside the camera view has its title and legend before an audience, too.
         let strip = if presenting && areas.beside.is_none() { 0.0 } else { STRIP };
         let below_strip = |rect: Rect| {
@@ -140,7 +145,7 @@ impl Places {
             [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
         let fitted = |area| fitted(area, image, per_point);
         let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
-        Places { world, camera_area, camera, beside_area, beside, rest: areas.rest }
+        ViewRects { world, camera_area, camera, beside_area, beside, rest: areas.rest }
     }
 }
 
