@@ -46,6 +46,6 @@ fn key(window: &mut Window, key: Key) {
 fn shown_step(window: &Window) -> (usize, usize) {
     match window.state().lesson().unwrap().id() {
         StepId { lesson: Which::Builtin(index), step } => (index + 1, step + 1),
-        shown_step => panic!("{shown_step:?}"),
+        other => panic!("{other:?}"),
     }
 }

@@ -107,14 +107,14 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
 fn the_palette_stays_where_it_is_while_somebody_types() {
     let mut harness = window("canonical");
     press(&mut harness, Modifiers::COMMAND, Key::P);
-    let id = |harness: &Harness<'_, App>| {
+    let position = |harness: &Harness<'_, App>| {
         harness.get_by_role_and_label(Role::TextInput, "Command").rect().min
     };
-    let before = id(&harness);
+    let before = position(&harness);
     for text in ["lay", "out d", "qqqq"] {
         harness.get_by_role_and_label(Role::TextInput, "Command").type_text(text);
         harness.run();
-        assert_eq!(id(&harness), before, "{text}");
+        assert_eq!(position(&harness), before, "{text}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::common::oracle::{Big, Big3, big, near};
 use crate::common::seed::config;
-use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3};
+use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3, vector};
 use pinhole_core::*;
 use pinhole_reference::Family;
 use proptest::prelude::*;
@@ -12,14 +12,6 @@ const AT_45_DEGREES: Camera = Camera {
     orientation: Orientation::View { view: DVec3::new(-1.0, 0.0, -1.0), up: DVec3::Y },
     ..Camera::CANONICAL
 };
-
-/// A vector of any direction and a length of about 10 to a power in the range.
-fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
-    let coordinate = || -1.0..1.0_f64;
-    ((coordinate(), coordinate(), coordinate()), powers)
-        .prop_map(|((x, y, z), power)| DVec3::new(x, y, z) * 10_f64.powf(power))
-        .prop_filter("a zero vector points nowhere", |v| *v != DVec3::ZERO)
-}
 
 fn of_ray<'a>(object: &Object, ray: &Ray) -> AlongRay<'a> {
     AlongRay::new(object, ExactRay::from_ray(ray).unwrap()).unwrap()

@@ -55,8 +55,10 @@ const STEP: [&str; 21] = [
     "seed",
 ];
 
+/// The name of the derivation in earlier versions, as a key and as a layout, and its name now.
+const LEDGER: (&str, &str) = ("ledger", "derivation");
 /// Keys of earlier versions, and the name that each has now.
-const RENAMED: [(&str, &str); 2] = [("ledger", "derivation"), ("lit", "highlight")];
+const RENAMED: [(&str, &str); 2] = [LEDGER, ("lit", "highlight")];
 
 /// Reads a lesson file.
 ///
@@ -126,11 +128,16 @@ fn line(field: &Field, longest: usize) -> Result<String, FileError> {
     }
 }
 
+/// Returns the error that a name of an earlier version is another one now.
+fn renamed(field: &Field, now: &str) -> FileError {
+    field.fault(format!("it is called {now} now"))
+}
+
 /// Reads a step; it takes over all that it does not specify from the step before it.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
     for (before, now) in RENAMED {
         if let Some(field) = section.get(before) {
-            return Err(field.fault(format!("it is called {now} now")));
+            return Err(renamed(&field, now));
         }
     }
     let known: Vec<&str> = STEP.into_iter().chain(TABLES).collect();
@@ -236,8 +243,8 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     }
     say(section, "observer", &mut view.observer, |field| observer(&field.section()?))?;
     say(section, "layout", &mut view.layout, |field| {
-        if field.text().is_ok_and(|name| name == RENAMED[0].0) {
-            return Err(field.fault(format!("it is called {} now", RENAMED[0].1)));
+        if field.text().is_ok_and(|name| name == LEDGER.0) {
+            return Err(renamed(field, LEDGER.1));
         }
         let layouts = ViewLayout::ALL.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)

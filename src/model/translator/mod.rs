@@ -156,11 +156,8 @@ const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: its ev
 /// objects are not taken over. Returns no camera if the text has none or an invalid one.
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
     let failed = |title: &str, note: String| {
-        let title = title.to_owned();
-        (None, {
-            let notes = vec![note];
-            Pasted { title, notes, worked: false, camera: *at_hand, shown_at: None }
-        })
+        let (title, notes) = (title.to_owned(), vec![note]);
+        (None, Pasted { title, notes, worked: false, camera: *at_hand, shown_at: None })
     };
     if let Some(scene) = own_scene(text) {
         return match scene {

@@ -36,7 +36,7 @@ fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
     path
 }
 
-/// Presses a button, of which one for a layout may have its position in the menu of those without room.
+/// Presses a button, of which one for a layout may be in the menu of those without room.
 fn click(window: &mut Harness<'_, App>, label: &str) {
     if window.query_by_role_and_label(Role::Button, label).is_none() {
         window.get_by_role_and_label(Role::Button, "More").click_accesskit();

@@ -7,8 +7,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::session::EyeKeeps;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, Orientation};
+use pinhole_core::DVec3;
 
+use super::{at_of, camera};
 use crate::harness::{assert_says, says, window};
 
 fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
@@ -38,17 +39,6 @@ fn command(harness: &mut Harness<'_, App>, text: &str) {
     harness.run_steps(3);
     harness.key_press(Key::Enter);
     harness.run_steps(3);
-}
-
-fn camera(harness: &Harness<'_, App>) -> Camera {
-    harness.state().document().camera
-}
-
-fn at_of(camera: &Camera) -> DVec3 {
-    match camera.orientation {
-        Orientation::At { at, .. } => at,
-        _ => panic!("not given by at: {camera:?}"),
-    }
 }
 
 #[test]

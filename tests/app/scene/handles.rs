@@ -11,9 +11,10 @@ use pinhole::model::session::hand::Handle;
 use pinhole::model::session::{Selection, Settings};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, Orientation};
+use pinhole_core::{Camera, DVec3};
 use pinhole_exchange::document::Document;
 
+use super::{at_of, camera};
 use crate::harness::{assert_says, says, window, window_with};
 
 fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
@@ -22,17 +23,6 @@ fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
 
 fn document(harness: &Harness<'_, App>) -> Document {
     harness.state().document().clone()
-}
-
-fn camera(harness: &Harness<'_, App>) -> Camera {
-    harness.state().document().camera
-}
-
-fn at_of(camera: &Camera) -> DVec3 {
-    match camera.orientation {
-        Orientation::At { at, .. } => at,
-        _ => panic!("not given by at: {camera:?}"),
-    }
 }
 
 /// Takes hold of a handle; where.

@@ -5,3 +5,17 @@ mod compare;
 mod covered;
 mod handles;
 mod labels;
+use egui_kittest::Harness;
+use pinhole::ui::app::App;
+use pinhole_core::{Camera, DVec3, Orientation};
+
+fn camera(harness: &Harness<'_, App>) -> Camera {
+    harness.state().document().camera
+}
+
+fn at_of(camera: &Camera) -> DVec3 {
+    match camera.orientation {
+        Orientation::At { at, .. } => at,
+        _ => panic!("not given by at: {camera:?}"),
+    }
+}

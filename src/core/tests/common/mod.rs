@@ -8,10 +8,19 @@ pub(crate) mod seed;
 
 use pinhole_core::methods::{Method, MethodHit, ray_kernel};
 use pinhole_core::*;
+use proptest::prelude::*;
 
 /// A point or direction.
 pub(crate) fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
+}
+
+/// A vector of any direction and a length of about 10 to a power in the range.
+pub(crate) fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
+    let coordinate = || -1.0..1.0_f64;
+    ((coordinate(), coordinate(), coordinate()), powers)
+        .prop_map(|((x, y, z), power)| DVec3::new(x, y, z) * 10_f64.powf(power))
+        .prop_filter("a zero vector points nowhere", |v| *v != DVec3::ZERO)
 }
 
 /// A sphere.

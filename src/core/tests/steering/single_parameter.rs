@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::vec3;
 use crate::common::seed::config;
-use crate::common::{assert_ulps3, ulps};
+use crate::common::{assert_ulps3, ulps, vector};
 
 /// The lecture's exercise.
 const EXERCISE: Camera = Camera {
@@ -15,14 +15,6 @@ const EXERCISE: Camera = Camera {
     orientation: Orientation::At { at: DVec3::new(-1.0, 0.0, -5.0), up: DVec3::Y },
     ..Camera::CANONICAL
 };
-
-/// A vector of any direction and a length of about 10 to a power in the range.
-fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
-    let coordinate = || -1.0..1.0_f64;
-    ((coordinate(), coordinate(), coordinate()), powers)
-        .prop_map(|((x, y, z), power)| DVec3::new(x, y, z) * 10_f64.powf(power))
-        .prop_filter("a zero vector points nowhere", |v| *v != DVec3::ZERO)
-}
 
 fn looking(view: DVec3, up: DVec3) -> Camera {
     Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL }

@@ -29,7 +29,7 @@ impl<'a> Source<'a> {
     pub(crate) fn new(text: &'a Input<'a>, right: &str) -> Result<Self, FileError> {
         let refused = |plain: &str, (at, right): (usize, &str)| {
             let rest = plain[at..].split([';', '\n']).next().unwrap_or_default();
-            text.error_at(at, format!("{}: {right}", one_line(rest).trim_end_matches(':')))
+            text.error_at(at, refusal(rest, right))
         };
         let plain =
             statements::without_comments(text.text).map_err(|fault| refused(text.text, fault))?;
@@ -40,10 +40,7 @@ impl<'a> Source<'a> {
 
     /// `statement: right`, at its position.
     pub(crate) fn refused(&self, statement: &Statement, right: &str) -> FileError {
-        self.text.error_at(
-            statement.at,
-            format!("{}: {right}", one_line(&statement.text).trim_end_matches(':')),
-        )
+        self.text.error_at(statement.at, refusal(&statement.text, right))
     }
 
     /// `field is value: right`, at the value's place.
@@ -103,6 +100,11 @@ impl<'a> Source<'a> {
         }
         all.try_into().map_err(|_| self.refused(statement, &format!("it must have {N} numbers")))
     }
+}
+
+/// Returns `statement: right`, with the statement in one line and without a colon of its own.
+fn refusal(statement: &str, right: &str) -> String {
+    format!("{}: {right}", one_line(statement).trim_end_matches(':'))
 }
 
 /// Three vectors of nine numbers.
