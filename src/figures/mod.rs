@@ -3,7 +3,7 @@
 //! All of it is drawn by the window's own code. The overlay's marks come from its
 //! [`Drawing`](crate::view::overlay::Drawing), and labels, the derivation and the lab of lines are drawn by the
 //! window's own code into an egui pass without a window. PNG is painted from both as the window is. For
-//! SVG and PDF, both become the same `Part`s: paths, text and one picture. So what is on the screen is
+//! SVG and PDF, both become the same `Primitive`s: paths, text and one picture. So what is on the screen is
 //! what is in the file. Charts are made of the same paths and text.
 //!
 //! - `figure`: a figure, its look and its formats;

@@ -327,7 +327,7 @@ pub(crate) enum PlayEnd {
     GivesBack,
 }
 
-/// Which targets of actions exist at the moment.
+/// The targets of actions, true where they exist at the moment.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
     /// A step to undo.

@@ -46,9 +46,8 @@ impl Check {
 }
 
 /// The position, the answer given, the right one, and the distance between them: `null` where a hit is
-/// taken for a
-/// miss or for one of another object, which no number measures. A miss is `"miss"`; nothing is right
-/// where there is no such pixel.
+/// taken for a miss or for one of another object, which no number measures. A miss is `"miss"`; nothing
+/// is right where there is no such pixel.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let given = match &graded.answers {

@@ -36,7 +36,7 @@ pub(crate) enum AimGiven {
     Basis,
 }
 
-/// The position in the viewport through which a view ray passes, exactly.
+/// A point of the viewport, through which a view ray passes, exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewportPoint {
     /// Through a pixel's centre.
@@ -200,7 +200,7 @@ impl ResolvedCamera {
         &self.fine_basis
     }
 
-    /// `(u, v, distance)` times the position's stretch, as three pairs whose products are exact.
+    /// `(u, v, distance)` times the point's stretch, as three pairs whose products are exact.
     fn coordinates(&self, point: ViewportPoint) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
         match point {
@@ -217,7 +217,7 @@ impl ResolvedCamera {
         }
     }
 
-    /// The view ray's direction times the position's stretch, in units of `2^k`.
+    /// The view ray's direction times the point's stretch, in units of `2^k`.
     pub(crate) fn fine_direction(&self, point: ViewportPoint) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
         // By the products, not the measures: at the picture's centre width and height drop out.

@@ -49,8 +49,8 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// Evaluates an expression with the type of a method chosen at run time: `$known` stands for it. The ladder is
-/// done by itself.
+/// Evaluates an expression with the type of a method chosen at run time: `$known` stands for it. The
+/// ladder has an expression of its own.
 macro_rules! with_method {
     ($method:expr, ladder => $ladder:expr, $known:ident => $body:expr) => {
         match $method {

@@ -1,6 +1,6 @@
 //! Figures as vectors: SVG and PDF, with strokes as strokes and text as text.
 //!
-//! - `primitive`: the parts of a figure, whatever drew them;
+//! - `primitive`: paths, texts and pictures, whatever drew them;
 //! - `shapes`: what egui was told to draw, as parts; `text`: its text, glyph by glyph;
 //! - `typeface`: the fonts that the letters come from; `subset`: those letters alone, as a font;
 //! - `svg`, `pdf`: parts as files.

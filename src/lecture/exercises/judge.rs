@@ -260,7 +260,7 @@ fn unit(place: i32) -> f64 {
     10f64.powi(place)
 }
 
-/// |y| with the digits behind a position left out. In digits: 4 - 3.99 is below 0.01 by the luck of
+/// |y| with the digits behind a decimal place left out. In digits: 4 - 3.99 is below 0.01 by the luck of
 /// binary rounding, and yet 4 cut off is never 3.99.
 fn cut_off(y: f64, place: i32) -> Option<f64> {
     // Rounded to as many digits as can be trusted: what should be 6 may be 5.999999999999999.

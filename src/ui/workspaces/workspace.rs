@@ -39,7 +39,7 @@ pub(crate) struct Beside {
     pub(crate) name: &'static str,
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
-    /// Shows it in a position, with its title above the area.
+    /// Shows it in a frame, with its title above the area.
     pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
 }
 

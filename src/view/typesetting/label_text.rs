@@ -12,7 +12,7 @@ use crate::view::overlay::Label;
 ///
 /// egui has no such shape. It is given to egui as a [`Shape::Vec`]: the text in the halo's colour eight
 /// times around its position, and then the text. Figures [read it back](HaloText::from_shape) as one
-/// thing.
+/// text.
 pub(crate) struct HaloText {
     pub(crate) text: TextShape,
     pub(crate) halo: Color32,

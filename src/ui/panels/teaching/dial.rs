@@ -22,7 +22,7 @@ const TICK: f32 = 12.0;
 
 /// Conditioning from which on the camera is called sensitive, and very sensitive.
 const SENSITIVE: f64 = 2.0;
-const NERVOUS: f64 = 20.0;
+const VERY_SENSITIVE: f64 = 20.0;
 
 /// Shows the dial of this camera.
 pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
@@ -50,7 +50,7 @@ fn words(ui: &mut Ui, conditioning: f64) {
     response.on_hover_text(hint).named("conditioning").spoken(number);
     let meaning = if conditioning < SENSITIVE {
         "Calm: up and view are well apart."
-    } else if conditioning < NERVOUS {
+    } else if conditioning < VERY_SENSITIVE {
         "Sensitive: up is near the view's line."
     } else {
         "Very sensitive: up and view are almost parallel."
@@ -85,8 +85,8 @@ fn arcs(ui: &Ui, hub: Pos2) {
     let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);
     let zones = [
         (0.0, SENSITIVE.log10() as f32, quiet, 3.0),
-        (SENSITIVE.log10() as f32, NERVOUS.log10() as f32, amber, 5.0),
-        (NERVOUS.log10() as f32, DECADES, error_color(ui), 8.0),
+        (SENSITIVE.log10() as f32, VERY_SENSITIVE.log10() as f32, amber, 5.0),
+        (VERY_SENSITIVE.log10() as f32, DECADES, error_color(ui), 8.0),
     ];
     for (from, to, color, width) in zones {
         let steps = 1 + ((to - from) * 12.0) as usize;
