@@ -249,6 +249,10 @@ pub enum Overlay {
     Palette,
     /// The list of all keys.
     Keys,
+    /// The lecture's conventions, as the program keeps them.
+    Conventions,
+    /// The program's version, licence and purpose.
+    About,
 }
 
 /// A command of the user. It is carried out once, after the panels and before anything is derived.
@@ -456,6 +460,8 @@ pub enum Switch {
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
     Spotlight,
+    /// The panel beside the views is shown.
+    Panel,
 }
 
 impl Switch {
@@ -471,6 +477,7 @@ impl Switch {
             Switch::KeepPicture => settings.keep_picture,
             Switch::ReducedMotion => settings.reduced_motion,
             Switch::Spotlight => session.spotlight,
+            Switch::Panel => !settings.hides_panel,
         }
     }
 
@@ -487,6 +494,7 @@ impl Switch {
             Switch::KeepPicture => settings.keep_picture = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
             Switch::Spotlight => session.spotlight = on,
+            Switch::Panel => settings.hides_panel = !on,
         }
     }
 }

@@ -11,10 +11,10 @@ use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{Shape, Target};
 
-use super::harness::{assert_says, says, texts_with, type_into, window_with};
+use super::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
 
 fn derivation_window(scene: &str) -> Harness<'static, App> {
-    let settings = Settings { layout: ViewLayout::Derivation, ..Settings::default() };
+    let settings = Settings { layout: ViewLayout::Derivation, ..unfolded() };
     window_with(scene, Remembered { settings, ..Remembered::default() }, None)
 }
 
@@ -246,7 +246,7 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
 #[test]
 fn concepts_are_pointed_at_in_the_views_of_every_layout() {
     for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Frame, ViewLayout::Mistakes] {
-        let settings = Settings { layout, ..Settings::default() };
+        let settings = Settings { layout, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);
         let views = [("World view", Concept::W), ("Camera view", Concept::Pixel)];

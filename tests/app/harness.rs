@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use egui::accesskit::Role;
-use egui::vec2;
+use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::files::OpenDocument;
+use pinhole::model::session::{Settings, Unfolded, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_exchange::scenes::SceneSource;
@@ -34,9 +35,36 @@ pub(crate) fn window_with(
     harness
 }
 
-/// A window on a scene, by name or path.
+/// The settings of somebody who has unfolded everything.
+pub(crate) fn unfolded() -> Settings {
+    let unfolded = Unfolded { note: true, viewport: true, ray: true, objects: true, numbers: true };
+    Settings { unfolded, ..Settings::default() }
+}
+
+/// A window on a scene, by name or path, with everything unfolded.
 pub(crate) fn window(scene: impl AsRef<Path>) -> Harness<'static, App> {
-    window_with(scene, Remembered::default(), None)
+    window_with(scene, Remembered { settings: unfolded(), ..Remembered::default() }, None)
+}
+
+/// Carries out the command of this title by the command palette.
+pub(crate) fn command(harness: &mut Harness<'_, App>, title: &str) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, "Command").type_text(title);
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+}
+
+/// Shows a layout.
+pub(crate) fn show(harness: &mut Harness<'_, App>, layout: ViewLayout) {
+    command(harness, &format!("Layout: {}", layout.label()));
+    assert_eq!(harness.state().session().settings.layout, layout);
+}
+
+/// Opens a built-in scene.
+pub(crate) fn open_scene(harness: &mut Harness<'_, App>, name: &str) {
+    command(harness, &format!("Scene: {name}"));
 }
 
 /// Types into the number field of this name, as a person does: click, type over, Enter.

@@ -10,7 +10,7 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
-use crate::harness::{window, window_with};
+use crate::harness::{unfolded, window, window_with};
 
 fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     harness.key_press_modifiers(modifiers, key);
@@ -49,7 +49,7 @@ fn assert_all_named(harness: &Harness<'_, App>, context: &str) {
 #[test]
 fn every_control_has_a_name_of_its_own_in_every_layout() {
     for scene in ["canonical", "look-at"] {
-        let settings = Settings { teaching: true, ..Settings::default() };
+        let settings = Settings { teaching: true, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut harness = window_with(scene, remembered, None);
         for layout in ViewLayout::listed() {

@@ -10,7 +10,7 @@ use pinhole::model::session::Selection;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 
-use crate::harness::{assert_says, says, type_into, window};
+use crate::harness::{assert_says, open_scene, says, type_into, window};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     press_with(harness, Modifiers::NONE, key);
@@ -236,10 +236,7 @@ fn the_slider_goes_anywhere_and_another_kind_begins_at_the_start() {
 fn another_scene_is_opened_from_the_start_without_asking() {
     let mut harness = playing("canonical", "Orbit the camera round at");
     press(&mut harness, Key::Period);
-    harness.get_by_label("Scenes").click();
-    harness.run();
-    harness.get_by_label("look-at").click();
-    harness.run();
+    open_scene(&mut harness, "look-at");
     assert!(!says(&harness, "Discard"), "nothing was changed by hand");
     assert!(harness.state().player().is_none());
     let Orientation::At { .. } = camera(&harness).orientation else { panic!("not look-at") };

@@ -9,7 +9,7 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 
-use crate::harness::{assert_says, says, window, window_with};
+use crate::harness::{assert_says, says, unfolded, window, window_with};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
@@ -215,7 +215,7 @@ fn the_spotlight_is_a_ring_in_reduced_motion() {
     assert_eq!(meshes(&harness), 0);
     press(&mut harness, Key::S);
     assert_eq!(meshes(&harness), 1);
-    let settings = Settings { reduced_motion: true, ..Settings::default() };
+    let settings = Settings { reduced_motion: true, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut harness = window_with("canonical", remembered, None);
     press(&mut harness, Key::F5);

@@ -2,12 +2,10 @@
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test pinhole app::snapshots` writes them anew.
 
-use egui::accesskit::Role;
-use egui_kittest::kittest::Queryable as _;
-use pinhole::model::session::{Settings, ThemeName};
+use pinhole::model::session::{Settings, ThemeName, ViewLayout};
 use pinhole::model::store::Remembered;
 
-use super::harness::{type_into, window, window_with};
+use super::harness::{show, type_into, unfolded, window, window_with};
 
 #[test]
 fn the_lectures_scene() {
@@ -16,7 +14,7 @@ fn the_lectures_scene() {
 
 #[test]
 fn a_light_window_on_another_scene() {
-    let settings = Settings { theme: ThemeName::Light, ..Settings::default() };
+    let settings = Settings { theme: ThemeName::Light, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     window_with("look-at", remembered, None).snapshot("window_light");
 }
@@ -35,7 +33,7 @@ fn one_view_alone_with_few_large_pixels() {
     let mut window = window("grazing");
     type_into(&mut window, "W", "24");
     type_into(&mut window, "H", "24");
-    window.get_by_role_and_label(Role::Button, "Camera").click();
+    show(&mut window, ViewLayout::Camera);
     window.remove_cursor();
     window.run();
     window.snapshot("window_large_pixels");

@@ -12,11 +12,13 @@ use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, 
 use serde::{Deserialize, Serialize};
 
 use names::StoredShade;
-pub use names::{EyeKeeps, MethodName, ThemeName, ViewLayout, shade_about, shade_label};
+pub use names::{
+    EyeKeeps, MethodName, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
+};
 pub use splits::{Split, Splits};
 
 use crate::model::color_scheme::Scheme;
-use crate::model::concept::{Concept, Hovered};
+use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::derivation_sections::DerivationSections;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
@@ -35,6 +37,8 @@ use crate::model::translator::Translator;
 pub struct Session {
     /// The selected ray.
     pub selection: Selection,
+    /// The ray under the pointer, which is shown in place of the selected one.
+    pub pointed_ray: Option<Selection>,
     /// The observer of the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
     /// The t of the point p + t d that moves along the selected ray; `None` if there is none.
@@ -49,6 +53,8 @@ pub struct Session {
     pub hovered: Option<Hovered>,
     /// The concept that is highlighted while none is hovered.
     pub highlighted: Option<Concept>,
+    /// True while Alt is held: what is pointed at in the views dims everything else.
+    pub alt_dims: bool,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
     /// The wrong camera beside the right one.
@@ -107,6 +113,10 @@ pub struct Settings {
     pub eye_keeps: EyeKeeps,
     /// True if the camera panel's part for teaching is unfolded.
     pub teaching: bool,
+    /// True if the panel beside the views is hidden.
+    pub hides_panel: bool,
+    /// The sections of the panel that are unfolded.
+    pub unfolded: Unfolded,
     /// The boundaries between the window's areas.
     pub splits: Splits,
     /// True if the plot of f(p + t d) compresses values beyond 1 unit.
@@ -129,6 +139,22 @@ pub struct Settings {
     pub zoom: f32,
 }
 
+/// The sections of the side panel that are unfolded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Unfolded {
+    /// What to look for in the scene.
+    pub note: bool,
+    /// Viewport and image.
+    pub viewport: bool,
+    /// The selected ray.
+    pub ray: bool,
+    /// The scene's objects.
+    pub objects: bool,
+    /// All numbers below the views, in place of one line.
+    pub numbers: bool,
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Settings {
@@ -141,6 +167,8 @@ impl Default for Settings {
             keep_picture: false,
             eye_keeps: EyeKeeps::At,
             teaching: false,
+            hides_panel: false,
+            unfolded: Unfolded::default(),
             splits: Splits::default(),
             plot_compressed: false,
             method: MethodName(Method::Ladder),
@@ -185,6 +213,17 @@ impl Session {
     /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
+    }
+
+    /// Returns true if everything but the highlighted concept is dimmed: what the derivation or a
+    /// lesson's step speaks of. Pointing in a view is quiet, unless Alt is held.
+    pub fn dims(&self) -> bool {
+        self.alt_dims || self.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
+    }
+
+    /// Returns the ray that is shown: the one under the pointer, or else the selected one.
+    pub fn shown_selection(&self) -> Selection {
+        self.pointed_ray.unwrap_or(self.selection)
     }
 }
 

@@ -8,27 +8,70 @@ use serde::{Deserialize, Serialize};
 use crate::model::named_enum::named_enum;
 
 named_enum! {
+    /// A workspace, with its label and its description.
+    pub enum Workspace {
+        /// World view and camera view.
+        Scene: "Scene", "The scene, and what the camera sees of it";
+        /// The derivation of every number.
+        Derivation: "Derivation", "Every number's derivation, line by line";
+        /// One ray and what it meets.
+        Ray: "Ray", "One ray and what it meets: a line in two dimensions, then the scene's objects";
+        /// Questions, wrong cameras and answers.
+        Practice: "Practice", "Exercises, classic wrong cameras, and answers to check";
+    }
+}
+
+impl Workspace {
+    /// Returns the label.
+    pub fn label(self) -> &'static str {
+        self.texts()[0]
+    }
+
+    /// Returns the description.
+    pub fn about(self) -> &'static str {
+        self.texts()[1]
+    }
+
+    /// Returns its pages; the first one is shown when it is opened.
+    pub fn pages(self) -> &'static [ViewLayout] {
+        match self {
+            Workspace::Scene => {
+                &[ViewLayout::Both, ViewLayout::World, ViewLayout::Camera, ViewLayout::Compare]
+            }
+            Workspace::Derivation => &[ViewLayout::Derivation],
+            Workspace::Ray => &[ViewLayout::Lines, ViewLayout::Plot],
+            Workspace::Practice => {
+                &[ViewLayout::Exercises, ViewLayout::Mistakes, ViewLayout::Answers]
+            }
+        }
+    }
+}
+
+/// The layouts that are tools, apart from the workspaces.
+pub const TOOLS: &[ViewLayout] = &[ViewLayout::Translator, ViewLayout::Accuracy, ViewLayout::Frame];
+
+named_enum! {
     /// A layout of the window, with its label, its description, and its name in lesson files, which
     /// is empty if no lesson can show it.
     #[derive(Serialize, Deserialize)]
     pub enum ViewLayout {
         /// World view and camera view side by side.
-        Both: "Both", "World view and camera view side by side", "both";
+        Both: "Both views", "World view and camera view side by side", "both";
         /// The world view alone.
-        World: "World", "The world view alone", "world";
+        World: "World view", "The world view alone", "world";
         /// The camera view alone.
-        Camera: "Camera", "The camera view alone", "camera";
+        Camera: "Camera view", "The camera view alone", "camera";
         /// The derivation beside the views.
         #[serde(alias = "Ledger")]
         Derivation: "Derivation", "Every number's derivation, line by line", "derivation";
         /// The plot of f(p + t d).
-        Plot: "Plot", "Every object's f(p + t d) against t", "plot";
+        Plot: "f(p + t d)", "Every object's f(p + t d) against t", "plot";
         /// The lab of lines.
         Lines: "Lines", "Implicit and parametric lines in two dimensions", "lines";
         /// A wrong camera beside the right one.
         Mistakes: "Mistakes", "The classic wrong cameras beside the right one", "mistakes";
         /// The camera beside the ghost.
-        Compare: "Compare", "The camera against the one that was frozen by G", "compare";
+        Compare: "Ghost", "The camera against the one that was frozen by G", "compare";
         /// The translator.
         Translator: "Translator", "The camera in other programs’ terms", "translator";
         /// The exercises.
@@ -36,7 +79,7 @@ named_enum! {
         /// The error map and the table of methods.
         Accuracy: "Accuracy", "How right each method is here, and how fast", "";
         /// The counts of a frame.
-        Frame: "Frame", "What the pictures left out, and what was left to do", "";
+        Frame: "Work left out", "What the pictures left out, and what was left to do", "";
         /// The derivation alone, for presenting.
         DerivationAlone: "Derivation alone", "Every number's derivation, without the views", "";
         /// A student's answers and their grade.
@@ -67,6 +110,11 @@ impl ViewLayout {
             !matches!(layout, ViewLayout::DerivationAlone | ViewLayout::Answers)
         };
         ViewLayout::ALL.into_iter().filter(is_listed)
+    }
+
+    /// Returns the workspace that it is a page of; `None` of tools, and of what only presenter mode shows.
+    pub fn workspace(self) -> Option<Workspace> {
+        Workspace::ALL.into_iter().find(|workspace| workspace.pages().contains(&self))
     }
 
     /// Returns true if the layout shows the derivation.

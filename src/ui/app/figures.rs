@@ -14,7 +14,7 @@ use crate::ui::derivation::DerivationPanel;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
 use crate::ui::ray::lines;
-use crate::ui::workspaces::workspace;
+use crate::ui::workspaces::page;
 use crate::view::derive::Derived;
 use crate::view::overlay::Style;
 
@@ -35,7 +35,7 @@ impl Screen<'_> {
     /// The dialog with what the layout is about chosen.
     pub(super) fn ask_export(&self) -> Dialog {
         let settings = &self.scene.session.settings;
-        let first = workspace(settings.layout).figure;
+        let first = page(settings.layout).figure;
         let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
         subjects.sort_by_key(|shown| shown.subject != first);
         let style = Style::new(settings.scheme, self.is_dark());

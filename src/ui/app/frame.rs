@@ -11,11 +11,11 @@ use crate::model::concept::Hovered;
 use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction};
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
-use crate::ui::panels::{camera, objects, selection, top_bar};
+use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::{Divider, ViewRects};
 use crate::ui::scene::views;
-use crate::ui::workspaces::{Desk, Frame, Workspace, workspace};
+use crate::ui::workspaces::{Desk, Frame, Page, page};
 
 impl App {
     /// One frame.
@@ -45,8 +45,8 @@ impl App {
         }
     }
 
-    fn workspace(&self) -> &'static Workspace {
-        workspace(self.scene.session.settings.layout)
+    fn page(&self) -> &'static Page {
+        page(self.scene.session.settings.layout)
     }
 
     /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
@@ -145,7 +145,8 @@ impl App {
         scene.lesson_strip(ui, differs_from_step, actions);
         let inspection = self.views.derived.inspection.as_deref();
         self.playback.go_on(ui, scene, &mut self.history, inspection, actions);
-        if !presenting && self.workspace().has_panel {
+        let hidden = presenting || scene.session.settings.hides_panel;
+        if !hidden && self.page().has_panel {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
             panel.show(ui, |ui| {
@@ -166,16 +167,8 @@ impl App {
         let scene = &mut self.scene;
         let document = &mut scene.open.document;
         ui.add_space(4.0);
-        if !document.note.is_empty() {
-            egui::CollapsingHeader::new("What to look for").default_open(true).show(ui, |ui| {
-                for paragraph in document.note.split("\n\n") {
-                    ui.label(paragraph.replace('\n', " "));
-                }
-            });
-            ui.separator();
-        }
         let settings = &mut scene.session.settings;
-        let before = document.camera;
+        let (before, unfolded) = (document.camera, settings.unfolded);
         let mut changed = camera::ui(ui, &mut document.camera, settings);
         let now = &document.camera;
         let selected = &mut scene.session.selection;
@@ -186,24 +179,42 @@ impl App {
         ui.separator();
         let resolved = document.camera.resolve().ok();
         let before = *selected;
-        selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
+            selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        });
         changed |= Changed::SESSION.when(*selected != before);
         ui.separator();
-        changed |= objects::ui(ui, document, &mut scene.chosen_object);
+        let chosen = &mut scene.chosen_object;
+        // Who has chosen an object elsewhere wants its fields.
+        let mut is_open = settings.unfolded.objects || chosen.is_some();
+        section(ui, "Objects", &mut is_open, |ui| changed |= objects::ui(ui, document, chosen));
+        if !is_open {
+            *chosen = None;
+        }
+        settings.unfolded.objects = is_open;
+        if !document.note.is_empty() {
+            ui.separator();
+            section(ui, "What to look for", &mut settings.unfolded.note, |ui| {
+                for paragraph in document.note.split("\n\n") {
+                    ui.label(paragraph.replace('\n', " "));
+                }
+            });
+        }
         ui.add_space(8.0);
-        changed
+        changed | Changed::SESSION.when(settings.unfolded != unfolded)
     }
 
     /// Lays out the views, and what is beside them.
     fn rects(&mut self, ui: &mut Ui) -> (ViewRects, Changed) {
-        let areas = self.workspace().areas;
+        let areas = self.page().areas;
         let session = &mut self.scene.session;
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
         let before = session.settings.splits;
+        let all_numbers = session.settings.unfolded.numbers;
         let splits = &mut session.settings.splits;
         let whole = ui.available_rect_before_wrap();
-        let areas = areas(&mut Divider { ui, whole, splits, presenting });
+        let areas = areas(&mut Divider { ui, whole, splits, presenting, all_numbers });
         let changed = Changed::SESSION.when(session.settings.splits != before);
         let per_point = ui.ctx().pixels_per_point();
         (ViewRects::new(areas, image, per_point, presenting), changed)
@@ -216,7 +227,7 @@ impl App {
         rects: &ViewRects,
         actions: &mut Vec<Action>,
     ) -> Changed {
-        let workspace = self.workspace();
+        let page = self.page();
         let (scene, shown) = (&mut self.scene, &self.views.derived);
         if let Some(rect) = rects.world {
             scene.frame(rect.aspect_ratio());
@@ -224,50 +235,52 @@ impl App {
         let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;
         if !self.over.covers() {
-            let beside = workspace.beside.map_or("", |beside| beside.name);
+            let beside = page.beside.map_or("", |beside| beside.name);
             changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
             hovered = views::hovered(ui, rects, shown)
-                .or_else(|| (workspace.hovered)(ui.ctx(), &self.tools, shown));
+                .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));
         }
         scene.session.hovered = hovered;
+        let is_free = !self.over.covers() && scene.session.hand.over.is_none();
+        let is_followed = page.follows_pointer && is_free;
+        scene.session.pointed_ray =
+            is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
+        scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
         changed
     }
 
     fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let mut sizes = views::sizes(ui, rects);
-        if let (Some(beside), Some(rect)) = (self.workspace().beside, rects.beside) {
+        if let (Some(beside), Some(rect)) = (self.page().beside, rects.beside) {
             (beside.derive)(&mut sizes, views::physical(ui, rect));
         }
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
-    /// Shows the views, and what the workspace has beside them. Whatever they change of the session is
+    /// Shows the views, and what the page has beside them. Whatever they change of the session is
     /// derived in the next pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) -> Changed {
-        let workspace = self.workspace();
+        let page = self.page();
         let actions = &mut self.waiting;
         let mut changed = self.views.show(ui, rects, &mut self.scene, &mut self.hand, actions);
-        let settings = self.scene.session.settings;
+        let style = NumberStyle::new(&self.scene.session.settings);
         let mut desk = Desk {
             open: &self.scene.open,
             session: &mut self.scene.session,
             derived: &self.views.derived,
             tools: &mut self.tools,
-            style: NumberStyle {
-                digits: settings.digits,
-                count_from_one: settings.count_from_one,
-                exact: false,
-            },
+            style,
+            has_lesson: self.scene.lessons.open.is_some(),
             actions,
         };
         if let (Some(beside), Some(area), Some(rect)) =
-            (workspace.beside, rects.beside_area, rects.beside)
+            (page.beside, rects.beside_area, rects.beside)
         {
             changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
-            changed |= (workspace.rest)(ui, &mut desk);
+            changed |= (page.rest)(ui, &mut desk);
         });
         changed | exchange::paste_notice(ui.ctx(), &mut self.scene)
     }

@@ -64,7 +64,7 @@ impl OpenScene {
             is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
         if !same_scene {
             self.session.observer = None;
-            self.chosen_object = 0;
+            self.chosen_object = None;
         }
         lessons.before.get_or_insert_with(|| self.session.clone());
         if let Some(scene) = argument_of(self.open.origin()) {

@@ -9,8 +9,8 @@ use crate::model::lessons::Which;
 use crate::ui::action::{Action, Available, Leave, ObjectAction, Overlay};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::dialog::{self, Dialog};
-use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
+use crate::ui::dialogs::{help, key_list};
 use crate::view::typesetting::theme;
 
 /// Maximum number of objects that the palette lists.
@@ -32,11 +32,13 @@ impl Over {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
-    /// Opens the palette, or the list of keys.
+    /// Opens the box.
     pub(super) fn apply(&mut self, overlay: Overlay) {
         match overlay {
             Overlay::Palette => self.palette = Some(Palette::default()),
             Overlay::Keys => self.shows_keys = true,
+            Overlay::Conventions => self.dialog = Some(help::conventions()),
+            Overlay::About => self.dialog = Some(help::about()),
         }
     }
 

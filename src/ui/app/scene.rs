@@ -30,7 +30,8 @@ pub(super) struct OpenScene {
     pub(super) open: OpenDocument,
     pub(super) session: Session,
     pub(super) lessons: Lessons,
-    pub(super) chosen_object: usize,
+    /// Index of the object whose fields and handles are shown.
+    pub(super) chosen_object: Option<usize>,
 }
 
 /// The work that showing a scene asks of the other parts.
@@ -44,7 +45,7 @@ pub(super) struct Opened {
 
 impl OpenScene {
     pub(super) fn new(open: OpenDocument, session: Session) -> OpenScene {
-        OpenScene { open, session, lessons: Lessons::default(), chosen_object: 0 }
+        OpenScene { open, session, lessons: Lessons::default(), chosen_object: None }
     }
 
     /// Opens a scene, or a lesson from a file.
@@ -79,7 +80,7 @@ impl OpenScene {
         self.session.observer = None;
         self.session.ghost = None;
         self.session.selection = selection;
-        self.chosen_object = 0;
+        self.chosen_object = None;
         Opened { is_another: true, play: None }
     }
 
@@ -121,21 +122,23 @@ impl OpenScene {
     pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
         let document = &mut self.open.document;
         let count = document.object_count();
-        let chosen = self.chosen_object.min(count.saturating_sub(1));
+        let chosen = self.chosen_object.filter(|chosen| *chosen < count);
         match action {
-            ObjectAction::AddSphere => self.chosen_object = objects::add_sphere(document),
-            ObjectAction::AddPlane => self.chosen_object = objects::add_plane(document),
-            ObjectAction::Choose(index) if index < count => self.chosen_object = index,
+            ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
+            ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
+            ObjectAction::Choose(index) if index < count => self.chosen_object = Some(index),
             ObjectAction::Next(by) if count > 0 => {
-                let next = (chosen as i64 + i64::from(by)).rem_euclid(count as i64);
-                self.chosen_object = next as usize;
+                // Forward from none is the first one, backward the last.
+                let from = chosen.map_or(if by > 0 { -1 } else { 0 }, |chosen| chosen as i64);
+                let next = (from + i64::from(by)).rem_euclid(count as i64);
+                self.chosen_object = Some(next as usize);
             }
-            ObjectAction::Remove if count > 0 => {
-                let removed = objects::remove(document, chosen);
+            ObjectAction::Remove => {
+                let removed = objects::remove(document, chosen?);
                 let problem = |reason| Dialog::message("This object was not removed", reason);
-                return removed.err().map(problem);
+                return removed.map(|()| self.chosen_object = None).err().map(problem);
             }
-            ObjectAction::Choose(_) | ObjectAction::Next(_) | ObjectAction::Remove => {}
+            ObjectAction::Choose(_) | ObjectAction::Next(_) => {}
         }
         None
     }

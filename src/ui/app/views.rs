@@ -12,6 +12,7 @@ use crate::model::letters::typeset_message;
 use crate::ui::action::{Action, Observe};
 use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
+use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::{framing, views};
 use crate::ui::tools::accuracy;
@@ -112,7 +113,8 @@ impl Views {
         // One of them speaks at a time.
         let is_steered = hand.navigation.has_word(ui.input(|i| i.time));
         if session.hand.over.is_none() && !is_steered {
-            views::tell_pointed(ui, session.hovered, document);
+            let style = NumberStyle::new(&session.settings);
+            views::tell_pointed(ui, session, derived, document, style);
         }
         let mark = accuracy::drawn_by(derived, session.settings.method.0);
         if let (Some(rect), Some(text)) = (rects.camera.or(rects.world), mark) {

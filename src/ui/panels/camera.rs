@@ -5,7 +5,7 @@ use pinhole_core::{
     BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
 };
 
-use super::teaching;
+use super::{section, teaching};
 use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, meaning};
@@ -29,17 +29,20 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> C
     });
     given_by(ui, camera);
     Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
-    ui.add_space(6.0);
-    ui.heading("Viewport and image");
-    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
-    if let Err(fault) = camera.viewport.check() {
-        // Below the grid, where the text wraps: in a cell it would widen the panel.
-        ui.label(fault_text(ui, fault));
-    }
-    let hint = "Editing width, height, W or H takes another of them along";
-    ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
-    pixel_shape(ui, camera);
     teaching::ui(ui, camera, settings);
+    ui.separator();
+    let mut unfolded = settings.unfolded.viewport || camera.viewport.check().is_err();
+    section(ui, "Viewport and image", &mut unfolded, |ui| {
+        Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
+        if let Err(fault) = camera.viewport.check() {
+            // Below the grid, where the text wraps: in a cell it would widen the panel.
+            ui.label(fault_text(ui, fault));
+        }
+        let hint = "Editing width, height, W or H takes another of them along";
+        ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
+        pixel_shape(ui, camera);
+    });
+    settings.unfolded.viewport = unfolded;
     Changed::between_cameras(&before.0, camera) | Changed::SESSION.when(*settings != before.1)
 }
 

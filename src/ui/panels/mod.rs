@@ -8,3 +8,15 @@ pub(crate) mod play;
 pub(crate) mod selection;
 mod teaching;
 pub(crate) mod top_bar;
+
+use egui::{CollapsingHeader, RichText, Ui};
+
+/// Shows a section under a heading that folds it.
+pub(crate) fn section(ui: &mut Ui, title: &str, is_open: &mut bool, content: impl FnOnce(&mut Ui)) {
+    let size = egui::TextStyle::Heading.resolve(ui.style()).size;
+    let title = RichText::new(title).size(size);
+    let response = CollapsingHeader::new(title).open(Some(*is_open)).show_unindented(ui, content);
+    if response.header_response.clicked() {
+        *is_open = !*is_open;
+    }
+}

@@ -1,4 +1,4 @@
-//! The scene's spheres and planes: a list for selection, and the fields of the selected object.
+//! The scene's spheres and planes: a list for selection, and the fields of the chosen object.
 
 use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
@@ -13,30 +13,34 @@ use crate::view::typesetting::theme;
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
 
-/// Edits the objects; `chosen` is the index of the one whose fields are shown.
-pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) -> Changed {
+/// Edits the objects; `chosen` is the index of the one whose fields are shown, if any.
+pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize>) -> Changed {
     let mut changed = Changed::NOTHING;
     ui.horizontal(|ui| {
-        ui.heading("Objects");
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
-                *chosen = add_plane(document);
-                changed = Changed::OBJECTS;
-            }
-            if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
-                *chosen = add_sphere(document);
-                changed = Changed::OBJECTS;
-            }
-        });
+        if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
+            *chosen = Some(add_sphere(document));
+            changed = Changed::OBJECTS;
+        }
+        if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
+            *chosen = Some(add_plane(document));
+            changed = Changed::OBJECTS;
+        }
     });
     if document.object_count() == 0 {
         ui.weak("Nothing to see yet: add a sphere or a plane.");
         return changed;
     }
-    *chosen = (*chosen).min(document.object_count() - 1);
+    *chosen = chosen.filter(|chosen| *chosen < document.object_count());
     list(ui, document, chosen);
-    ui.add_space(4.0);
-    changed | editor(ui, document, *chosen)
+    if let Some(index) = *chosen {
+        ui.add_space(4.0);
+        let edited = editor(ui, document, index);
+        changed |= edited.map_or(Changed::OBJECTS, |edited| edited);
+        if edited.is_none() {
+            *chosen = None;
+        }
+    }
+    changed
 }
 
 /// Adds a sphere that the camera sees. Returns its index.
@@ -104,15 +108,15 @@ fn new_sphere(document: &Document) -> Sphere {
     (0..most).map(at).find(is_free).unwrap_or_else(|| at(most))
 }
 
-fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
+fn list(ui: &mut Ui, document: &Document, chosen: &mut Option<usize>) {
     let row_height = ui.spacing().interact_size.y;
     let with_gap = row_height + ui.spacing().item_spacing.y;
     let shown = ui.scope_id().with("object that is in sight");
     let mut area = ScrollArea::vertical().id_salt("objects");
-    let before = ui.data(|data| data.get_temp::<usize>(shown));
-    if before.is_some_and(|before| before != *chosen) {
+    let before = ui.data(|data| data.get_temp::<Option<usize>>(shown));
+    if let (true, Some(chosen)) = (before.is_some_and(|before| before != *chosen), *chosen) {
         // The object was selected elsewhere: scroll it to the middle.
-        let middle = *chosen as f32 - 0.5 * (LIST_ROWS - 1.0);
+        let middle = chosen as f32 - 0.5 * (LIST_ROWS - 1.0);
         area = area.vertical_scroll_offset((with_gap * middle).max(0.0));
     }
     area.max_height(LIST_ROWS * with_gap).auto_shrink([false, true]).show_rows(
@@ -125,9 +129,10 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
                     swatch(ui, theme::object_color(ui, document, index as u32));
                     // Truncate a long name: it must not widen the panel.
                     let title = document.title_of(index);
-                    let label = ui.add(Button::selectable(*chosen == index, title).truncate());
+                    let label =
+                        ui.add(Button::selectable(*chosen == Some(index), title).truncate());
                     if label.clicked() {
-                        *chosen = index;
+                        *chosen = Some(index).filter(|_| *chosen != Some(index));
                     }
                 });
             }
@@ -142,7 +147,8 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) -> Response {
     response
 }
 
-fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
+/// Shows an object's fields. Returns what they changed; `None` if the object was removed.
+fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Option<Changed> {
     let first_plane = document.sphere_count();
     let own = document.color_of(index as u32);
     let shown = theme::object_color(ui, document, index as u32);
@@ -150,32 +156,32 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
         edit(ui, &mut document.spheres, index, [own, shown], sphere)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
-        Changed::NOTHING
+        Some(Changed::NOTHING)
     } else {
         edit(ui, &mut document.planes, index - first_plane, [own, shown], plane)
     }
 }
 
 /// Edits an object. It is stored only if it was edited: the list is shared with the steps of the
-/// history, and copied when it is written to.
+/// history, and copied when it is written to. Returns `None` if it was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut Shared<Item<S>>,
     index: usize,
     colors: [Rgb; 2],
     fields: fn(&mut Ui, &mut S),
-) -> Changed {
+) -> Option<Changed> {
     let mut item = items[index].clone();
     if heading(ui, &mut item, colors) {
         items.remove(index);
-        return Changed::OBJECTS;
+        return None;
     }
     fields(ui, &mut item.shape);
     let is_new = items[index] != item;
     if is_new {
         items[index] = item;
     }
-    Changed::OBJECTS.when(is_new)
+    Some(Changed::OBJECTS.when(is_new))
 }
 
 /// Shows the name, the colour and the remove button. Returns true if the button was clicked. The

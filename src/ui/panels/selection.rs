@@ -14,7 +14,6 @@ pub(crate) fn ui(
     resolved: Option<&ResolvedCamera>,
     count_from_one: bool,
 ) {
-    ui.heading("Selected ray");
     let Some(resolved) = resolved else {
         ui.weak("The camera sees nothing, so there is no ray.");
         return;

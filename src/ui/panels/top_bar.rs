@@ -1,4 +1,4 @@
-//! The bar at the top: scenes and files, views, shading, and number format.
+//! The bar at the top: the menus, the four workspaces, and the open one's pages.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
@@ -11,7 +11,9 @@ use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::overlay_items::Item;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
-use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{
+    DIGITS, Settings, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
+};
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
     HistoryAction, Leave, LookAction, Observe, Overlay,
@@ -36,40 +38,83 @@ pub(crate) fn ui(
 ) -> Changed {
     let before = *settings;
     MenuBar::new().ui(ui, |ui| {
+        // This menu stays open for several clicks.
+        let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         ui.menu_button("File", |ui| file_menu(ui, recent, actions));
         ui.menu_button("Edit", |ui| edit_menu(ui, steps, there, actions));
-        ui.menu_button("Scenes", |ui| {
-            for scene in builtin::all() {
-                ui.button(scene.name)
-                    .on_hover_text(scene.summary())
-                    .asks(Leave::Open(SceneSource::Builtin(scene)), actions);
-            }
-        });
+        MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings, actions));
         ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
-        // These menus stay open for several clicks.
-        let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, there, settings, actions));
-        menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
+        ui.menu_button("Tools", |ui| tools_menu(ui, settings));
+        ui.menu_button("Help", |ui| help_menu(ui, actions));
+        ui.separator();
+        workspaces(ui, settings);
+        pages(ui, there, settings, actions);
         ui.separator();
         // The same text as in the window's title.
         let changed = if open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed}", title_of(open.origin()));
-        let shading = format!("Shading: {}", shade_label(settings.shade));
-        let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];
-        layout(ui, there.answers, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
-        ui.separator();
-        shade(ui, &shading, &mut settings.shade);
-        ui.separator();
         ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
     });
     Changed::SESSION.when(*settings != before)
 }
 
-/// Minimum width of the scene's name, and width of a separator, in points.
+/// Minimum width of the scene's name, in points.
 const TITLE: f32 = 64.0;
-const SEPARATOR: f32 = 14.0;
+
+/// Shows the four workspaces side by side.
+fn workspaces(ui: &mut Ui, settings: &mut Settings) {
+    let open = settings.layout.workspace();
+    for workspace in Workspace::ALL {
+        let is_open = open == Some(workspace);
+        let tab = ui.selectable_label(is_open, RichText::new(workspace.label()).strong());
+        if tab.on_hover_text(workspace.about()).clicked() && !is_open {
+            settings.layout = workspace.pages()[0];
+        }
+    }
+}
+
+/// Shows the pages of the open workspace, or the tools while one of them is open; in a menu where there
+/// is no room for them side by side.
+fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
+    let pages: Vec<ViewLayout> = match settings.layout.workspace() {
+        Some(Workspace::Scene) => return ghost(ui, there, settings, actions),
+        Some(workspace) => workspace.pages().to_vec(),
+        None => TOOLS.to_vec(),
+    };
+    let is_there = |page: &ViewLayout| *page != ViewLayout::Answers || there.answers;
+    let pages: Vec<ViewLayout> = pages.into_iter().filter(is_there).collect();
+    if pages.len() < 2 {
+        return;
+    }
+    ui.separator();
+    let width: f32 = pages.iter().map(|page| width_of(ui, page.label())).sum();
+    let open = settings.layout.label();
+    let mut choices = |ui: &mut Ui| {
+        for page in &pages {
+            let choice = ui.selectable_value(&mut settings.layout, *page, page.label());
+            choice.on_hover_text(page.about());
+        }
+    };
+    if width + TITLE <= ui.available_width() {
+        choices(ui);
+    } else {
+        ui.menu_button(open, choices);
+    }
+}
+
+/// Shows the switch of the ghost, the frozen camera beside this one.
+fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
+    let is_on = settings.layout == ViewLayout::Compare;
+    ui.separator();
+    let hint = "Compare this camera with a frozen one: G freezes it";
+    if ui.selectable_label(is_on, "Ghost").on_hover_text(hint).clicked() {
+        settings.layout = if is_on { ViewLayout::Both } else { ViewLayout::Compare };
+        if !is_on && !there.ghost {
+            actions.push(GhostAction::Freeze.into());
+        }
+    }
+}
 
 /// Returns the width of a button with this text, including the space beside it.
 fn width_of(ui: &Ui, text: &str) -> f32 {
@@ -102,6 +147,13 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
         actions,
     );
     ui.separator();
+    ui.menu_button("Scenes", |ui| {
+        for scene in builtin::all() {
+            ui.button(scene.name)
+                .on_hover_text(scene.summary())
+                .asks(Leave::Open(SceneSource::Builtin(scene)), actions);
+        }
+    });
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {
             ui.weak("no file yet");
@@ -142,32 +194,29 @@ fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &
     entry(ui, "Paste a camera", ExchangeAction::AskPaste, actions);
 }
 
-fn show_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     entry(ui, "Presenter mode", LookAction::Present, actions);
     entry(ui, "Frame all", Observe::FrameAll, actions);
     entry(ui, "Frame the camera", Observe::FrameCamera, actions);
-    entry(ui, "Command palette", Overlay::Palette, actions);
-    entry(ui, "Keys", Overlay::Keys, actions);
     ui.separator();
     possible_entry(ui, "Freeze the camera as ghost", GhostAction::Freeze, there, actions);
     possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there, actions);
     possible_entry(ui, "Drop the ghost", GhostAction::Drop, there, actions);
     ui.separator();
-    ui.label("Drawn over the views");
-    for item in Item::ALL {
-        let mut shown = settings.items.shows(item);
-        if ui.checkbox(&mut shown, item.label()).changed() {
-            settings.items.set(item, shown);
-        }
-    }
-    ui.separator();
-    ui.menu_button("Picture drawn by", |ui| {
-        for &method in Method::ALL {
-            let hint = format!("{}\n{}", method.about(), method.source());
-            ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
+    ui.menu_button("Drawn over the views", |ui| {
+        for item in Item::ALL {
+            let mut shown = settings.items.shows(item);
+            if ui.checkbox(&mut shown, item.label()).changed() {
+                settings.items.set(item, shown);
+            }
         }
     });
-    ui.separator();
+    ui.menu_button("Shading", |ui| {
+        for shade in Shade::ALL {
+            let radio = ui.radio_value(&mut settings.shade, shade, shade_label(shade));
+            radio.on_hover_text(shade_about(shade));
+        }
+    });
     ui.menu_button("Colours", |ui| {
         for theme in ThemeName::ALL {
             ui.radio_value(&mut settings.theme, theme, theme.label());
@@ -178,6 +227,8 @@ fn show_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &m
             radio.on_hover_text(scheme.about());
         }
     });
+    ui.menu_button("Numbers", |ui| numbers_menu(ui, settings));
+    ui.separator();
     ui.checkbox(&mut settings.reduced_motion, "Reduced motion");
     ui.horizontal(|ui| {
         ui.label("Smallest text while presenting");
@@ -187,9 +238,32 @@ fn show_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &m
         let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(hint);
         response.named("smallest text while presenting");
     });
+    entry(ui, "Larger", LookAction::ZoomBy(1), actions);
+    entry(ui, "Smaller", LookAction::ZoomBy(-1), actions);
+    entry(ui, "Reset zoom", LookAction::ZoomBy(0), actions);
+}
+
+fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
+    for tool in TOOLS {
+        let choice = ui.selectable_value(&mut settings.layout, *tool, tool.label());
+        choice.on_hover_text(tool.about());
+    }
     ui.separator();
-    let zoom = |by| shortcut(LookAction::ZoomBy(by));
-    ui.weak(format!("Zoom: {} and {}", zoom(1), zoom(-1)));
+    ui.menu_button("Renderer", |ui| {
+        ui.label("The camera's picture is drawn by");
+        for &method in Method::ALL {
+            let hint = format!("{}\n{}", method.about(), method.source());
+            ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
+        }
+    });
+}
+
+fn help_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+    entry(ui, "Keys", Overlay::Keys, actions);
+    entry(ui, "Command palette", Overlay::Palette, actions);
+    ui.separator();
+    entry(ui, "The lecture's conventions", Overlay::Conventions, actions);
+    entry(ui, "About Pinhole", Overlay::About, actions);
 }
 
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
@@ -199,50 +273,4 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
             .named("significant digits");
     });
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
-}
-
-/// Shows the layouts side by side. Layouts without room move into a menu; `after` is the width
-/// reserved for what follows.
-fn layout(ui: &mut Ui, has_answers: bool, settings: &mut Settings, after: f32) {
-    let answers = has_answers.then_some(ViewLayout::Answers);
-    let layouts: Vec<ViewLayout> = ViewLayout::listed().chain(answers).collect();
-    let widths: Vec<f32> = layouts.iter().map(|layout| width_of(ui, layout.label())).collect();
-    let room = ui.available_width() - after;
-    let fits = |room: f32| {
-        let ends = widths.iter().scan(0.0, |end, width| {
-            *end += width;
-            Some(*end)
-        });
-        ends.take_while(|end| *end <= room).count()
-    };
-    let chosen = settings.layout;
-    let more = |hidden: &[ViewLayout]| match hidden.contains(&chosen) {
-        true => format!("More: {}", chosen.label()),
-        false => "More".to_owned(),
-    };
-    let shown = match fits(room) {
-        all if all == layouts.len() => all,
-        // The longest label that the menu can have.
-        _ => fits(room - width_of(ui, &format!("More: {}", ViewLayout::Translator.label()))),
-    };
-    let (shown, hidden) = layouts.split_at(shown);
-    let mut choices = |ui: &mut Ui, layouts: &[ViewLayout]| {
-        for layout in layouts {
-            let value = ui.selectable_value(&mut settings.layout, *layout, layout.label());
-            value.on_hover_text(layout.about());
-        }
-    };
-    choices(ui, shown);
-    if !hidden.is_empty() {
-        ui.menu_button(more(hidden), |ui| choices(ui, hidden));
-    }
-}
-
-fn shade(ui: &mut Ui, text: &str, chosen: &mut Shade) {
-    ui.menu_button(text, |ui| {
-        for one in Shade::ALL {
-            let radio = ui.radio_value(chosen, one, shade_label(one));
-            radio.on_hover_text(shade_about(one));
-        }
-    });
 }

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod framing;
 pub mod handles;
 pub mod navigation;
+pub mod number_strip;
 pub mod readouts;
 pub mod view_rects;
 pub mod views;

@@ -8,6 +8,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::number::{grouped, written};
+use crate::model::session::Settings;
 use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::vector_color;
@@ -28,6 +29,15 @@ pub(crate) struct NumberStyle {
 }
 
 impl NumberStyle {
+    /// The format that the settings ask for.
+    pub(crate) fn new(settings: &Settings) -> NumberStyle {
+        NumberStyle {
+            digits: settings.digits,
+            count_from_one: settings.count_from_one,
+            exact: false,
+        }
+    }
+
     fn for_programs(self) -> NumberStyle {
         NumberStyle { exact: true, ..self }
     }
@@ -43,7 +53,7 @@ impl NumberStyle {
         format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
     }
 
-    fn pixel(self, pixel: Pixel) -> String {
+    pub(super) fn pixel(self, pixel: Pixel) -> String {
         let from = u32::from(self.count_from_one);
         format!("row {}, column {}", pixel.row + from, pixel.column + from)
     }
@@ -118,8 +128,7 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
 const VECTORS: [&str; 7] = ["u", "v", "w", "p", "d", "point", "normal"];
 
 /// Lays out a name, in the vector's own colour if the views show the vector.
-fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
-    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+pub(super) fn name_of(ui: &Ui, name: &str, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
     if !VECTORS.contains(&name) {
@@ -131,7 +140,8 @@ fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
 
 /// Shows a line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
-    let label = ui.label(name_of(ui, name, true));
+    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+    let label = ui.label(name_of(ui, name, true, size));
     if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);
     }
@@ -277,7 +287,7 @@ impl RootLines {
         ui.horizontal_wrapped(|ui| {
             ui.add_space(12.0);
             for (name, value) in &self.numbers {
-                let mut job = name_of(ui, name, first);
+                let mut job = name_of(ui, name, first, font.size);
                 let format = TextFormat::simple(font.clone(), color);
                 job.append(&format!(" = {value}"), 0.0, format);
                 let response = ui.add(Label::new(job).extend());

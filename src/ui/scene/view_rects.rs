@@ -9,6 +9,8 @@ use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
+/// Height of the strip of numbers below the two views, in points.
+const NUMBER_STRIP: f32 = 66.0;
 /// Width of the handle between two areas, in points.
 const HANDLE: f32 = 8.0;
 /// Movement of a handle by an arrow key, in points.
@@ -52,6 +54,8 @@ pub(crate) struct Divider<'a> {
     pub(crate) splits: &'a mut Splits,
     /// Before an audience there are no readouts, and no titles above the two views.
     pub(crate) presenting: bool,
+    /// All numbers are shown below the two views; else one line of them.
+    pub(crate) all_numbers: bool,
 }
 
 impl Divider<'_> {
@@ -90,6 +94,14 @@ impl Divider<'_> {
     pub(crate) fn above_readouts(&mut self) -> (Rect, Rect) {
         if self.presenting {
             return (self.whole, Rect::from_min_size(self.whole.left_bottom(), Vec2::ZERO));
+        }
+        if !self.all_numbers {
+            let boundary = (self.whole.bottom() - NUMBER_STRIP).max(self.whole.top());
+            let (left, right) = (self.whole.left(), self.whole.right());
+            return (
+                Rect::from_min_max(self.whole.min, pos2(right, boundary)),
+                Rect::from_min_max(pos2(left, boundary), self.whole.max),
+            );
         }
         self.above(Split::Readouts)
     }

@@ -17,6 +17,8 @@ use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::handles::sphere_at;
+use crate::ui::scene::number_strip;
+use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::{ViewRects, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
@@ -249,10 +251,50 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
     Some(Concept::Object(scene.first_hit_of(&ray)?.object))
 }
 
-/// Shows the name of the hovered concept beside the mouse.
-pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Document) {
-    let Some(Hovered { concept, by: HoverSource::View }) = hovered else { return };
-    let words = concept.description(|object| document.title_of(object as usize));
+/// Returns the pixel under the mouse, in the camera view or on the viewport in the world view.
+pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Selection> {
+    let resolved = shown.resolved.as_ref().filter(|_| shown.fault.is_none())?;
+    if ui.input(|i| i.pointer.any_down()) {
+        return None;
+    }
+    let per_point = ui.ctx().pixels_per_point();
+    let at = |rect: Option<Rect>, name: &str| {
+        let response = ui.ctx().read_response(ui.scope_id().with(name))?;
+        let pointer = response.hover_pos().filter(|_| response.hovered())?;
+        Some(((pointer - rect?.min) * per_point, rect?.size() * per_point))
+    };
+    let uv = match at(rects.camera, CAMERA) {
+        Some((at, size)) => {
+            let size = [size.x.round() as usize, size.y.round() as usize];
+            overlay::camera_uv_at(resolved, size, [at.x, at.y])
+        }
+        None => {
+            let (at, _) = at(rects.world, WORLD)?;
+            overlay::pick(resolved, shown.world_frame.as_ref()?, [at.x, at.y])?
+        }
+    };
+    Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
+}
+
+/// Shows the numbers of the ray under the mouse beside it, or else the name of the hovered concept.
+pub(crate) fn tell_pointed(
+    ui: &Ui,
+    session: &Session,
+    shown: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) {
+    let words = match (session.hovered, &shown.inspection) {
+        (Some(Hovered { by: HoverSource::Derivation, .. }), _) => return,
+        (
+            None | Some(Hovered { concept: Concept::Object(_) | Concept::Pixel, .. }),
+            Some(found),
+        ) if session.pointed_ray.is_some() => number_strip::ray_text(found, document, style),
+        (Some(Hovered { concept, .. }), _) => {
+            concept.description(|object| document.title_of(object as usize))
+        }
+        (None, _) => return,
+    };
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
         .show(|ui| {

@@ -2,7 +2,7 @@
 
 use egui::{Rect, Ui, pos2};
 
-use super::workspace::{Beside, Desk, Frame, Workspace};
+use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
 use crate::model::files::title_of;
 use crate::model::session::Split;
@@ -11,7 +11,7 @@ use crate::ui::scene::view_rects::{Areas, STRIP, halves};
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
 
-pub(super) const ACCURACY: Workspace = Workspace {
+pub(super) const ACCURACY: Page = Page {
     areas: |divider| {
         let (views, rest) = divider.above(Split::Accuracy);
         // Below both, so that they are alike, room for the map's legend.
@@ -32,7 +32,7 @@ pub(super) const ACCURACY: Workspace = Workspace {
         Changed::SESSION.when(desk.session.settings.compared != before)
     },
     figure: Subject::Camera,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
 fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {

@@ -2,14 +2,14 @@
 
 use egui::Ui;
 
-use super::workspace::{Beside, Desk, Frame, Workspace};
+use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
 use crate::model::session::{Session, Split};
 use crate::ui::changed::Changed;
 use crate::ui::practice::answers;
 use crate::ui::scene::views;
 
-pub(super) const ANSWERS: Workspace = Workspace {
+pub(super) const ANSWERS: Page = Page {
     areas: |divider| divider.pair_above(Split::Answers),
     beside: Some(&Beside {
         name: views::ANSWERS,
@@ -25,7 +25,7 @@ pub(super) const ANSWERS: Workspace = Workspace {
         Changed::SESSION.when(chosen(desk.session) != before)
     },
     figure: Subject::Camera,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
 fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {

@@ -2,13 +2,13 @@
 
 use egui::Ui;
 
-use super::workspace::{Beside, Desk, Frame, Workspace};
+use super::page::{Beside, Desk, Frame, Page};
 use crate::model::session::Split;
 use crate::ui::changed::Changed;
 use crate::ui::scene::view_rects::{Areas, halves};
 use crate::ui::scene::{compare, views};
 
-pub(super) const COMPARE: Workspace = Workspace {
+pub(super) const COMPARE: Page = Page {
     areas: |divider| {
         let (views, rest) = divider.above(Split::Compare);
         let (left, right) = divider.across(views, Split::CompareViews, "views handle");
@@ -25,7 +25,7 @@ pub(super) const COMPARE: Workspace = Workspace {
         compare::ui(ui, desk.derived, document, ghost, desk.style, desk.actions);
         Changed::NOTHING
     },
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
 fn ghost(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {

@@ -2,20 +2,21 @@
 
 use egui::Ui;
 
-use super::workspace::{Desk, Workspace};
+use super::page::{Desk, Page};
 use crate::figures::Subject;
 use crate::model::session::Split;
 use crate::ui::changed::Changed;
 
-pub(super) const DERIVATION: Workspace = Workspace {
+pub(super) const DERIVATION: Page = Page {
+    follows_pointer: true,
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
     rest: derivation,
     hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
     figure: Subject::Derivation,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
-pub(super) const ALONE: Workspace = Workspace { areas: |divider| divider.no_views(), ..DERIVATION };
+pub(super) const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
 
 fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
     let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };

@@ -1,10 +1,10 @@
 //! Questions with fields for the answers.
 
-use super::workspace::Workspace;
+use super::page::Page;
 use crate::ui::changed::Changed;
 use crate::ui::practice::exercises;
 
-pub(super) const EXERCISES: Workspace = Workspace {
+pub(super) const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
     rest: |ui, desk| {
@@ -12,5 +12,5 @@ pub(super) const EXERCISES: Workspace = Workspace {
             exercises::ui(ui, open, desk.style, desk.actions);
         })
     },
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };

@@ -1,16 +1,16 @@
 //! The lab of lines in two dimensions.
 
-use super::workspace::Workspace;
+use super::page::Page;
 use crate::figures::Subject;
 use crate::ui::changed::Changed;
 use crate::ui::ray::lines;
 
-pub(super) const LINES: Workspace = Workspace {
+pub(super) const LINES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
     rest: |ui, desk| {
         Changed::edited(&mut desk.session.lines, |lab| lines::ui(ui, lab, desk.style.digits))
     },
     figure: Subject::Lines,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };

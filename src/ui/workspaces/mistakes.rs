@@ -2,14 +2,14 @@
 
 use egui::Ui;
 
-use super::workspace::{Beside, Desk, Frame, Workspace};
+use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
 use crate::model::session::Split;
 use crate::ui::changed::Changed;
 use crate::ui::practice::mistakes;
 use crate::ui::scene::views;
 
-pub(super) const MISTAKES: Workspace = Workspace {
+pub(super) const MISTAKES: Page = Page {
     areas: |divider| divider.pair_above(Split::Mistakes),
     beside: Some(&Beside {
         name: views::WRONG,
@@ -22,7 +22,7 @@ pub(super) const MISTAKES: Workspace = Workspace {
         })
     },
     figure: Subject::Camera,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
 fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {

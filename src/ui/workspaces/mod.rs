@@ -1,5 +1,5 @@
-//! The workspaces, a file each, and the table of them: what a layout of the window shows and where. A
-//! new one is a file here, a line in [`workspace`], and a row in the model's table of layouts.
+//! The workspaces' pages, a file each, and the table of them: what a layout of the window shows and where. A
+//! new one is a file here, a line in [`page`], and a row in the model's table of layouts.
 
 mod accuracy;
 mod answers;
@@ -9,17 +9,17 @@ mod exercises;
 mod frame;
 mod lines;
 mod mistakes;
+mod page;
 mod plot;
 mod translator;
 mod views;
-mod workspace;
 
-pub(crate) use self::workspace::{Desk, Frame, Tools, Workspace};
+pub(crate) use self::page::{Desk, Frame, Page, Tools};
 
 use crate::model::session::ViewLayout;
 
-/// The workspace of a layout.
-pub(crate) fn workspace(layout: ViewLayout) -> &'static Workspace {
+/// Returns the page of a layout.
+pub(crate) fn page(layout: ViewLayout) -> &'static Page {
     match layout {
         ViewLayout::Both => &views::BOTH,
         ViewLayout::World => &views::WORLD,

@@ -1,11 +1,12 @@
 //! Both views, and every object's f(p + t d) against t below them.
 
-use super::workspace::Workspace;
+use super::page::Page;
 use crate::model::session::{Session, Split};
 use crate::ui::changed::Changed;
 use crate::ui::ray::plot;
 
-pub(super) const PLOT: Workspace = Workspace {
+pub(super) const PLOT: Page = Page {
+    follows_pointer: true,
     areas: |divider| divider.both_above(Split::Plot),
     rest: |ui, desk| {
         let Session { ray_point_t, settings, .. } = &mut *desk.session;
@@ -17,5 +18,5 @@ pub(super) const PLOT: Workspace = Workspace {
         changed
     },
     hovered: |ctx, _, derived| plot::hovered(ctx, derived),
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };

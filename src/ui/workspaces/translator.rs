@@ -1,10 +1,10 @@
 //! The camera in other programs' terms, beside both views.
 
-use super::workspace::Workspace;
+use super::page::Page;
 use crate::model::session::{Session, Split};
 use crate::ui::changed::Changed;
 
-pub(super) const TRANSLATOR: Workspace = Workspace {
+pub(super) const TRANSLATOR: Page = Page {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
     rest: |ui, desk| {
         let document = &desk.open.document;
@@ -14,5 +14,5 @@ pub(super) const TRANSLATOR: Workspace = Workspace {
             panel.ui(ui, document, choice, *selection, settings.digits, desk.actions);
         })
     },
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };

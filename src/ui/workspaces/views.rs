@@ -1,44 +1,79 @@
 //! The world view and the camera view, both or one of them, and the selected ray in numbers.
 
-use egui::Ui;
+use egui::{Align, Layout, TextStyle, Ui};
 
-use super::workspace::{Desk, Workspace};
+use super::page::{Desk, Page};
 use crate::figures::Subject;
+use crate::model::lessons::{StepId, Which};
+use crate::model::session::ViewLayout;
+use crate::ui::action::{Leave, LookAction};
 use crate::ui::changed::Changed;
-use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::Areas;
+use crate::ui::scene::{number_strip, readouts};
+use crate::ui::widgets::asking::Asking as _;
 
-pub(super) const BOTH: Workspace = Workspace {
+pub(super) const BOTH: Page = Page {
+    follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
         divider.both(views, rest)
     },
     rest: numbers,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
-pub(super) const WORLD: Workspace = Workspace {
+pub(super) const WORLD: Page = Page {
+    follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
         Areas { world: Some(views), camera: None, beside: None, rest }
     },
     rest: numbers,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
-pub(super) const CAMERA: Workspace = Workspace {
+pub(super) const CAMERA: Page = Page {
+    follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
         Areas { world: None, camera: Some(views), beside: None, rest }
     },
     rest: numbers,
     figure: Subject::Camera,
-    ..Workspace::VIEWS
+    ..Page::VIEWS
 };
 
 fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
-    if desk.session.presenting.is_none() {
-        readouts::ui(ui, desk.derived, &desk.open.document, desk.style);
+    if desk.session.presenting.is_some() {
+        return Changed::NOTHING;
     }
-    Changed::NOTHING
+    let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
+    let all = desk.session.settings.unfolded.numbers;
+    let mut switched = false;
+    ui.add_space(2.0);
+    if all {
+        switched = ui.small_button("Fewer numbers").clicked();
+        readouts::ui(ui, derived, document, style);
+    } else {
+        let size = TextStyle::Body.resolve(ui.style()).size + 1.0;
+        number_strip::ui(ui, derived, document, style, size);
+        ui.horizontal(|ui| {
+            ui.weak("Drag eye, at or up. Click a pixel.");
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                switched = ui.button("All numbers").clicked();
+                if desk.has_lesson {
+                    return;
+                }
+                ui.button("Present").asks(LookAction::Present, desk.actions);
+                let exercises = LookAction::Layout(ViewLayout::Exercises);
+                ui.button("Practise").asks(exercises, desk.actions);
+                let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
+                ui.button("Start the lecture").asks(Leave::GoTo(lecture), desk.actions);
+            });
+        });
+    }
+    if switched {
+        desk.session.settings.unfolded.numbers = !all;
+    }
+    Changed::SESSION.when(switched)
 }

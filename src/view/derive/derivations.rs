@@ -24,7 +24,7 @@ impl Derivations {
             return None;
         }
         let settings = DerivationSettings {
-            selection: session.selection,
+            selection: session.shown_selection(),
             sections: session.sections,
             digits: session.settings.digits,
             from_one: session.settings.count_from_one,

@@ -74,7 +74,7 @@ struct CameraViewKey {
     size: [u32; 2],
     selection: Selection,
     items: OverlayItems,
-    highlighted: Option<(Concept, usize)>,
+    highlighted: Option<HighlightKey>,
     loupe: Option<Arc<Loupe>>,
     scale: f32,
     style: Style,
@@ -91,7 +91,7 @@ struct WorldViewKey {
     scanned_pixels: Option<u64>,
     selection: Selection,
     items: OverlayItems,
-    highlighted: Option<(Concept, usize)>,
+    highlighted: Option<HighlightKey>,
     ray_point_t: Option<f64>,
     handles: Handles,
     ghost: Option<ResolvedCamera>,
@@ -195,8 +195,8 @@ impl Deriver {
                 size: key.size.map(|n| n as usize),
                 scale: key.scale,
                 style: key.style,
-                highlighted: scene.zip(key.highlighted).map(|(scene, (concept, digits))| {
-                    Highlighted { concept, camera: &document.camera, scene, digits }
+                highlighted: scene.zip(key.highlighted).map(|(scene, (concept, digits, dims))| {
+                    Highlighted { concept, camera: &document.camera, scene, digits, dims }
                 }),
                 loupe: key.loupe.as_deref(),
             };
@@ -250,7 +250,7 @@ impl Deriver {
         let stage = Stage {
             document,
             resolved: derived.resolved.as_ref(),
-            selection: session.selection,
+            selection: session.shown_selection(),
             items: session.settings.items,
             observer: world.frame.camera(),
             scale: sizes.scale,
@@ -262,7 +262,7 @@ impl Deriver {
             size,
             picture: seen.map(|_| self.pictures.made),
             scanned_pixels: session.scanned_pixels,
-            selection: session.selection,
+            selection: session.shown_selection(),
             items: session.settings.items,
             highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
@@ -287,11 +287,12 @@ impl Deriver {
                 items: key.items,
                 scale: key.scale,
                 style: key.style,
-                highlighted: key.highlighted.map(|(concept, digits)| Highlighted {
+                highlighted: key.highlighted.map(|(concept, digits, dims)| Highlighted {
                     concept,
                     camera: &document.camera,
                     scene: &good.scene,
                     digits,
+                    dims,
                 }),
                 ray_point_t: key.ray_point_t,
                 handles: &key.handles,
@@ -324,7 +325,9 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
     vec![Color32::BLACK; width as usize * height as usize]
 }
 
-/// Returns the highlighted concept and the number of digits of its labels.
-fn highlight_key(session: &Session) -> Option<(Concept, usize)> {
-    Some((session.highlighted()?, session.settings.digits))
+/// The highlighted concept, the number of digits of its labels, and whether it dims everything else.
+type HighlightKey = (Concept, usize, bool);
+
+fn highlight_key(session: &Session) -> Option<HighlightKey> {
+    Some((session.highlighted()?, session.settings.digits, session.dims()))
 }

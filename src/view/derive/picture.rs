@@ -130,7 +130,7 @@ impl Pictures {
         resolved: ResolvedCamera,
         world: &GoodWorld,
     ) -> GoodPicture {
-        let selection = session.selection.inside(resolved.image());
+        let selection = session.shown_selection().inside(resolved.image());
         let inspection = self.inspected(resolved, world, selection);
         // If only the world view is open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);

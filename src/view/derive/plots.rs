@@ -38,7 +38,7 @@ impl Plots {
         let scheme = sizes.style.scheme();
         let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
         let inspection = derived.inspection.as_deref()?;
-        let selection = session.selection.inside(resolved.image());
+        let selection = session.shown_selection().inside(resolved.image());
         let ray = selection.exact_ray(resolved).ok()?;
         let named = |object: u32| {
             let title = document.title_of(object as usize);

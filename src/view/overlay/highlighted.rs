@@ -1,5 +1,5 @@
-//! Highlighting of a concept: everything else is dimmed, and the concept is drawn again, thicker
-//! and on top, even if its overlay item is switched off.
+//! Highlighting of a concept: it is drawn again, thicker and on top, even if its overlay item is
+//! switched off. Where it is spoken of, and not only pointed at, everything else is dimmed.
 //!
 //! `highlighted_world` does so in the world view, `highlighted_camera` in the camera view.
 
@@ -24,6 +24,8 @@ pub struct Highlighted<'a> {
     pub scene: &'a Scene,
     /// Significant digits of numbers.
     pub digits: usize,
+    /// True if everything else is dimmed.
+    pub dims: bool,
 }
 
 impl Highlighted<'_> {
@@ -49,14 +51,18 @@ pub(super) const ALONG: [(Concept, &str); 3] =
 pub(super) const STRONG: f32 = 5.0;
 pub(super) const BESIDE: f32 = 3.0;
 
-/// Dims the other marks and labels, and removes the concept's own, which are drawn again.
-pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, concept: Concept) {
+/// Removes the concept's own marks and labels, which are drawn again, and dims the others if it does.
+pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
+    let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
+    requests.retain(|request| request.concept != Some(concept));
+    if !highlighted.dims {
+        return;
+    }
     for mark in &mut drawing.marks {
         mark.color = mark.color.gamma_multiply(DIMMED);
         mark.halo = mark.halo.map(|halo| halo.gamma_multiply(DIMMED));
     }
-    requests.retain(|request| request.concept != Some(concept));
     for request in requests {
         request.label.color = request.label.color.gamma_multiply(DIMMED);
     }

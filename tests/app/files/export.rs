@@ -7,11 +7,12 @@ use egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::figures::{Format, Look, View, of_view};
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
-use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
+use crate::harness::{assert_says, export_to, says, show, texts_with, type_into, window};
 
 fn open_dialog(window: &mut Harness<'_, App>) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);
@@ -129,8 +130,7 @@ fn a_folder_that_is_not_there_is_told() {
 #[test]
 fn the_derivation_is_copied_as_latex_and_as_markdown() {
     let mut window = window("canonical");
-    window.get_by_label("Derivation").click();
-    window.run();
+    show(&mut window, ViewLayout::Derivation);
     for (name, part) in [("LaTeX", r"\begin{align*}"), ("Markdown", "### Basis")] {
         window.get_by_label("Copy the derivation as").click();
         window.run();

@@ -9,7 +9,7 @@ use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 
-use crate::harness::{assert_says, type_into, window, window_with};
+use crate::harness::{assert_says, open_scene, type_into, window, window_with};
 
 fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>, key: egui::Key) {
     window.key_press_modifiers(egui::Modifiers::COMMAND, key);
@@ -65,10 +65,7 @@ fn a_number_that_is_being_typed_is_saved_too() {
 #[test]
 fn a_built_in_scene_opens_from_the_menu() {
     let mut window = window("canonical");
-    window.get_by_label("Scenes").click();
-    window.run();
-    window.get_by_label("forty-five").click();
-    window.run();
+    open_scene(&mut window, "forty-five");
     assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");
 }
 
@@ -114,10 +111,7 @@ fn unsaved_changes_are_asked_about_before_another_scene_opens() {
     let mut window = window("canonical");
     type_into(&mut window, "eye x", "7");
     for (answer, eye) in [("Cancel", 7.0), ("Discard", 0.0)] {
-        window.get_by_label("Scenes").click();
-        window.run();
-        window.get_by_label("distance-two").click();
-        window.run();
+        open_scene(&mut window, "distance-two");
         assert_says(&window, "Save the changes to canonical?");
         window.get_by_label(answer).click();
         window.run();
@@ -132,10 +126,7 @@ fn what_waited_for_saving_goes_on_after_it() {
     let path = folder.path().join("kept.toml");
     let mut window = window("canonical");
     type_into(&mut window, "eye x", "7");
-    window.get_by_label("Scenes").click();
-    window.run();
-    window.get_by_label("distance-two").click();
-    window.run();
+    open_scene(&mut window, "distance-two");
     window.get_by_role_and_label(Role::Button, "Save").click();
     window.run();
     type_path(&mut window, &path);

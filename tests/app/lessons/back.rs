@@ -4,8 +4,10 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+use pinhole::model::session::ViewLayout;
+
 use super::{Window, at_step, key, press, shown_step};
-use crate::harness::{assert_says, drag_from, says, type_into};
+use crate::harness::{assert_says, drag_from, says, show, type_into};
 
 #[test]
 fn one_key_brings_the_step_back_after_dragging() {
@@ -22,8 +24,7 @@ fn one_key_brings_the_step_back_after_dragging() {
     assert_eq!(*window.state().document(), before.0);
     assert!(disabled(&window));
     type_into(&mut window, "uv u", "0.3");
-    window.get_by_role_and_label(Role::Button, "World").click();
-    window.run();
+    show(&mut window, ViewLayout::World);
     let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
     let from = rect.min + egui::vec2(60.0, 60.0);
     window.drag_at(from);

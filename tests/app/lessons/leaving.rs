@@ -11,11 +11,11 @@ use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
 use super::{Window, at_step, key, press, shown_step};
-use crate::harness::{assert_says, type_into, window, window_with};
+use crate::harness::{assert_says, open_scene, type_into, unfolded, window, window_with};
 
 #[test]
 fn lessons_open_from_the_bar_and_close_without_a_trace() {
-    let settings = Settings { layout: ViewLayout::Camera, digits: 9, ..Settings::default() };
+    let settings = Settings { layout: ViewLayout::Camera, digits: 9, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut window = window_with("planet", remembered, None);
     let before = window.state().session().settings;
@@ -91,10 +91,7 @@ fn the_next_run_goes_on_at_the_step_and_has_the_settings_from_before() {
 #[test]
 fn another_scene_ends_the_lesson() {
     let mut window = at_step(2, 1);
-    window.get_by_label("Scenes").click();
-    window.run();
-    window.get_by_label("planet").click();
-    window.run();
+    open_scene(&mut window, "planet");
     assert!(window.state().lesson().is_none());
     let radii: Vec<f64> =
         window.state().document().spheres.iter().map(|item| item.shape.radius).collect();

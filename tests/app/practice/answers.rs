@@ -11,7 +11,7 @@ use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
 
 use crate::app::files::scene_files::drop_file;
-use crate::harness::{assert_says, click_at, export_to, says, texts_with, type_into, window};
+use crate::harness::{assert_says, click_at, export_to, says, show, texts_with, type_into, window};
 
 const BACKWARDS: &str = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
 
@@ -109,7 +109,7 @@ fn the_grade_follows_the_camera() {
     assert_says(&window, "The scene has a fault: there is nothing to grade by.");
     // While another layout is shown, nothing is graded.
     type_into(&mut window, "at z", "-1");
-    click(&mut window, "Camera");
+    show(&mut window, ViewLayout::Camera);
     assert!(window.state().derived().answers.is_none());
     click(&mut window, "Answers");
     assert_says(&window, "Mistake: w-as-printed");

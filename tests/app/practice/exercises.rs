@@ -9,7 +9,7 @@ use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
-use crate::harness::{assert_reads, assert_says, texts_with, type_into, window};
+use crate::harness::{assert_reads, assert_says, show, texts_with, type_into, window};
 
 fn click(window: &mut Harness<'_, App>, label: &str) {
     window.get_by_role_and_label(Role::Button, label).click();
@@ -18,7 +18,7 @@ fn click(window: &mut Harness<'_, App>, label: &str) {
 
 fn open(exercise: Exercise) -> Harness<'static, App> {
     let mut window = window("canonical");
-    click(&mut window, "Exercises");
+    show(&mut window, ViewLayout::Exercises);
     if exercise != Exercise::WarmUpRay {
         click(&mut window, title(exercise));
     }
@@ -319,9 +319,9 @@ fn the_solution_is_exact_where_it_can_be_and_is_hidden_again() {
 #[test]
 fn the_questions_camera_opens_and_asks_about_changes_first() {
     let mut window = open(Exercise::Distance);
-    click(&mut window, "Both");
+    show(&mut window, ViewLayout::Both);
     type_into(&mut window, "eye x", "1");
-    click(&mut window, "Exercises");
+    show(&mut window, ViewLayout::Exercises);
     click(&mut window, "Show this scene");
     assert_says(&window, "Save the changes to canonical?");
     click(&mut window, "Discard");

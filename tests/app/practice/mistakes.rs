@@ -3,10 +3,11 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
-use crate::harness::{assert_says, click_at, texts_with, type_into, window};
+use crate::harness::{assert_says, click_at, show, texts_with, type_into, window};
 
 /// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
@@ -16,7 +17,7 @@ fn click(window: &mut Harness<'_, App>, label: &str) {
 
 fn open(scene: &str) -> Harness<'static, App> {
     let mut window = window(scene);
-    click(&mut window, "Mistakes");
+    show(&mut window, ViewLayout::Mistakes);
     window
 }
 

@@ -4,15 +4,15 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lines::LinesLab;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::DVec2;
 
-use crate::harness::{assert_reads, assert_says, drag_from, says, type_into, window};
+use crate::harness::{assert_reads, assert_says, drag_from, says, show, type_into, window};
 
 fn open() -> Harness<'static, App> {
     let mut window = window("canonical");
-    window.get_by_role_and_label(Role::Button, "Lines").click();
-    window.run();
+    show(&mut window, ViewLayout::Lines);
     window
 }
 

@@ -7,15 +7,15 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::concept::Concept;
 use pinhole::model::overlay_items::Item;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::world_position_of;
 
-use crate::harness::{assert_reads, assert_says, type_into, window};
+use crate::harness::{assert_reads, assert_says, show, type_into, window};
 
 fn open(scene: &str) -> Harness<'static, App> {
     let mut window = window(scene);
-    window.get_by_role_and_label(Role::Button, "Plot").click();
-    window.run();
+    show(&mut window, ViewLayout::Plot);
     window
 }
 

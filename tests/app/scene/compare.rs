@@ -4,10 +4,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, NO_OBJECT, Outputs, Raster, trace};
 
-use crate::harness::{assert_reads, assert_says, texts_with, type_into, window};
+use crate::harness::{assert_reads, assert_says, open_scene, show, texts_with, type_into, window};
 
 fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     harness.key_press_modifiers(modifiers, key);
@@ -23,7 +24,7 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
 fn comparing(scene: &str) -> Harness<'static, App> {
     let mut harness = window(scene);
     press(&mut harness, Modifiers::NONE, Key::G);
-    click(&mut harness, "Compare");
+    show(&mut harness, ViewLayout::Compare);
     harness
 }
 
@@ -138,7 +139,7 @@ fn camera_and_ghost_change_places_in_one_step() {
 #[test]
 fn without_a_ghost_the_layout_says_how_to_get_one() {
     let mut harness = window("canonical");
-    click(&mut harness, "Compare");
+    show(&mut harness, ViewLayout::Compare);
     assert_says(&harness, "Freeze the camera to compare with it: press G.");
     click(&mut harness, "Freeze the camera");
     assert!(harness.state().derived().against_ghost.is_some());
@@ -150,9 +151,6 @@ fn without_a_ghost_the_layout_says_how_to_get_one() {
 #[test]
 fn another_scene_has_no_ghost() {
     let mut harness = comparing("canonical");
-    harness.get_by_label("Scenes").click();
-    harness.run();
-    harness.get_by_label("look-at").click();
-    harness.run();
+    open_scene(&mut harness, "look-at");
     assert!(harness.state().session().ghost.is_none());
 }

@@ -15,7 +15,7 @@ use pinhole_core::{Camera, DVec3};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};
-use crate::harness::{assert_says, says, window, window_with};
+use crate::harness::{assert_says, says, unfolded, window, window_with};
 
 fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
     harness.get_by_role_and_label(Role::Slider, handle).rect().center()
@@ -94,7 +94,7 @@ fn choose(harness: &mut Harness<'_, App>, handle: &str) {
 #[test]
 fn every_free_handle_stays_under_the_pointer_and_is_undone_in_one_step() {
     for (scene, handle, name) in FREE {
-        let settings = Settings { keep_pixel_shape: false, ..Settings::default() };
+        let settings = Settings { keep_pixel_shape: false, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut harness = window_with(scene, remembered, None);
         choose(&mut harness, handle);
@@ -285,7 +285,7 @@ fn corners_keep_the_pixels_shape_and_distance_the_picture_on_wish() {
     assert_eq!((viewport.width, viewport.height), (1.0, 1.0));
     undo(&mut harness);
 
-    let settings = Settings { keep_picture: true, ..Settings::default() };
+    let settings = Settings { keep_picture: true, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut harness = window_with("canonical", remembered, None);
     for handle in ["viewport's distance handle", "viewport, top left corner handle"] {

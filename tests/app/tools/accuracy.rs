@@ -10,7 +10,7 @@ use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::Pixel;
 use pinhole_core::methods::Method;
 
-use crate::harness::{assert_says, texts_with, type_into, window, window_with};
+use crate::harness::{assert_says, show, texts_with, type_into, unfolded, window, window_with};
 
 fn named(name: &str) -> MethodName {
     MethodName(Method::from_name(name).unwrap())
@@ -34,7 +34,7 @@ fn far_window() -> Harness<'static, App> {
 }
 
 fn open(window: &mut Harness<'_, App>) {
-    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    show(window, ViewLayout::Accuracy);
     window.run_steps(3);
 }
 
@@ -165,7 +165,7 @@ fn crowded_window(settings: Settings) -> Harness<'static, App> {
 
 #[test]
 fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
-    let settings = Settings { method: named("textbook-f64"), ..Settings::default() };
+    let settings = Settings { method: named("textbook-f64"), ..unfolded() };
     let mut window = crowded_window(settings);
     let derived = window.state().derived().clone();
     let too_many = derived.too_many.unwrap();
@@ -179,7 +179,7 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     let (of_ladder, shown) = (ladders.state().derived(), derived.camera_view.unwrap());
     assert_eq!(of_ladder.too_many, None, "the ladder takes any number of objects");
     assert_eq!(shown.image.pixels, of_ladder.camera_view.clone().unwrap().image.pixels);
-    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    show(&mut window, ViewLayout::Accuracy);
     // Nothing is measured, so this comes to rest.
     window.run();
     let derived = window.state().derived().clone();
@@ -194,7 +194,7 @@ fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     let mut window = window("canonical");
     type_into(&mut window, "W", "40");
     type_into(&mut window, "H", "40");
-    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    show(&mut window, ViewLayout::Accuracy);
     window.step();
     window.step();
     assert!(!texts_with(&window, "measured ").is_empty(), "how far it is");
@@ -233,7 +233,7 @@ fn what_was_chosen_is_remembered() {
         method: named("kahan-f64"),
         compared: named("half-b-f32"),
         splits,
-        ..Settings::default()
+        ..unfolded()
     };
     let text = serde_json::to_string(&settings).unwrap();
     assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);

@@ -1,18 +1,15 @@
 //! The frame view: what the pictures leave out.
 
-use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
 use pinhole::model::session::{Settings, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{Counts, Steps};
 
-use crate::harness::{assert_says, texts_with, type_into, window, window_with};
+use crate::harness::{assert_says, show, texts_with, type_into, unfolded, window, window_with};
 
 fn open(window: &mut Harness<'_, App>) {
-    window.get_by_role_and_label(Role::Button, "Frame").click();
-    window.run();
+    show(window, ViewLayout::Frame);
 }
 
 /// What is said of a picture, of numbers below a thousand.
@@ -87,7 +84,7 @@ fn a_fault_leaves_the_last_counts() {
 fn the_view_is_remembered() {
     let mut splits = Splits::default();
     splits.set(Split::Frame, 321.0);
-    let settings = Settings { layout: ViewLayout::Frame, splits, ..Settings::default() };
+    let settings = Settings { layout: ViewLayout::Frame, splits, ..unfolded() };
     let text = serde_json::to_string(&settings).unwrap();
     assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
     splits.set(Split::Frame, f32::NAN);

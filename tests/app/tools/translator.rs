@@ -5,6 +5,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 use pinhole_exchange::code::LANGUAGES;
@@ -12,7 +13,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{ExportScene, Format, Importer, Include};
 use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
-use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
+use crate::harness::{assert_says, export_to, says, show, texts_with, type_into, window};
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click_accesskit();
@@ -21,7 +22,7 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
 
 fn translating(scene: &str, format: &str) -> Harness<'static, App> {
     let mut harness = window(scene);
-    click(&mut harness, "Translator");
+    show(&mut harness, ViewLayout::Translator);
     click(&mut harness, format);
     harness
 }

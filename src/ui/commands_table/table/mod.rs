@@ -134,11 +134,16 @@ fn program() -> Vec<UiCommand> {
         Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], LessonAction::Close;
         Views, "Frame all", "Puts the observer where everything can be seen.",
             [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
+        Program, "Side panel", "Shows or hides the panel beside the views.",
+            [key(Anywhere, CTRL, Key::B)], LookAction::Toggle(Switch::Panel);
         Program, "Command palette", "Finds a command by a few of its letters.",
             [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
             Overlay::Palette;
         Program, "Keys", "Shows all keys on one sheet.",
             [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Overlay::Keys;
+        Program, "The lecture's conventions", "Shows what u, v, w, a pixel and a hit mean here.",
+            [], Overlay::Conventions;
+        Program, "About Pinhole", "Shows the version and the licences.", [], Overlay::About;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
             [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",

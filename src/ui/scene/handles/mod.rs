@@ -53,7 +53,7 @@ struct Taken {
 pub(crate) struct Edited<'a> {
     pub(crate) document: &'a mut Document,
     pub(crate) session: &'a mut Session,
-    pub(crate) chosen_object: &'a mut usize,
+    pub(crate) chosen_object: &'a mut Option<usize>,
 }
 
 /// The world view on the screen.
@@ -148,7 +148,7 @@ impl HandInput {
         shown: &Derived,
     ) {
         let Edited { document, session, chosen_object } = edited;
-        let chosen = (**chosen_object < document.object_count()).then_some(**chosen_object);
+        let chosen = chosen_object.filter(|chosen| *chosen < document.object_count());
         session.hand.objects[0] = chosen;
         let resolved = document.camera.resolve().ok();
         let all = grips(&view.stage(document, resolved.as_ref(), session), &session.hand);
@@ -222,7 +222,7 @@ impl HandInput {
         let start = DragStart { before, resolved, grasp, at: grip.at, begun_at: view.uv(at) };
         self.start = Some(Taken { start, pressed_at: at, moved: false });
         if let Some(object) = found.handle.object() {
-            **chosen_object = object;
+            **chosen_object = Some(object);
         }
         let hand = &mut session.hand;
         (hand.held, hand.over, hand.is_busy) = (Some(grasp), Some(found.handle), true);
@@ -236,7 +236,7 @@ impl HandInput {
         let all = grips(&view.stage(document, resolved.as_ref(), session), &session.hand);
         let Some(found) = self.hit(&all, view, at, session, shown) else { return };
         if let Some(object) = found.handle.object() {
-            **chosen_object = object;
+            **chosen_object = Some(object);
         }
         self.clicked = Some(found.handle);
         session.hand.is_busy = true;

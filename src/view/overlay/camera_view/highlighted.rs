@@ -35,7 +35,10 @@ impl Overlay<'_> {
         if let Concept::Object(index) = highlighted.concept
             && let Some(Object::Plane(_)) = highlighted.scene.object(index)
         {
-            return self.highlight_plane(highlighted, index);
+            if highlighted.dims {
+                self.highlight_plane(highlighted, index);
+            }
+            return;
         }
         let others = std::mem::take(&mut self.drawing.marks);
         self.items = OverlayItems::ALL;
@@ -49,7 +52,7 @@ impl Overlay<'_> {
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
         if !own.is_empty() {
-            dim(&mut self.drawing, &mut self.requests, highlighted.concept);
+            dim(&mut self.drawing, &mut self.requests, highlighted);
         }
         self.drawing.marks.append(&mut own);
         self.requests = first(labels, std::mem::take(&mut self.requests));

@@ -31,7 +31,7 @@ const CONCEPTS: [Concept; 21] = [
 ];
 
 fn highlighted<'a>(stage: &'a Stage, concept: Concept) -> Option<Highlighted<'a>> {
-    Some(Highlighted { concept, camera: &stage.camera, scene: &stage.scene, digits: 5 })
+    Some(Highlighted { concept, camera: &stage.camera, scene: &stage.scene, digits: 5, dims: true })
 }
 
 fn world_drawing(stage: &Stage, concept: Concept) -> Drawing {

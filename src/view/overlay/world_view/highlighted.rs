@@ -20,7 +20,7 @@ use crate::view::overlay::world_view::camera_in_space::{
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
     pub(crate) fn highlight(&mut self, view: &WorldView, highlighted: Highlighted) {
-        dim(&mut self.drawing, &mut self.requests, highlighted.concept);
+        dim(&mut self.drawing, &mut self.requests, highlighted);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
         self.highlight_given(view, highlighted);

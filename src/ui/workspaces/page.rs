@@ -1,4 +1,4 @@
-//! A workspace as a value: where its parts lie, what it has derived, what it draws.
+//! A page as a value: where its views lie, what it has derived, what it draws.
 
 use egui::{Context, Rect, Ui};
 
@@ -17,10 +17,12 @@ use crate::ui::tools::translator::TranslatorPanel;
 use crate::ui::view_texture::ViewTexture;
 use crate::view::derive::{Derived, Shown, ViewSizes};
 
-/// A layout of the window.
-pub(crate) struct Workspace {
+/// A page of a workspace.
+pub(crate) struct Page {
     /// True if camera and objects can be edited beside it.
     pub(crate) has_panel: bool,
+    /// True if the ray under the pointer is shown in place of the selected one.
+    pub(crate) follows_pointer: bool,
     /// Lays out its parts.
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
     /// The picture beside the camera's, if it has one.
@@ -50,7 +52,7 @@ pub(crate) struct Frame {
     pub(crate) rect: Rect,
 }
 
-/// The state of workspaces from one pass to the next.
+/// The state of the pages from one pass to the next.
 #[derive(Default)]
 pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
@@ -60,21 +62,24 @@ pub(crate) struct Tools {
     pub(crate) beside: ViewTexture,
 }
 
-/// The values that a workspace shows, and those that it may change.
+/// The values that a page shows, and those that it may change.
 pub(crate) struct Desk<'a> {
     pub(crate) open: &'a OpenDocument,
     pub(crate) session: &'a mut Session,
     pub(crate) derived: &'a Derived,
     pub(crate) tools: &'a mut Tools,
     pub(crate) style: NumberStyle,
+    /// A lesson is open.
+    pub(crate) has_lesson: bool,
     /// Actions for the next pass.
     pub(crate) actions: &'a mut Vec<Action>,
 }
 
-impl Workspace {
+impl Page {
     /// Both views, and nothing below them.
-    pub(crate) const VIEWS: Workspace = Workspace {
+    pub(crate) const VIEWS: Page = Page {
         has_panel: true,
+        follows_pointer: false,
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
         rest: |_, _| Changed::NOTHING,
