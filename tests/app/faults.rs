@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::fault::Fault;
 
-use super::harness::{assert_says, texts_with, type_into, window};
+use super::harness::{assert_says, choose_object, texts_with, type_into, window};
 
 #[test]
 fn the_last_good_picture_stays_and_the_reason_is_written() {
@@ -62,6 +62,7 @@ fn up_along_the_view_is_a_fault_and_nearly_along_it_is_not() {
 #[test]
 fn a_sphere_without_a_radius_is_a_fault_too() {
     let mut window = window("canonical");
+    choose_object(&mut window, "sphere 0 “ball”");
     type_into(&mut window, "radius", "-1");
     assert!(matches!(window.state().derived().fault, Some(Fault::Scene(_))));
     assert_says(&window, "radius is −1: it must be finite and greater than 0");
@@ -83,9 +84,9 @@ fn another_scene_has_no_last_picture_of_this_one() {
 fn what_is_left_of_the_scene_keeps_its_colours_while_an_object_is_at_fault() {
     let mut window = window("canonical");
     let before = window.state().derived().world_view.clone().unwrap().image;
+    choose_object(&mut window, "sphere 0 “ball”");
     type_into(&mut window, "radius", "-1");
-    window.get_by_label("sphere 1 “marble”").click();
-    window.run();
+    choose_object(&mut window, "sphere 1 “marble”");
     window.get_by_label("Remove").click();
     window.run();
     let after = window.state().derived().world_view.clone().unwrap().image;

@@ -48,10 +48,11 @@ pub(crate) fn window(scene: impl AsRef<Path>) -> Harness<'static, App> {
 
 /// Carries out the command of this title by the command palette.
 pub(crate) fn command(harness: &mut Harness<'_, App>, title: &str) {
+    // Measuring never rests.
     harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
-    harness.run();
+    harness.run_steps(3);
     harness.get_by_role_and_label(Role::TextInput, "Command").type_text(title);
-    harness.run();
+    harness.run_steps(3);
     harness.key_press(Key::Enter);
     harness.run_ok();
 }
@@ -60,6 +61,12 @@ pub(crate) fn command(harness: &mut Harness<'_, App>, title: &str) {
 pub(crate) fn show(harness: &mut Harness<'_, App>, layout: ViewLayout) {
     command(harness, &format!("Layout: {}", layout.label()));
     assert_eq!(harness.state().session().settings.layout, layout);
+}
+
+/// Chooses an object in the list, as a click does.
+pub(crate) fn choose_object(harness: &mut Harness<'_, App>, title: &str) {
+    harness.get_by_role_and_label(Role::Button, title).click();
+    harness.run();
 }
 
 /// Opens a built-in scene.

@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
 use pinhole_core::DVec3;
 
-use crate::harness::{assert_says, drag_from, type_into, window};
+use crate::harness::{assert_says, choose_object, drag_from, type_into, window};
 
 fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     harness.key_press_modifiers(modifiers, key);
@@ -50,6 +50,7 @@ fn steps_that_change_no_object_share_all_of_them() {
         assert!(shared(&harness), "undone and redone");
     }
     // What is edited is a list of its own from then on.
+    choose_object(&mut harness, "sphere 0 “target”");
     type_into(&mut harness, "radius", "2.5");
     let edited = harness.state().document().clone();
     assert!(!edited.spheres.is_same(&before.spheres) && edited.planes.is_same(&before.planes));

@@ -96,6 +96,8 @@ fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
     let mut window = window("canonical");
     type_into(&mut window, "row", "99");
     type_into(&mut window, "column", "199");
+    window.get_by_label("View").click();
+    window.run();
     window.get_by_label("Numbers").click();
     window.run();
     window.get_by_label("Count rows and columns from 1").click();

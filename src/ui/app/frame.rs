@@ -234,17 +234,17 @@ impl App {
         }
         let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;
+        let mut pointed_ray = None;
         if !self.over.covers() {
             let beside = page.beside.map_or("", |beside| beside.name);
             changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
-            hovered = views::hovered(ui, rects, shown)
+            let is_followed = page.follows_pointer && scene.session.hand.over.is_none();
+            pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
+            hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
                 .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));
         }
         scene.session.hovered = hovered;
-        let is_free = !self.over.covers() && scene.session.hand.over.is_none();
-        let is_followed = page.follows_pointer && is_free;
-        scene.session.pointed_ray =
-            is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
+        scene.session.pointed_ray = pointed_ray;
         scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
         changed
     }

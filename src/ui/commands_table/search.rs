@@ -105,7 +105,7 @@ mod tests {
     fn what_fits_best_stands_first() {
         for (typed, first) in [
             ("undo", "Edit: Undo"),
-            ("cam", "Layout: Camera"),
+            ("cam", "Layout: Camera view"),
             ("der", "Layout: Derivation"),
             ("add sphere", "Objects: + Sphere"),
             ("ball", "Objects: + Sphere"),

@@ -204,8 +204,13 @@ const REACH: f32 = 8.0;
 const ASKED_OBJECTS: usize = 4096;
 
 /// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
-/// mouse.
-pub(crate) fn hovered(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Hovered> {
+/// mouse. A ray that follows the pointer is under it everywhere, and hides nothing else.
+pub(crate) fn hovered(
+    ui: &Ui,
+    rects: &ViewRects,
+    shown: &Derived,
+    ray_follows: bool,
+) -> Option<Hovered> {
     // While presenting, the pointer often rests on a floor or wall: highlighting it would dim
     // everything else.
     let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
@@ -215,11 +220,23 @@ pub(crate) fn hovered(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Hov
     };
     let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
         let sphere = |at| sphere_at(shown, at).map(Concept::Object);
-        in_view(ui, rects.world, WORLD, shown.world_view.as_ref(), sphere).or_else(|| {
+        let mark = |view: &Option<Shown>, at, within| {
+            let follows =
+                |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
+            let targets = view.iter().flat_map(|shown| shown.targets.iter());
+            let asked = targets.filter(|target| !(ray_follows && follows(target.concept)));
+            overlay::concept_at(asked, at, within)
+        };
+        in_view(ui, rects.world, WORLD, |at, within| {
+            mark(&shown.world_view, at.into(), within).or_else(|| sphere(at))
+        })
+        .or_else(|| {
             let rect = rects.camera?;
             let size = rect.size() * ui.ctx().pixels_per_point();
             let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
-            in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
+            in_view(ui, Some(rect), CAMERA, |at, within| {
+                mark(&shown.camera_view, at.into(), within).or_else(|| seen(at))
+            })
         })
     })??;
     Some(Hovered { concept, by: HoverSource::View })
@@ -229,14 +246,13 @@ fn in_view(
     ui: &Ui,
     rect: Option<Rect>,
     name: &str,
-    shown: Option<&Shown>,
-    object_at: impl Fn(Vec2) -> Option<Concept>,
+    concept_at: impl Fn(Vec2, f32) -> Option<Concept>,
 ) -> Option<Concept> {
     let response = ui.ctx().read_response(ui.scope_id().with(name))?;
     let pointer = response.hover_pos().filter(|_| response.hovered())?;
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
-    overlay::concept_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
+    concept_at(at, REACH * per_point)
 }
 
 /// Returns the object at a position of the camera view.

@@ -99,7 +99,11 @@ impl Drawing {
 
 /// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
 /// equally near, the one drawn on top wins.
-pub fn concept_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
+pub fn concept_at<'a>(
+    targets: impl IntoIterator<Item = &'a Target>,
+    position: [f32; 2],
+    within: f32,
+) -> Option<Concept> {
     let at = wide(position);
     let mut nearest = (f64::from(within), None);
     for Target { concept, shape } in targets {

@@ -87,9 +87,10 @@ fn the_first_number_that_is_typed_counts() {
 fn the_layout_chooses_what_is_exported_first() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = window("canonical");
-    for (layout, file) in [("Derivation", "derivation.pdf"), ("Lines", "lines.pdf")] {
-        window.get_by_label(layout).click();
-        window.run();
+    for (layout, file) in
+        [(ViewLayout::Derivation, "derivation.pdf"), (ViewLayout::Lines, "lines.pdf")]
+    {
+        show(&mut window, layout);
         open_dialog(&mut window);
         let path = folder.path().join(file);
         export_to(&mut window, &path);

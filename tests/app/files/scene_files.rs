@@ -9,7 +9,7 @@ use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 
-use crate::harness::{assert_says, open_scene, type_into, window, window_with};
+use crate::harness::{assert_says, command, open_scene, type_into, unfolded, window, window_with};
 
 fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>, key: egui::Key) {
     window.key_press_modifiers(egui::Modifiers::COMMAND, key);
@@ -152,11 +152,9 @@ fn settings_scene_and_ray_are_remembered() {
     let folder = tempfile::tempdir().unwrap();
     let store = Store::at(&folder.path().join("state.json"));
     assert_eq!(store.load(), Remembered::default());
-    let mut window = window_with("forty-five", Remembered::default(), Some(store.clone()));
-    window.get_by_role_and_label(Role::Button, "Shading: diffuse").click();
-    window.run();
-    window.get_by_role_and_label(Role::RadioButton, "normals").click();
-    window.run();
+    let remembered = Remembered { settings: unfolded(), ..Remembered::default() };
+    let mut window = window_with("forty-five", remembered, Some(store.clone()));
+    command(&mut window, "shading normals");
     type_into(&mut window, "row", "12");
     window.state_mut().on_exit();
     let remembered = store.load();

@@ -6,10 +6,11 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::practice::exercises::Exercises;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
 use super::{Window, at_step, key, press, shown_step};
-use crate::harness::{assert_says, drag_from, texts_with, type_into};
+use crate::harness::{assert_says, drag_from, show, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.
 fn own_items(items: OverlayItems) -> OverlayItems {
@@ -94,7 +95,7 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
 
 /// Another layout, which has the camera's fields; another eye, and another observer.
 fn disturb(window: &mut Window) {
-    press(window, "World");
+    show(window, ViewLayout::World);
     type_into(window, "eye x", "0.125");
     let view = window.get_by_role_and_label(Role::Image, "World view").rect();
     drag_from(window, view.min + egui::vec2(60.0, 60.0), egui::vec2(50.0, 20.0));

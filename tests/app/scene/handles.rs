@@ -15,7 +15,7 @@ use pinhole_core::{Camera, DVec3};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};
-use crate::harness::{assert_says, says, unfolded, window, window_with};
+use crate::harness::{assert_says, choose_object, says, unfolded, window, window_with};
 
 fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
     harness.get_by_role_and_label(Role::Slider, handle).rect().center()
@@ -406,6 +406,7 @@ fn every_handle_is_moved_by_keys() {
     ];
     for name in names {
         let mut harness = window("canonical");
+        choose_object(&mut harness, "sphere 0 “ball”");
         let before = document(&harness);
         harness.get_by_role_and_label(Role::Slider, name).focus();
         harness.run();
@@ -574,6 +575,7 @@ fn looking_up_stops_short_of_the_pole() {
 fn handles_that_lie_together_take_turns_with_each_click() {
     // The orange ball's centre is the point at.
     let mut harness = window("look-at");
+    choose_object(&mut harness, "sphere 0 “target”");
     let at = node_at(&harness, "at handle");
     assert_near(at, node_at(&harness, "sphere 0 “target”: centre handle"));
     let before = document(&harness);

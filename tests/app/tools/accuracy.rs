@@ -130,7 +130,7 @@ fn a_picture_by_another_method_is_marked() {
     let mut window = far_window();
     let ladders = window.state().derived().camera_view.clone().unwrap().image;
     let draw_by = |window: &mut Harness<'_, App>, method| {
-        for label in ["Show", "Picture drawn by", method] {
+        for label in ["Tools", "Renderer", method] {
             window.get_by_label(label).click();
             window.run();
         }
