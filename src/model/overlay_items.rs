@@ -106,6 +106,12 @@ impl OverlayItems {
         self.set(item, on);
         self
     }
+
+    /// Returns the same items with all of `hidden` switched off.
+    #[must_use]
+    pub fn without(self, hidden: OverlayItems) -> OverlayItems {
+        OverlayItems { off: self.off | !hidden.off }
+    }
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
+use crate::model::session::pen::Pen;
 use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
 use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
@@ -460,8 +461,12 @@ pub enum Switch {
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
     Spotlight,
+    /// A pen draws over the views.
+    Pen,
     /// The panel beside the views is shown.
     Panel,
+    /// The numbers are shown below the views while presenting.
+    PresentedNumbers,
 }
 
 impl Switch {
@@ -477,7 +482,9 @@ impl Switch {
             Switch::KeepPicture => settings.keep_picture,
             Switch::ReducedMotion => settings.reduced_motion,
             Switch::Spotlight => session.spotlight,
+            Switch::Pen => session.pen.is_some(),
             Switch::Panel => !settings.hides_panel,
+            Switch::PresentedNumbers => settings.presents_numbers,
         }
     }
 
@@ -494,7 +501,9 @@ impl Switch {
             Switch::KeepPicture => settings.keep_picture = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
             Switch::Spotlight => session.spotlight = on,
+            Switch::Pen => session.pen = on.then(Pen::default),
             Switch::Panel => settings.hides_panel = !on,
+            Switch::PresentedNumbers => settings.presents_numbers = on,
         }
     }
 }

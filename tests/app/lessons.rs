@@ -1,5 +1,6 @@
 //! The lessons: every step with its numbers, the way through them, and dragging freely in between.
 
+mod asking;
 mod back;
 mod files;
 mod leaving;
@@ -28,9 +29,17 @@ fn go_to(window: &mut Window, lesson: usize, step: usize) {
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     window.state_mut().open_lesson(id, None);
     window.run();
+    answer(window);
 }
 
-/// A window on a lesson's step, both counted from 1.
+/// Shows the answer to the step's question, if it has one.
+fn answer(window: &mut Window) {
+    if window.state().session().is_asking {
+        press(window, "Show the answer");
+    }
+}
+
+/// A window on a lesson's step, both counted from 1, with its question answered.
 fn at_step(lesson: usize, step: usize) -> Window {
     let mut window = window("canonical");
     go_to(&mut window, lesson, step);

@@ -1,5 +1,6 @@
 //! Presenter mode, by keyboard alone: what fills the window, how large text is, and what comes back.
 
+use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui::{Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::Harness;
@@ -230,4 +231,84 @@ fn the_spotlight_is_a_ring_in_reduced_motion() {
     press(&mut harness, Key::S);
     assert_eq!(meshes(&harness), 0);
     assert_eq!(circles(&harness), before + 2);
+}
+
+#[test]
+fn the_numbers_stand_below_the_views_and_leave_them_most_of_the_height() {
+    for pixels in [[1024.0, 768.0], [1920.0, 1080.0]] {
+        let mut harness = window("look-at");
+        press(&mut harness, Key::F5);
+        resize(&mut harness, pixels);
+        let view = |harness: &Harness<'_, App>| harness.get_by_label("World view").rect();
+        let with_numbers = view(&harness);
+        let content = harness.ctx.content_rect();
+        assert!(with_numbers.height() > 0.55 * content.height(), "{with_numbers} in {content}");
+        for name in ["u = ", "v = ", "w = ", "(u, v) = ", "d = ", "t = ", "hit = "] {
+            let number = harness.get_by(|node| {
+                node.role() == Role::Label
+                    && node.value().is_some_and(|text| text.starts_with(name))
+            });
+            let rect = number.rect();
+            assert!(content.contains_rect(rect), "{name}: {rect} in {content}");
+        }
+        assert_texts_are_large(&harness);
+        press(&mut harness, Key::N);
+        assert!(view(&harness).height() > with_numbers.height());
+        assert_eq!(crate::harness::texts_with(&harness, "d = ").len(), 0);
+        press(&mut harness, Key::N);
+        assert_eq!(view(&harness), with_numbers);
+    }
+}
+
+#[test]
+fn no_text_at_1080_lines_is_smaller_than_28_pixels() {
+    let settings = Settings::default();
+    assert!(WRITTEN * zoom([1920.0, 1080.0], settings.smallest_text) >= 28.0);
+}
+
+#[test]
+fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
+    let mut harness = window("canonical");
+    press(&mut harness, Key::F5);
+    press(&mut harness, Key::P);
+    let (document, observer) =
+        (harness.state().document().clone(), harness.state().session().observer);
+    let view = harness.get_by_label("World view").rect();
+    crate::harness::drag_from(&mut harness, view.center(), vec2(60.0, 40.0));
+    let pen = harness.state().session().pen.clone().unwrap();
+    assert_eq!(pen.lines.len(), 1);
+    let drawn = |harness: &Harness<'_, App>| {
+        let is_line = |shape: &Shape| matches!(shape, Shape::Path(path) if path.points.len() >= 2);
+        harness.output().shapes.iter().filter(|clipped| is_line(&clipped.shape)).count()
+    };
+    assert!(drawn(&harness) >= 2, "a line and its casing");
+    assert_eq!(*harness.state().document(), document, "nothing below it was dragged");
+    assert_eq!(harness.state().session().observer, observer);
+    press(&mut harness, Key::Escape);
+    assert!(harness.state().session().pen.is_none() && drawn(&harness) == 0);
+    assert!(harness.state().session().presenting.is_some(), "Escape put the pen away, no more");
+    press(&mut harness, Key::Escape);
+    assert!(harness.state().session().presenting.is_none());
+}
+
+#[test]
+fn presenting_fills_the_screen_and_the_window_comes_back() {
+    let mut harness = window("canonical");
+    let sent = |harness: &Harness<'_, App>| -> Vec<bool> {
+        let commands = &harness.output().viewport_output[&egui::ViewportId::ROOT].commands;
+        let fills = commands.iter().filter_map(|command| match command {
+            egui::ViewportCommand::Fullscreen(fills) => Some(*fills),
+            _ => None,
+        });
+        fills.collect()
+    };
+    for fills in [true, false] {
+        // A key that is let go is a pass of its own.
+        harness.key_down(Key::F5);
+        harness.step();
+        assert_eq!(sent(&harness), [fills]);
+        harness.key_up(Key::F5);
+        harness.run();
+        assert_eq!(sent(&harness), [], "once");
+    }
 }

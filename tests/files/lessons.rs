@@ -328,6 +328,22 @@ const STEPS: Cases = &[
         "7:12: step 1.exercise is \"circle\": it must be one of warm-up-ray, warm-up-plane, distance, turned-basis, view-up, eye-at-up, sphere, lines",
     ),
     (
+        "scene = \"canonical\"\nask = \"Why?\"\n",
+        "7:7: step 1.ask is there without answer: say what comes after the question",
+    ),
+    (
+        "scene = \"canonical\"\nanswer = \"So.\"\n",
+        "7:10: step 1.answer is there without ask: say the question, or write text",
+    ),
+    (
+        "scene = \"canonical\"\nhide = [\"basis\"]\n",
+        "7:8: step 1.hide is there without ask and answer: what is shown stands in show",
+    ),
+    (
+        "scene = \"canonical\"\nask = \"Why?\"\nanswer = \"So.\"\nhide = [\"bases\"]\n",
+        "9:9: step 1.hide[0] is \"bases\": did you mean \"basis\"?",
+    ),
+    (
         "scene = \"canonical\"\nseed = 3\n",
         "7:8: step 1.seed is there without exercise: say which, or leave the seed out",
     ),

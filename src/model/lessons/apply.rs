@@ -20,7 +20,20 @@ pub fn apply(
     session: &mut Session,
 ) {
     document.clone_from(&step.document);
+    session.is_asking = step.question.is_some();
     set_view(step, seen_from, session);
+}
+
+/// Shows the answer to the step's question, and what it hid.
+pub fn answer(step: &Step, session: &mut Session) {
+    session.is_asking = false;
+    if let (Some(question), Some(items)) = (&step.question, step.view.items) {
+        for item in Item::ALL {
+            if question.hidden.shows(item) && items.shows(item) {
+                session.settings.items.set(item, true);
+            }
+        }
+    }
 }
 
 /// Clears the answers to the step's question.
@@ -51,6 +64,9 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
         // The pictures of steps can be dragged; the user decides about handles.
         let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
         settings.items = items.with(Item::Handles, handles);
+        if let Some(question) = step.question.as_ref().filter(|_| session.is_asking) {
+            settings.items = settings.items.without(question.hidden);
+        }
     }
     set(&mut settings.shade, view.shade);
     set(&mut settings.count_from_one, view.count_from_one);
@@ -62,6 +78,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
 /// Restores what lessons set: the window as it was before the first lesson. Selection and observer
 /// stay with the step's scene, which stays open.
 pub fn restore(before: &Session, session: &mut Session) {
+    session.is_asking = false;
     session.sections = before.sections;
     session.highlighted = before.highlighted;
     session.ray_point_t = before.ray_point_t;

@@ -30,6 +30,8 @@ pub struct Step {
     /// The instructions to look at or drag something, with `*u*` for scalars and `**u**` for
     /// vectors.
     pub text: String,
+    /// The question that the class thinks about before anything is printed.
+    pub question: Option<Question>,
     /// The document that the step opens.
     pub document: Document,
     /// Index of the step that named the scene: all steps of one scene share an observer unless they
@@ -41,7 +43,18 @@ pub struct Step {
     pub view: StepView,
 }
 
-/// A question: the lecture's own question of its kind, or one with random numbers from a seed.
+/// A question to the class, and its answer, with the same marks as a step's text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Question {
+    /// The question.
+    pub ask: String,
+    /// The answer, which takes the question's position.
+    pub answer: String,
+    /// The items of the overlay that would give the answer away.
+    pub hidden: OverlayItems,
+}
+
+/// An exercise: the lecture's own question of its kind, or one with random numbers from a seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AskedExercise {
     /// The kind of question.

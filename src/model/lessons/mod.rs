@@ -13,6 +13,6 @@ mod open;
 mod read;
 
 pub use argument::LessonArgument;
-pub use lesson::{AskedExercise, Lesson, Step, StepView};
+pub use lesson::{AskedExercise, Lesson, Question, Step, StepView};
 pub use open::{OpenLesson, StepId, Which, title_of};
 pub use read::{VERSION, is_lesson, load, parse};

@@ -14,7 +14,7 @@ use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::mistakes::Mistake;
 use toml_edit::Document as Toml;
 
-use super::lesson::{AskedExercise, Lesson, Step, StepView};
+use super::lesson::{AskedExercise, Lesson, Question, Step, StepView};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::lines::LinesLab;
@@ -31,9 +31,12 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// The keys of a step, besides the tables of a scene.
-const STEP: [&str; 21] = [
+const STEP: [&str; 24] = [
     "title",
     "text",
+    "ask",
+    "answer",
+    "hide",
     "scene",
     "pixel",
     "uv",
@@ -114,6 +117,7 @@ fn version(root: &Section) -> Result<(), FileError> {
 /// for no more.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
+const LONGEST_ANSWER: usize = 300;
 
 /// Reads text that is not empty, joins its lines, and checks its length of at most `longest`
 /// letters.
@@ -146,6 +150,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let title = line(&title, LONGEST_TITLE)?;
     let text = section.need("text", "text = \"What to look at, or what to drag.\"")?;
     let text = line(&text, LONGEST_TEXT)?;
+    let question = question(section)?;
     let named = section.get("scene").map(|field| scene(&field, base)).transpose()?;
     let last = before.last();
     let is_new = named.is_some() || last.is_none();
@@ -179,7 +184,25 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     }
     read_view(section, &mut view, objects)?;
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
-    Ok(Step { title, text, document, scene_from, selection, view })
+    Ok(Step { title, text, question, document, scene_from, selection, view })
+}
+
+/// Reads the question to the class. It is this step's alone.
+fn question(section: &Section) -> Result<Option<Question>, FileError> {
+    let [ask, answer, hide] = ["ask", "answer", "hide"].map(|key| section.get(key));
+    match (ask, answer) {
+        (Some(ask), Some(answer)) => Ok(Some(Question {
+            ask: line(&ask, LONGEST_ANSWER)?,
+            answer: line(&answer, LONGEST_ANSWER)?,
+            hidden: hide.map_or(Ok(OverlayItems::NONE), |hide| items(&hide))?,
+        })),
+        (Some(ask), None) => Err(ask.refuse("without answer: say what comes after the question")),
+        (None, Some(answer)) => Err(answer.refuse("without ask: say the question, or write text")),
+        (None, None) => match hide {
+            Some(hide) => Err(hide.refuse("without ask and answer: what is shown stands in show")),
+            None => Ok(None),
+        },
+    }
 }
 
 fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {

@@ -3,6 +3,7 @@
 pub mod ghost;
 pub mod hand;
 mod names;
+pub mod pen;
 pub mod presenting;
 mod splits;
 
@@ -28,6 +29,7 @@ use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::ghost::Ghost;
 use crate::model::session::hand::Hand;
+use crate::model::session::pen::Pen;
 use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
 use crate::model::translator::Translator;
 
@@ -55,6 +57,8 @@ pub struct Session {
     pub highlighted: Option<Concept>,
     /// True while Alt is held: what is pointed at in the views dims everything else.
     pub alt_dims: bool,
+    /// True while the question of a lesson's step waits for its answer: no number is shown.
+    pub is_asking: bool,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
     /// The wrong camera beside the right one.
@@ -67,6 +71,8 @@ pub struct Session {
     pub presenting: Option<Presenting>,
     /// True if everything but the pointer's surroundings is dimmed.
     pub spotlight: bool,
+    /// The pen that draws over the views while presenting, while it is in use.
+    pub pen: Option<Pen>,
     /// The state of the handles.
     pub hand: Hand,
     /// The choices in the translator.
@@ -135,6 +141,8 @@ pub struct Settings {
     /// Least size of text while presenting, in points of a window of 1024 × 768; larger in proportion
     /// in a larger one.
     pub smallest_text: f32,
+    /// True if the numbers are shown below the views while presenting.
+    pub presents_numbers: bool,
     /// Zoom of the whole window.
     pub zoom: f32,
 }
@@ -177,6 +185,7 @@ impl Default for Settings {
             scheme: Scheme::Standard,
             reduced_motion: false,
             smallest_text: SMALLEST_TEXT.usual,
+            presents_numbers: true,
             zoom: 1.0,
         }
     }

@@ -48,7 +48,7 @@ pub struct Range {
 }
 
 /// The range of [`crate::model::session::Settings::smallest_text`].
-pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 18.0, most: 36.0, step: 2.0 };
+pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
 
 /// Size of the smallest text while presenting, in points before zoom: an index in a formula's
 /// fraction.

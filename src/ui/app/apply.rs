@@ -169,6 +169,10 @@ impl App {
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
         let open = self.scene.lessons.open.as_ref()?;
         let to = match action {
+            LessonAction::Next if self.scene.session.is_asking => {
+                self.scene.answer();
+                return None;
+            }
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
             LessonAction::Close => {
@@ -178,7 +182,12 @@ impl App {
         };
         let leave = Leave::GoTo(to?);
         self.playback.give_back(&mut self.scene);
-        self.leave(ctx, leave)
+        let dialog = self.leave(ctx, leave);
+        // Who goes back has heard the answer.
+        if action == LessonAction::Previous && dialog.is_none() {
+            self.scene.answer();
+        }
+        dialog
     }
 
     fn figure(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {

@@ -8,13 +8,13 @@ use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, 
 
 use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
-use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction};
+use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Switch};
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::scene::readouts::NumberStyle;
-use crate::ui::scene::view_rects::{Divider, ViewRects};
-use crate::ui::scene::views;
+use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
+use crate::ui::scene::{number_strip, pen, views};
 use crate::ui::workspaces::{Desk, Frame, Page, page};
 
 impl App {
@@ -35,6 +35,9 @@ impl App {
             }
             self.derive(ui, &rects);
             changed |= self.outputs(ui, &rects);
+            if let Some(pen) = &mut self.scene.session.pen {
+                pen::ui(ui, ui.max_rect(), pen);
+            }
         });
         self.over.marks(ui, self.scene.session.spotlight);
         self.keep_history(&ctx);
@@ -92,11 +95,14 @@ impl App {
                 actions.push(action);
             }
         }
-        // Escape ends a drag, closes a menu and lets go of the focus before it ends presenting.
+        // Escape ends a drag, closes a menu, lets go of the focus and puts the pen away before it ends
+        // presenting.
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
-            actions.push(LookAction::Present.into());
+            let puts_away = self.scene.session.pen.is_some();
+            let ends = LookAction::Toggle(Switch::Pen);
+            actions.push(if puts_away { ends } else { LookAction::Present }.into());
         }
     }
 
@@ -211,10 +217,15 @@ impl App {
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
         let before = session.settings.splits;
-        let all_numbers = session.settings.unfolded.numbers;
+        let numbers = match (presenting, session.settings.unfolded.numbers) {
+            (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
+            (true, _) => Numbers::Strip(number_strip::PRESENTED),
+            (false, true) => Numbers::All,
+            (false, false) => Numbers::Strip(number_strip::WITH_BUTTONS),
+        };
         let splits = &mut session.settings.splits;
         let whole = ui.available_rect_before_wrap();
-        let areas = areas(&mut Divider { ui, whole, splits, presenting, all_numbers });
+        let areas = areas(&mut Divider { ui, whole, splits, numbers });
         let changed = Changed::SESSION.when(session.settings.splits != before);
         let per_point = ui.ctx().pixels_per_point();
         (ViewRects::new(areas, image, per_point, presenting), changed)
@@ -278,9 +289,13 @@ impl App {
         {
             changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
         }
+        // Nothing is printed before the class has thought.
+        let shown = !desk.session.is_asking;
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
-            changed |= (page.rest)(ui, &mut desk);
+            if shown {
+                changed |= (page.rest)(ui, &mut desk);
+            }
         });
         changed | exchange::paste_notice(ui.ctx(), &mut self.scene)
     }

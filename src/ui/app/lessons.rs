@@ -9,6 +9,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, apply};
 use crate::model::observer::Observer;
+use crate::model::session::pen::Pen;
 use crate::model::session::{Session, Settings};
 use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;
@@ -74,6 +75,10 @@ impl OpenScene {
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         lessons.seen_from = self.session.observer;
+        // What was drawn was about the step before.
+        if let Some(pen) = &mut self.session.pen {
+            *pen = Pen::default();
+        }
         let play = next.step().view.play;
         lessons.open = Some(next);
         Some(Opened { is_another: !same_scene, play })
@@ -85,14 +90,24 @@ impl OpenScene {
         self.open_lesson(id, None).unwrap_or_default()
     }
 
+    /// Shows the answer to the step's question.
+    pub(super) fn answer(&mut self) {
+        if let Some(open) = &self.lessons.open {
+            apply::answer(open.step(), &mut self.session);
+        }
+    }
+
     /// Sets everything as the open step says, where anything is not.
     pub(super) fn back_to_step(&mut self) -> Opened {
         let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) else {
             return Opened::default();
         };
-        let seen_from = self.lessons.seen_from;
+        let (seen_from, is_asking) = (self.lessons.seen_from, self.session.is_asking);
         apply::clear_answers(open.step(), &mut self.session);
         let opened = self.open_lesson(open.id(), None).unwrap_or_default();
+        if !is_asking {
+            self.answer();
+        }
         self.session.observer = open.step().view.observer.or(seen_from);
         self.lessons.seen_from = seen_from;
         opened
@@ -120,9 +135,10 @@ impl OpenScene {
         let Some(open) = &self.lessons.open else { return };
         Panel::top("lesson").show(ui, |ui| {
             if self.session.presenting.is_some() {
-                lesson_strip::slim(ui, open);
+                lesson_strip::slim(ui, open, self.session.is_asking);
             } else {
-                lesson_strip::ui(ui, open, self.lessons.file.as_deref(), differs, actions);
+                let (file, is_asking) = (self.lessons.file.as_deref(), self.session.is_asking);
+                lesson_strip::ui(ui, open, file, is_asking, differs, actions);
             }
         });
     }

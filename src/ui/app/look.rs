@@ -62,6 +62,7 @@ fn present_or_end(session: &mut Session) {
         Some(presenting) => {
             session.settings.layout = presenting.before(session.settings.layout);
             session.spotlight = presenting.spotlight_before();
+            session.pen = None;
         }
     }
 }

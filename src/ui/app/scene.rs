@@ -202,12 +202,14 @@ impl OpenScene {
             scheme: now.scheme,
             reduced_motion: now.reduced_motion,
             smallest_text: now.smallest_text,
+            presents_numbers: now.presents_numbers,
             zoom: now.zoom,
             ..to.session.settings
         };
-        let (presenting, spotlight) = (self.session.presenting, self.session.spotlight);
+        let now = &mut self.session;
+        let (presenting, spotlight, pen) = (now.presenting, now.spotlight, now.pen.take());
         let hand = Hand::default();
-        let session = Session { settings, presenting, spotlight, hand, ..to.session };
+        let session = Session { settings, presenting, spotlight, pen, hand, ..to.session };
         *self = OpenScene { session, ..to };
     }
 }

@@ -101,18 +101,19 @@ impl Views {
                 Changed::edited(settings, |settings| views::strips(ui, rects, settings, image));
         }
         let (document, session) = (&scene.open.document, &scene.session);
+        let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
         if let (Some(rect), Some(shown)) = (rects.world, &derived.world_view) {
             let stale = matches!(derived.fault, Some(Fault::Scene(_)));
             views::show(ui, rect, shown, &mut self.world, stale);
-            views::speak(ui, views::WORLD, &views::spoken(derived));
+            views::speak(ui, views::WORLD, &spoken);
         }
         if let (Some(rect), Some(shown)) = (rects.camera, &derived.camera_view) {
             views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
-            views::speak(ui, views::CAMERA, &views::spoken(derived));
+            views::speak(ui, views::CAMERA, &spoken);
         }
         // One of them speaks at a time.
         let is_steered = hand.navigation.has_word(ui.input(|i| i.time));
-        if session.hand.over.is_none() && !is_steered {
+        if session.hand.over.is_none() && !is_steered && !session.is_asking {
             let style = NumberStyle::new(&session.settings);
             views::tell_pointed(ui, session, derived, document, style);
         }

@@ -20,6 +20,8 @@ pub(super) struct AppWindow {
     title: String,
     /// The renderer of the window, in words.
     pub(super) renderer: String,
+    /// While presenting: true if the window filled the screen before.
+    filled_before: Option<bool>,
     may_close: bool,
     /// The user chose to lose the changes.
     pub(super) discarded: bool,
@@ -31,8 +33,16 @@ impl AppWindow {
         geometry: WindowGeometry,
         recent: Vec<PathBuf>,
     ) -> AppWindow {
-        let (title, renderer) = (String::new(), String::new());
-        AppWindow { store, geometry, recent, title, renderer, may_close: false, discarded: false }
+        AppWindow {
+            store,
+            geometry,
+            recent,
+            title: String::new(),
+            renderer: String::new(),
+            filled_before: None,
+            may_close: false,
+            discarded: false,
+        }
     }
 
     /// Puts a file at the head of the recent ones.
@@ -59,14 +69,32 @@ impl AppWindow {
         }
     }
 
-    /// Says in the title what is open.
+    /// Says in the title what is open, and fills the screen while presenting.
     pub(super) fn follow(&mut self, ctx: &Context, scene: &OpenScene) {
+        self.fill_screen(ctx, scene.session.presenting.is_some());
         let changed = if scene.open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed} - Pinhole", title_of(scene.open.origin()));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
+    }
+
+    /// Fills the screen that the window is on when presenting begins, and puts it back at the end.
+    fn fill_screen(&mut self, ctx: &Context, presenting: bool) {
+        let to = match (presenting, self.filled_before) {
+            (true, None) => {
+                let fills = ctx.input(|i| i.viewport().fullscreen) == Some(true);
+                self.filled_before = Some(fills);
+                true
+            }
+            (false, Some(before)) => {
+                self.filled_before = None;
+                before
+            }
+            (true, Some(_)) | (false, None) => return,
+        };
+        ctx.send_viewport_cmd(ViewportCommand::Fullscreen(to));
     }
 
     /// Remembers settings, window, recent files and the open scene for the next run. Changes that

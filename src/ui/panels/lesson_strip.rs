@@ -25,31 +25,44 @@ pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenLesson,
     file: Option<&Lesson>,
+    is_asking: bool,
     changed: bool,
     actions: &mut Vec<Action>,
 ) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            buttons(ui, open, file, changed, actions);
+            buttons(ui, open, file, is_asking, changed, actions);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open));
         });
     });
-    text(ui, open);
+    text(ui, open, is_asking);
 }
 
 /// Shows the strip while presenting: the text without buttons.
-pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson) {
+pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
     ui.horizontal(|ui| titles(ui, open));
-    text(ui, open);
+    text(ui, open, is_asking);
 }
 
-fn text(ui: &mut Ui, open: &OpenLesson) {
+/// Shows the step's text, and its question or the answer.
+fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
+    let step = open.step();
     let size = vec2(ui.available_width(), LINES * marked_text::row_height(ui, TEXT));
     ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
         ui.set_min_size(size);
-        marked_text::label(ui, &open.step().text, TEXT);
+        marked_text::label(ui, &step.text, TEXT);
+        if let Some(question) = &step.question {
+            let text = if is_asking { &question.ask } else { &question.answer };
+            // The views stay where they are when the answer takes the question's position.
+            let texts = [&question.ask, &question.answer];
+            let height = texts.map(|text| marked_text::height(ui, text, TEXT));
+            ui.scope(|ui| {
+                ui.set_min_height(height[0].max(height[1]));
+                marked_text::label(ui, text, TEXT);
+            });
+        }
     });
     ui.add_space(2.0);
 }
@@ -68,6 +81,7 @@ fn buttons(
     ui: &mut Ui,
     open: &OpenLesson,
     file: Option<&Lesson>,
+    is_asking: bool,
     changed: bool,
     actions: &mut Vec<Action>,
 ) {
@@ -88,10 +102,14 @@ fn buttons(
         "Everything as the step says",
         back,
     );
-    let next = open.next().map(|id| Leave::GoTo(id).into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
-    button(ui, "Next →", "Next", &hint("The next step", LessonAction::Next), next);
-    let previous = open.previous().map(|id| Leave::GoTo(id).into());
+    let next = (is_asking || open.next().is_some()).then_some(LessonAction::Next.into());
+    let (text, name, about) = match is_asking {
+        true => ("Show the answer", "Show the answer", "The answer to the question"),
+        false => ("Next →", "Next", "The next step"),
+    };
+    button(ui, text, name, &hint(about, LessonAction::Next), next);
+    let previous = open.previous().map(|_| LessonAction::Previous.into());
     let hint = hint("The step before", LessonAction::Previous);
     button(ui, "← Previous", "Previous", &hint, previous);
     // Laid out like every menu, independent of the buttons' direction.

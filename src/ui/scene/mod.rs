@@ -6,6 +6,7 @@ pub mod framing;
 pub mod handles;
 pub mod navigation;
 pub mod number_strip;
+pub mod pen;
 pub mod readouts;
 pub mod view_rects;
 pub mod views;

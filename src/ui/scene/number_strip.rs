@@ -6,13 +6,21 @@ use pinhole_exchange::document::Document;
 
 use super::readouts::{self, NumberStyle};
 use crate::model::inspection::Inspection;
+use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 
+/// Height of the strip with the sentence and the buttons below it, in points.
+pub(crate) const WITH_BUTTONS: f32 = 66.0;
+/// Height of the strip while presenting, in points: two rows.
+pub(crate) const PRESENTED: f32 = 44.0;
+
 /// Maximum number of significant digits: more do not fit in a line.
 const DIGITS: usize = 4;
+/// Sizes of the text while presenting, in points: the largest at which a row has room.
+const PRESENTED_SIZES: [f32; 3] = [16.0, 14.0, WRITTEN];
 
 /// Shows the strip with text of this size.
 pub(crate) fn ui(
@@ -26,40 +34,64 @@ pub(crate) fn ui(
         ui.label(fault_text(ui, fault).strong());
         return;
     }
-    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
+    let [basis, ray] = numbers(derived, document, style);
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 1.2 * size;
-        for (name, value) in numbers(derived, document, style) {
+        ui.spacing_mut().item_spacing.x = GAP * size;
+        for (name, value) in basis.into_iter().chain(ray) {
             number(ui, name, &value, size);
         }
     });
 }
 
-/// Returns the names and values, from the basis to the hit.
-fn numbers(
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-) -> Vec<(&'static str, String)> {
-    let Some(resolved) = &derived.resolved else { return Vec::new() };
+/// Shows the strip before an audience: the basis in one row, the ray in the other. The reason why there
+/// are no numbers stands on the picture.
+pub(crate) fn presented(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    if derived.fault.is_some() {
+        return;
+    }
+    for row in numbers(derived, document, style) {
+        let letters: usize = row.iter().map(|(name, value)| name.len() + 3 + value.len()).sum();
+        let width = |size: f32| size * (LETTER * letters as f32 + GAP * row.len() as f32);
+        let fits = |size: &f32| width(*size) <= ui.available_width();
+        let size = PRESENTED_SIZES.into_iter().find(fits).unwrap_or(WRITTEN);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP * size;
+            ui.set_height(0.5 * PRESENTED);
+            for (name, value) in row {
+                number(ui, name, &value, size);
+            }
+        });
+    }
+}
+
+/// Distance between two numbers, and the mean width of a letter; of the text's size.
+const GAP: f32 = 1.2;
+const LETTER: f32 = 0.56;
+
+/// Names and values.
+type Numbers = Vec<(&'static str, String)>;
+
+/// Returns the numbers of the basis, and those of the ray up to its hit.
+fn numbers(derived: &Derived, document: &Document, style: NumberStyle) -> [Numbers; 2] {
+    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
+    let Some(resolved) = &derived.resolved else { return Default::default() };
     let basis = resolved.basis();
-    let mut numbers = vec![
-        ("u", style.vector(basis.u)),
-        ("v", style.vector(basis.v)),
-        ("w", style.vector(basis.w)),
-    ];
-    let Some(inspection) = &derived.inspection else { return numbers };
+    let vectors = [("u", basis.u), ("v", basis.v), ("w", basis.w)];
+    let basis = vectors.map(|(name, vector)| (name, style.vector(vector))).to_vec();
+    let Some(inspection) = &derived.inspection else { return [basis, Vec::new()] };
     let uv = inspection.uv;
-    numbers.push(("(u, v)", format!("({}, {})", style.number(uv.x), style.number(uv.y))));
-    numbers.push(("d", style.vector(inspection.ray.direction)));
+    let mut ray = vec![
+        ("(u, v)", format!("({}, {})", style.number(uv.x), style.number(uv.y))),
+        ("d", style.vector(inspection.ray.direction)),
+    ];
     match inspection.first_hit() {
         Some(hit) => {
-            numbers.push(("t", style.number(hit.t)));
-            numbers.push(("hit", document.title_of(hit.object as usize)));
+            ray.push(("t", style.number(hit.t)));
+            ray.push(("hit", document.title_of(hit.object as usize)));
         }
-        None => numbers.push(("hit", "nothing".to_owned())),
+        None => ray.push(("hit", "nothing".to_owned())),
     }
-    numbers
+    [basis, ray]
 }
 
 /// Returns the numbers of a ray in two lines: its pixel and (u, v); what it hits and where.

@@ -9,8 +9,6 @@ use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
-/// Height of the strip of numbers below the two views, in points.
-const NUMBER_STRIP: f32 = 66.0;
 /// Width of the handle between two areas, in points.
 const HANDLE: f32 = 8.0;
 /// Movement of a handle by an arrow key, in points.
@@ -52,10 +50,16 @@ pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
     pub(crate) splits: &'a mut Splits,
-    /// Before an audience there are no readouts, and no titles above the two views.
-    pub(crate) presenting: bool,
-    /// All numbers are shown below the two views; else one line of them.
-    pub(crate) all_numbers: bool,
+    pub(crate) numbers: Numbers,
+}
+
+/// The numbers below the two views.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Numbers {
+    /// All of them, in an area whose height is dragged.
+    All,
+    /// The most important ones, in a strip of this height in points; 0 shows none.
+    Strip(f32),
 }
 
 impl Divider<'_> {
@@ -92,18 +96,13 @@ impl Divider<'_> {
 
     /// The views, and the readouts below them.
     pub(crate) fn above_readouts(&mut self) -> (Rect, Rect) {
-        if self.presenting {
-            return (self.whole, Rect::from_min_size(self.whole.left_bottom(), Vec2::ZERO));
+        match self.numbers {
+            Numbers::All => self.above(Split::Readouts),
+            Numbers::Strip(height) => {
+                let boundary = (self.whole.bottom() - height).max(self.whole.top());
+                self.whole.split_top_bottom_at_y(boundary)
+            }
         }
-        if !self.all_numbers {
-            let boundary = (self.whole.bottom() - NUMBER_STRIP).max(self.whole.top());
-            let (left, right) = (self.whole.left(), self.whole.right());
-            return (
-                Rect::from_min_max(self.whole.min, pos2(right, boundary)),
-                Rect::from_min_max(pos2(left, boundary), self.whole.max),
-            );
-        }
-        self.above(Split::Readouts)
     }
 
     /// The views, and below them what the workspace has there, as high as it was last dragged to.

@@ -18,6 +18,18 @@ struct Run {
 
 /// Shows the text, wrapped. Screen readers and tests get it without its marks.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
+    let job = laid_out(ui, text, size);
+    ui.add(Label::new(job).wrap()).spoken(plain(text));
+}
+
+/// Returns the height of the text wrapped to the available width.
+pub(crate) fn height(ui: &Ui, text: &str, size: f32) -> f32 {
+    let mut job = laid_out(ui, text, size);
+    job.wrap.max_width = ui.available_width();
+    ui.painter().layout_job(job).size().y
+}
+
+fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
     let runs = runs(text);
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
@@ -33,7 +45,7 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
         };
         job.append(&run.text, 0.0, format);
     }
-    ui.add(Label::new(job).wrap()).spoken(plain(text));
+    job
 }
 
 /// Returns the height of one line of such text.

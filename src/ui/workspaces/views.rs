@@ -44,10 +44,13 @@ pub(super) const CAMERA: Page = Page {
 };
 
 fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
+    let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
     if desk.session.presenting.is_some() {
+        if desk.session.settings.presents_numbers {
+            number_strip::presented(ui, derived, document, style);
+        }
         return Changed::NOTHING;
     }
-    let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
     let all = desk.session.settings.unfolded.numbers;
     let mut switched = false;
     ui.add_space(2.0);

@@ -56,7 +56,7 @@ const QUESTIONS: &[(usize, usize, Answers)] = &[
 
 const ALL_RIGHT: &str = "All correct.";
 
-fn answer(window: &mut Window, (lesson, step): (usize, usize), parts: Answers) {
+fn type_answers(window: &mut Window, (lesson, step): (usize, usize), parts: Answers) {
     for (part, texts) in parts {
         answers(window, part, texts);
     }
@@ -73,7 +73,7 @@ fn every_question_is_answered_by_hand_and_accepted() {
     for &(lesson, step, parts) in QUESTIONS {
         go_to(&mut window, lesson, step);
         assert!(!says(&window, ALL_RIGHT), "{lesson}.{step}");
-        answer(&mut window, (lesson, step), parts);
+        type_answers(&mut window, (lesson, step), parts);
         assert_says(&window, ALL_RIGHT);
     }
 }
@@ -95,7 +95,7 @@ fn what_was_typed_stays_from_step_to_step_until_r_takes_it_away() {
     let (_, _, parts) = QUESTIONS[0];
     let mut window = at_step(2, 5);
     let blank = window.state().session().exercises.clone();
-    answer(&mut window, (2, 5), parts);
+    type_answers(&mut window, (2, 5), parts);
     assert_says(&window, ALL_RIGHT);
     let answered = window.state().session().exercises.clone();
     press(&mut window, "Previous");

@@ -7,7 +7,7 @@ use pinhole::model::lessons::builtin;
 use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
-use super::{at_step, key, shown_step};
+use super::{answer, at_step, key, shown_step};
 use crate::harness::{says, type_into, window};
 
 #[test]
@@ -22,6 +22,7 @@ fn keys_go_through_the_lessons_unless_a_view_wants_them() {
     ] {
         key(&mut window, pressed);
         assert_eq!(shown_step(&window), now, "{pressed:?}");
+        answer(&mut window);
     }
     window.get_by_role_and_label(Role::Image, "Camera view").focus();
     window.run();
@@ -31,6 +32,7 @@ fn keys_go_through_the_lessons_unless_a_view_wants_them() {
     assert_eq!(window.state().session().selection, Selection::Pixel(pixel));
     key(&mut window, Key::PageDown);
     assert_eq!(shown_step(&window), (2, 1), "a remote control works wherever the focus is");
+    answer(&mut window);
     window.get_by_role_and_label(Role::SpinButton, "eye x").click();
     window.run();
     key(&mut window, Key::R);

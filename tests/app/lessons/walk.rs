@@ -9,7 +9,7 @@ use pinhole::model::practice::exercises::Exercises;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
-use super::{Window, at_step, key, press, shown_step};
+use super::{Window, answer, at_step, key, press, shown_step};
 use crate::harness::{assert_says, drag_from, show, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.
@@ -76,6 +76,11 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
             assert_says(&window, &format!("Lesson {}: {}", now.0, lesson.title));
             assert_says(&window, &step.title);
             assert_says(&window, &step.text.replace('*', ""));
+            if let Some(question) = &step.question {
+                assert_says(&window, &question.ask.replace('*', ""));
+                answer(&mut window);
+                assert_says(&window, &question.answer.replace('*', ""));
+            }
             assert_says(&window, &format!("{} of {}", now.1, lesson.steps.len()));
             assert_is_as_said(window.state(), step, now);
             for wrong in ["NaN", "nan"] {
@@ -111,6 +116,7 @@ fn after_dragging_in_any_step_r_brings_back_all_of_it() {
         for (k, step) in lesson.steps.iter().enumerate() {
             let now = (index + 1, k + 1);
             assert_eq!(shown_step(&window), now);
+            answer(&mut window);
             let before = window.state().session().clone();
             disturb(&mut window);
             assert_ne!(*window.state().document(), step.document, "{now:?}");
@@ -130,6 +136,7 @@ fn a_step_is_the_same_however_it_is_reached() {
         let mut walked = at_step(lesson, 1);
         for _ in 1..step {
             press(&mut walked, "Next");
+            answer(&mut walked);
         }
         assert_eq!(direct.state().document(), walked.state().document());
         assert_eq!(direct.state().session().selection, walked.state().session().selection);

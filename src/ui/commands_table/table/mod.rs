@@ -168,6 +168,10 @@ fn presenting() -> Vec<UiCommand> {
             [plain(Presenting, Key::Num3)], LookAction::Fill(ViewLayout::Camera);
         Presenting, "Both views full", "Fills the window with both views.",
             [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
+        Presenting, "Numbers", "Shows or hides the numbers below the views.",
+            [plain(Presenting, Key::N)], LookAction::Toggle(Switch::PresentedNumbers);
+        Presenting, "Pen", "Draws over the views; Escape wipes it off.",
+            [plain(Presenting, Key::P)], LookAction::Toggle(Switch::Pen);
         Presenting, "Spotlight", "Dims all but what is round the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]

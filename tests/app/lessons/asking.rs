@@ -1,0 +1,75 @@
+//! A step that asks the class: nothing is printed before it has thought.
+
+use egui::Key;
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::model::lessons::LessonArgument;
+use pinhole::model::overlay_items::Item;
+
+use super::{Window, key, press};
+use crate::harness::{assert_says, says, texts_with, type_into, window};
+
+/// A window on a lesson of two steps, of which the first one asks.
+fn asking(folder: &std::path::Path) -> Window {
+    let path = folder.join("mine.toml");
+    let text = "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"One\"\ntext = \"Look.\"\n\
+                scene = \"canonical\"\nlayout = \"both\"\nshow = [\"eye\", \"basis\"]\n\
+                ask = \"Where does **w** point?\"\nanswer = \"Backwards: (0, 0, 1).\"\n\
+                hide = [\"basis\"]\n[[step]]\ntitle = \"Two\"\ntext = \"Go on.\"\n";
+    std::fs::write(&path, text).unwrap();
+    let (id, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();
+    let mut window = window("canonical");
+    window.state_mut().open_lesson(id, file);
+    window.run();
+    window
+}
+
+fn shows_basis(window: &Window) -> bool {
+    window.state().session().settings.items.shows(Item::Basis)
+}
+
+#[test]
+fn numbers_and_what_gives_the_answer_away_come_with_the_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = asking(folder.path());
+    for presenting in [false, true] {
+        if presenting {
+            key(&mut window, Key::F5);
+        }
+        assert_says(&window, "Where does w point?");
+        assert!(!says(&window, "Backwards: (0, 0, 1)."));
+        assert!(!shows_basis(&window));
+        assert_eq!(texts_with(&window, "(0, 0, 1)"), Vec::<String>::new());
+        // Pointing is no way round it.
+        let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
+        window.hover_at(view.center());
+        window.run();
+        assert_eq!(texts_with(&window, "𝑡 = "), Vec::<String>::new());
+    }
+    key(&mut window, Key::PageDown);
+    assert_says(&window, "Backwards: (0, 0, 1).");
+    assert!(!says(&window, "Where does w point?"));
+    assert!(shows_basis(&window) && !window.state().session().is_asking);
+    assert_says(&window, "w = (0, 0, 1)");
+    key(&mut window, Key::F5);
+    assert_says(&window, "w = (0, 0, 1)");
+}
+
+#[test]
+fn the_answer_is_no_change_of_the_step_and_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = asking(folder.path());
+    press(&mut window, "Show the answer");
+    let answered = window.state().session().clone();
+    type_into(&mut window, "eye x", "0.25");
+    key(&mut window, Key::R);
+    assert_eq!(window.state().session().settings, answered.settings);
+    assert!(!window.state().session().is_asking, "R asks nothing again");
+    key(&mut window, Key::PageDown);
+    assert_says(&window, "Go on.");
+    key(&mut window, Key::PageUp);
+    assert_says(&window, "Backwards: (0, 0, 1).");
+    assert!(shows_basis(&window), "who goes back has heard the answer");
+    press(&mut window, "Close the lesson");
+    assert!(!window.state().session().is_asking);
+}
