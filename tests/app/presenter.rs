@@ -309,6 +309,6 @@ fn presenting_fills_the_screen_and_the_window_comes_back() {
         assert_eq!(sent(&harness), [fills]);
         harness.key_up(Key::F5);
         harness.run();
-        assert_eq!(sent(&harness), [], "once");
+        assert!(sent(&harness).is_empty(), "once");
     }
 }
