@@ -67,6 +67,8 @@ pub struct Hovered {
 /// A position where a concept is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoverSource {
+    /// The numbers below the views.
+    Numbers,
     /// A view: the derivation scrolls to the concept's line.
     View,
     /// A line of the derivation, or the text beside the plot.

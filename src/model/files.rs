@@ -78,6 +78,21 @@ impl OpenDocument {
         OpenDocument { saved: document.clone(), document, text: None, origin, forgiving: true }
     }
 
+    /// Creates the open document from one with unsaved changes, which belongs to `source` if that can
+    /// still be read, and to no file otherwise.
+    pub fn changed(document: Document, source: Option<SceneSource>) -> Self {
+        let saved = source.and_then(|source| Some((source.load().ok()?, source)));
+        let open = saved.map_or_else(
+            || {
+                let mut open = Self::of_step(Document::default(), String::new());
+                open.leave_lesson();
+                open
+            },
+            |(saved, source)| Self::new(saved, source),
+        );
+        OpenDocument { document, ..open }
+    }
+
     /// Closes the lesson: from now on, the scene has no name, and changes count as unsaved.
     pub fn leave_lesson(&mut self) {
         if let Origin::Step(title) = &mut self.origin {

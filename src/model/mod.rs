@@ -20,6 +20,7 @@ pub mod observer;
 pub mod overlay_items;
 pub mod play;
 pub mod practice;
+pub mod recovery;
 pub mod session;
 pub mod store;
 pub mod symbols;

@@ -126,9 +126,9 @@ impl Store {
         Store { path: path.to_owned() }
     }
 
-    /// Returns the file for a scene whose window closed before it could be saved.
+    /// Returns the folder for unsaved changes.
     pub fn unsaved(&self) -> PathBuf {
-        self.path.with_file_name("unsaved.toml")
+        self.path.with_file_name("unsaved")
     }
 
     /// Returns true if there was no run before this one.

@@ -65,6 +65,10 @@ pub enum FileAction {
     SaveThen(Leave),
     /// Leave without saving.
     Discard(Leave),
+    /// Open the unsaved changes of a window that ended without being asked.
+    Restore,
+    /// Delete them.
+    DeleteFound,
 }
 
 /// The way through the open lesson.
@@ -354,6 +358,7 @@ impl Action {
             Action::File(action) => match action {
                 FileAction::AskOpen => PlayEnd::GoesOn,
                 FileAction::Discard(_) => PlayEnd::GivesBack,
+                FileAction::Restore | FileAction::DeleteFound => PlayEnd::GoesOn,
                 FileAction::Save
                 | FileAction::AskSaveAs
                 | FileAction::SaveAs { .. }

@@ -2,6 +2,7 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::concept::Concept;
 use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
@@ -155,4 +156,34 @@ fn the_mouse_moves_the_observer_and_never_the_camera() {
     window.key_press(egui::Key::F);
     window.run();
     assert_eq!(window.state().session().observer, observer, "F frames all again");
+}
+
+#[test]
+fn pointing_at_a_number_shows_it_in_both_views_and_dims_nothing() {
+    for unfolded in [true, false] {
+        let mut window = window("canonical");
+        if !unfolded {
+            window.get_by_label("Fewer numbers").click();
+            window.run();
+        }
+        for (text, concept) in [
+            ("u = (1, 0, 0)", Concept::U),
+            ("w = (0, 0, 1)", Concept::W),
+            ("t = 6", Concept::Root { object: 2, number: 0 }),
+        ] {
+            let number = window.query_all_by_value(text).next().unwrap().rect();
+            window.hover_at(number.center());
+            window.run();
+            if concept == (Concept::Root { object: 2, number: 0 }) && unfolded {
+                // Each object's roots are listed there, and say their own names.
+                continue;
+            }
+            let session = window.state().session();
+            assert_eq!(session.hovered.map(|hovered| hovered.concept), Some(concept), "{text}");
+            assert!(!session.dims(), "{text}");
+        }
+        window.hover_at(egui::Pos2::ZERO);
+        window.run();
+        assert_eq!(window.state().session().hovered, None);
+    }
 }

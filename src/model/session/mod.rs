@@ -93,6 +93,9 @@ pub enum Selection {
 /// Minimum and maximum number of significant digits of the readouts.
 pub(crate) const DIGITS: (usize, usize) = (2, 17);
 
+/// Minimum and maximum number of pixels that the loupe shows across and down.
+pub(crate) const LOUPE_PIXELS: (u32, u32) = (3, 15);
+
 /// Minimum and maximum zoom of the window.
 pub(crate) const ZOOM: (f32, f32) = (0.5, 4.0);
 
@@ -107,6 +110,8 @@ pub struct Settings {
     pub shade: Shade,
     /// The items of the overlay.
     pub items: OverlayItems,
+    /// Number of pixels that the loupe shows across and down; odd.
+    pub loupe_pixels: u32,
     /// Significant digits of the readouts.
     pub digits: usize,
     /// True if rows and columns are counted from 1, as in the course.
@@ -169,6 +174,7 @@ impl Default for Settings {
             layout: ViewLayout::Both,
             shade: Shade::Lambert,
             items: OverlayItems::default(),
+            loupe_pixels: 9,
             digits: 5,
             count_from_one: false,
             keep_pixel_shape: true,
@@ -204,6 +210,7 @@ impl Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
         let default = Settings::default();
         self.digits = self.digits.clamp(DIGITS.0, DIGITS.1);
+        self.loupe_pixels = self.loupe_pixels.clamp(LOUPE_PIXELS.0, LOUPE_PIXELS.1) | 1;
         self.smallest_text = finite(self.smallest_text, default.smallest_text)
             .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
         self.zoom = finite(self.zoom, default.zoom).clamp(ZOOM.0, ZOOM.1);

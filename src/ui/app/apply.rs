@@ -140,6 +140,30 @@ impl App {
                 self.window.discarded = leave == Leave::Quit;
                 self.proceed(ctx, leave)
             }
+            FileAction::Restore => self.restore(ctx),
+            FileAction::DeleteFound => {
+                self.recovery.take()?.discard();
+                self.recovery.offer()
+            }
+        }
+    }
+
+    /// Opens the unsaved changes that were found.
+    fn restore(&mut self, ctx: &Context) -> Option<Dialog> {
+        if self.scene.open.has_changes() {
+            let reason = "Save the changes of the open scene first.";
+            return Some(Dialog::message("The unsaved changes were not opened", reason));
+        }
+        self.history.settle(ctx, &self.scene.open.document);
+        let before = self.scene.clone();
+        match self.recovery.take()?.restore() {
+            Ok(open) => {
+                let opened = self.scene.restore(open);
+                self.show_opened(opened);
+                self.history.went_elsewhere(before, &self.scene);
+                self.recovery.offer()
+            }
+            Err(reason) => Some(Dialog::message("The unsaved changes cannot be opened", reason)),
         }
     }
 

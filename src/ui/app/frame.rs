@@ -41,6 +41,7 @@ impl App {
         });
         self.over.marks(ui, self.scene.session.spotlight);
         self.keep_history(&ctx);
+        self.recovery.follow(&ctx, &self.scene.open);
         self.playback.record(&ctx, &mut self.over.dialog);
         self.window.follow(&ctx, &self.scene);
         if changed.is_shown_above() || self.scene.marks() != marks {

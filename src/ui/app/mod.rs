@@ -12,6 +12,7 @@ mod lessons;
 mod look;
 mod over;
 mod playback;
+mod recovery;
 mod scene;
 mod views;
 mod window;
@@ -27,6 +28,7 @@ use self::hand::InHand;
 use self::history::SceneHistory;
 use self::over::Over;
 use self::playback::Playback;
+use self::recovery::Recovery;
 use self::scene::OpenScene;
 use self::views::Views;
 use self::window::AppWindow;
@@ -56,6 +58,7 @@ pub struct App {
     tools: Tools,
     hand: InHand,
     window: AppWindow,
+    recovery: Recovery,
     /// Actions for the next pass.
     waiting: Vec<Action>,
     /// The changes since the last pass.
@@ -65,6 +68,7 @@ pub struct App {
 impl App {
     /// The program on this document, with what the last run remembered.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
+        let recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.window, remembered.recent);
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
@@ -78,11 +82,12 @@ impl App {
             history: SceneHistory::new(&open.document),
             scene: OpenScene::new(open, session),
             playback: Playback::default(),
-            over: Over::default(),
+            over: Over::with(recovery.offer()),
             views: Views::default(),
             tools: Tools::default(),
             hand: InHand::default(),
             window,
+            recovery,
             waiting: Vec::new(),
             // The first pass does not know yet where anything is.
             changed: Changed::SESSION,
@@ -168,8 +173,10 @@ impl App {
         self.views.frame_work.as_ref()?.work()
     }
 
-    /// Remembers settings, window, recent files and the open scene for the next run.
+    /// Remembers settings, window, recent files and the open scene for the next run, and changes that
+    /// nobody was asked about.
     pub fn on_exit(&mut self) {
-        self.window.end(&mut self.scene);
+        self.recovery.end(&self.scene.open, self.window.discarded);
+        self.window.end(&self.scene);
     }
 }

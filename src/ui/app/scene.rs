@@ -74,6 +74,11 @@ impl OpenScene {
         opened
     }
 
+    /// Opens a document with unsaved changes.
+    pub(super) fn restore(&mut self, open: OpenDocument) -> Opened {
+        self.replace(open, Selection::default())
+    }
+
     fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
         self.close_lesson();
         self.open = open;

@@ -97,20 +97,9 @@ impl AppWindow {
         ctx.send_viewport_cmd(ViewportCommand::Fullscreen(to));
     }
 
-    /// Remembers settings, window, recent files and the open scene for the next run. Changes that
-    /// nobody was asked about, because display or adapter went away, are saved beside them.
-    pub(super) fn end(&mut self, scene: &mut OpenScene) {
+    /// Remembers settings, window, recent files and the open scene for the next run.
+    pub(super) fn end(&mut self, scene: &OpenScene) {
         let Some(store) = &self.store else { return };
-        if scene.open.has_changes() && !self.discarded {
-            let path = store.unsaved();
-            match scene.open.save_to(&path) {
-                Ok(()) => {
-                    remember(&mut self.recent, &path);
-                    complain(&format!("the unsaved changes are in {}", path.display()));
-                }
-                Err(reason) => complain(&format!("the unsaved changes are lost: {reason}")),
-            }
-        }
         let argument = argument_of(scene.open.origin());
         let remembered = Remembered {
             settings: settings_to_remember(scene),

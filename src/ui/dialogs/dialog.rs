@@ -29,6 +29,8 @@ pub(crate) enum Dialog {
     Progress { done: u32, frames: u32 },
     /// Asks for a decision about unsaved changes before they are left.
     Unsaved { title: String, then: Leave },
+    /// Offers the unsaved changes of a window that ended without being asked.
+    Found { title: String, age: String },
     /// A message to read and close.
     Message(Message),
 }
@@ -224,6 +226,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
             }
             Dialog::Export(form) => form.ui(ui, &mut close),
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, &mut close),
+            Dialog::Found { title, age } => found_ui(ui, title, age, &mut close),
             Dialog::Progress { done, frames } => {
                 ui.heading("Exporting the animation");
                 ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));
@@ -277,6 +280,24 @@ pub(crate) fn save_ui(
         ui.label(RichText::new(text).color(error_color(ui)));
     }
     chosen
+}
+
+fn found_ui(ui: &mut Ui, title: &str, age: &str, close: &mut bool) -> Option<Action> {
+    ui.heading(format!("Restore the unsaved changes to {title}?"));
+    ui.label(format!("Pinhole ended without saving them. The last one was made {age} ago."));
+    ui.add_space(8.0);
+    let buttons = ui.horizontal(|ui| {
+        let restore = ui.button("Restore").clicked();
+        let delete = ui.button("Delete").clicked();
+        let later = ui.button("Not now").on_hover_text("Asks again at the next start");
+        *close |= later.clicked();
+        match (restore, delete) {
+            (true, _) => Some(FileAction::Restore.into()),
+            (_, true) => Some(FileAction::DeleteFound.into()),
+            _ => None,
+        }
+    });
+    buttons.inner
 }
 
 fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, close: &mut bool) -> Option<Action> {

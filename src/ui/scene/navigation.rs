@@ -7,7 +7,8 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
 
 use super::handles::{Edited, say, taken_keys};
 use crate::model::number::written;
-use crate::model::session::Session;
+use crate::model::overlay_items::Item;
+use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::ui::action::Steer;
 use crate::view::handles::vector;
 use crate::view::overlay;
@@ -16,8 +17,8 @@ use crate::view::overlay;
 /// it back; in seconds.
 const PAUSE: f64 = 1.2;
 
-/// Zoom per point of scrolling.
-const WHEEL: f64 = 0.004;
+/// Scrolling that takes the loupe a step closer, in points.
+const NOTCH: f32 = 40.0;
 
 /// Step of a key: its angle, in radians, and its share of the distance or of the zoom.
 const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -33,6 +34,8 @@ pub(crate) struct Navigation {
     /// True if the button is still down although its drag was cancelled.
     given_back: bool,
     refused: Option<SteerError>,
+    /// Scrolling since the loupe's last step, in points.
+    scrolled: f32,
 }
 
 /// The effect of a drag or of the wheel.
@@ -158,14 +161,20 @@ impl Navigation {
             }
             return;
         }
-        let (scroll, pinch) = ctx.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
-        let (way, by) = match (scroll, pinch) {
-            (_, pinch) if pinch != 1.0 => (Way::Dolly, f64::from(pinch).ln()),
-            (scroll, _) => (Way::Zoom, WHEEL * f64::from(scroll)),
-        };
-        if by != 0.0 && response.contains_pointer() {
-            self.go(way, DVec2::new(by, 0.0), &mut edited.document.camera, time, false);
+        if !response.contains_pointer() {
+            self.scrolled = 0.0;
+            return;
         }
+        let (scroll, pinch) = ctx.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
+        if pinch != 1.0 {
+            let by = DVec2::new(f64::from(pinch).ln(), 0.0);
+            self.go(Way::Zoom, by, &mut edited.document.camera, time, false);
+            return;
+        }
+        self.scrolled += scroll;
+        let notches = (self.scrolled / NOTCH).trunc();
+        self.scrolled -= notches * NOTCH;
+        look_closer(&mut edited.session.settings, notches as i32);
     }
 
     /// Moves the camera by a step for each key press.
@@ -237,6 +246,23 @@ impl Navigation {
         // The pointer has no part in key presses: show the text in the picture's lower left.
         let view = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
         say(ui, id, view, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
+    }
+}
+
+/// Opens the loupe, and lets it show fewer pixels, all the larger; or more, and closes it.
+fn look_closer(settings: &mut Settings, notches: i32) {
+    let (least, most) = LOUPE_PIXELS;
+    for _ in 0..notches.unsigned_abs() {
+        let is_open = settings.items.shows(Item::Loupe);
+        let pixels = settings.loupe_pixels;
+        let (opens, pixels) = match (notches > 0, is_open) {
+            (true, true) => (true, pixels.saturating_sub(2).max(least)),
+            (true, false) => (true, most),
+            (false, true) => (pixels < most, (pixels + 2).min(most)),
+            (false, false) => return,
+        };
+        settings.items.set(Item::Loupe, opens);
+        settings.loupe_pixels = pixels;
     }
 }
 

@@ -4,6 +4,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Label, Ui};
 use pinhole_exchange::document::Document;
 
+use super::pointed_number;
 use super::readouts::{self, NumberStyle};
 use crate::model::inspection::Inspection;
 use crate::model::session::presenting::WRITTEN;
@@ -109,11 +110,12 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
 }
 
 /// Shows `name = value`, the name in the colour that the views give it.
-fn number(ui: &mut Ui, name: &str, value: &str, size: f32) {
+fn number(ui: &mut Ui, name: &'static str, value: &str, size: f32) {
     let mut job: LayoutJob = readouts::name_of(ui, name, true, size);
     let text = TextFormat::simple(FontId::proportional(size), ui.visuals().strong_text_color());
     job.append(&format!(" = {value}"), 0.0, text);
     let label = ui.add(Label::new(job).extend()).spoken(format!("{name} = {value}"));
+    pointed_number::point(&label, name);
     if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);
     }

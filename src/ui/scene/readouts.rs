@@ -6,6 +6,7 @@ use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest};
 use pinhole_exchange::document::Document;
 
+use super::pointed_number;
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::number::{grouped, written};
 use crate::model::session::Settings;
@@ -139,13 +140,16 @@ pub(super) fn name_of(ui: &Ui, name: &str, strong: bool, size: f32) -> LayoutJob
 }
 
 /// Shows a line `name = value`.
-fn line(ui: &mut Ui, name: &str, value: String) {
+fn line(ui: &mut Ui, name: &'static str, value: String) {
     let size = egui::TextStyle::Body.resolve(ui.style()).size;
     let label = ui.label(name_of(ui, name, true, size));
+    pointed_number::point(&label, name);
     if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);
     }
-    ui.label(RichText::new(format!("= {value}"))).spoken(format!("{name} = {value}"));
+    let label = ui.label(RichText::new(format!("= {value}")));
+    pointed_number::point(&label, name);
+    label.spoken(format!("{name} = {value}"));
     ui.end_row();
 }
 

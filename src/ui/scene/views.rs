@@ -301,7 +301,7 @@ pub(crate) fn tell_pointed(
     style: NumberStyle,
 ) {
     let words = match (session.hovered, &shown.inspection) {
-        (Some(Hovered { by: HoverSource::Derivation, .. }), _) => return,
+        (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (
             None | Some(Hovered { concept: Concept::Object(_) | Concept::Pixel, .. }),
             Some(found),
@@ -351,7 +351,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
             false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
         };
         let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
-                    wheel: field of view; Ctrl and wheel: dolly.";
+                    wheel: look at pixels more closely; Ctrl and wheel: field of view.";
         strip(rect, text, hint, ViewLayout::Camera);
     }
 }

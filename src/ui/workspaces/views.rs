@@ -9,7 +9,7 @@ use crate::model::session::ViewLayout;
 use crate::ui::action::{Leave, LookAction};
 use crate::ui::changed::Changed;
 use crate::ui::scene::view_rects::Areas;
-use crate::ui::scene::{number_strip, readouts};
+use crate::ui::scene::{number_strip, pointed_number, readouts};
 use crate::ui::widgets::asking::Asking as _;
 
 pub(super) const BOTH: Page = Page {
@@ -19,6 +19,7 @@ pub(super) const BOTH: Page = Page {
         divider.both(views, rest)
     },
     rest: numbers,
+    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
     ..Page::VIEWS
 };
 
@@ -29,6 +30,7 @@ pub(super) const WORLD: Page = Page {
         Areas { world: Some(views), camera: None, beside: None, rest }
     },
     rest: numbers,
+    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
     ..Page::VIEWS
 };
 
@@ -39,6 +41,7 @@ pub(super) const CAMERA: Page = Page {
         Areas { world: None, camera: Some(views), beside: None, rest }
     },
     rest: numbers,
+    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
     figure: Subject::Camera,
     ..Page::VIEWS
 };

@@ -113,7 +113,7 @@ pub(super) struct Pictures {
     picture: Memo<PictureKey, Made>,
     map: Memo<(Method, TraceKey), Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
-    loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
+    loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
     fineness: Fineness<(ResolvedCamera, u64, [u32; 2])>,
     /// Number of pictures made so far, which distinguishes one from the next.
@@ -156,11 +156,11 @@ impl Pictures {
         });
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
-            let [rows, columns] = loupe_window(&position, resolved.image());
+            let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
             let (method, (resolved, generation, _), mode, palette, _) = key;
             let seen = (resolved, generation, Raster::part(rows, columns));
             let key = (method, seen, mode, palette, false);
-            let key = (key, settings.count_from_one);
+            let key = (key, (settings.loupe_pixels, settings.count_from_one));
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.scanned_pixels {
                 None => loupe,
@@ -287,8 +287,8 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
 }
 
 /// Returns the pixels under the loupe, by the method that draws the picture.
-fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
-    let ((method, (resolved, _, raster), mode, ..), count_from_one) = key;
+fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
+    let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
     let mut frame = watch::truth(&world.scene, resolved, raster, watch);
     if *method != Method::Ladder {
         let traced = trace_by(*method, &world.scene, resolved, raster);
@@ -298,7 +298,7 @@ fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe
     let colors = (*mode, |i: u32| world.colors[i as usize]);
     let pixels = watch::repainted(&frame, &world.scene, colors, watch);
     let picture = Picture { raster: raster.clone(), image: resolved.image(), pixels };
-    Loupe { picture, count_from_one: *count_from_one }
+    Loupe { picture, shown_pixels: *shown_pixels, count_from_one: *count_from_one }
 }
 
 fn compare(

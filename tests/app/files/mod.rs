@@ -2,4 +2,5 @@
 
 mod export;
 mod play_export;
+mod recovery;
 pub(crate) mod scene_files;

@@ -21,9 +21,12 @@ fn wheel_at(harness: &mut Harness<'_, App>, at: Pos2) {
     harness.hover_at(at);
     harness.run();
     let (unit, source) = (MouseWheelUnit::Line, MouseWheelSource::Wheel);
-    let (delta, phase, modifiers) = (vec2(0.0, 2.0), TouchPhase::Move, Modifiers::NONE);
+    let (delta, phase) = (vec2(0.0, 2.0), TouchPhase::Move);
+    let modifiers = Modifiers::COMMAND | Modifiers::CTRL;
+    harness.event(Event::ModifiersChanged(modifiers));
     harness.event(Event::MouseWheel { unit, delta, phase, source, modifiers });
     harness.run_steps(12);
+    harness.event(Event::ModifiersChanged(Modifiers::NONE));
 }
 
 #[test]

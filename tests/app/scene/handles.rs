@@ -7,6 +7,7 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::overlay_items::Item;
 use pinhole::model::session::hand::Handle;
 use pinhole::model::session::{Selection, Settings};
 use pinhole::model::store::Remembered;
@@ -539,22 +540,36 @@ fn wheel(harness: &mut Harness<'_, App>, lines: f32, modifiers: Modifiers) {
 }
 
 #[test]
-fn the_wheel_zooms_and_dollies_and_is_one_step() {
+fn the_wheel_looks_at_pixels_more_closely_and_changes_no_camera() {
     let mut harness = window("look-at");
     let before = camera(&harness);
+    let loupe = |harness: &Harness<'_, App>| {
+        let settings = &harness.state().session().settings;
+        settings.items.shows(Item::Loupe).then_some(settings.loupe_pixels)
+    };
+    assert_eq!(loupe(&harness), None);
+    wheel(&mut harness, 1.0, Modifiers::NONE);
+    let opened = loupe(&harness).unwrap();
     wheel(&mut harness, 2.0, Modifiers::NONE);
+    let closer = loupe(&harness).unwrap();
+    assert!(closer < opened, "{closer} of {opened} pixels");
+    wheel(&mut harness, 50.0, Modifiers::NONE);
+    assert_eq!(loupe(&harness), Some(3));
+    wheel(&mut harness, -50.0, Modifiers::NONE);
+    assert_eq!(loupe(&harness), None);
+    assert_eq!(camera(&harness), before);
+}
+
+#[test]
+fn ctrl_and_wheel_zoom_in_one_step() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    wheel(&mut harness, 2.0, Modifiers::COMMAND | Modifiers::CTRL);
     let zoomed = camera(&harness);
     assert_eq!((zoomed.eye, zoomed.orientation), (before.eye, before.orientation));
     let (old, new) = (before.viewport, zoomed.viewport);
     assert!(new.width < old.width && new.distance == old.distance);
     assert!((new.width / new.height - old.width / old.height).abs() < 1e-12);
-    undo(&mut harness);
-    assert_eq!(camera(&harness), before);
-
-    wheel(&mut harness, 1.0, Modifiers::COMMAND | Modifiers::CTRL);
-    let dollied = camera(&harness);
-    assert_eq!((dollied.viewport, at_of(&dollied)), (before.viewport, at_of(&before)));
-    assert!(dollied.view().length() < before.view().length());
     undo(&mut harness);
     assert_eq!(camera(&harness), before);
 }

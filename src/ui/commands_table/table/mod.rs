@@ -64,8 +64,8 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Hand, how: "Escape", does: "Cancel the drag" },
     Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look round" },
     Gesture { group: Group::Hand, how: "Middle drag there", does: "Orbit round at" },
-    Gesture { group: Group::Hand, how: "Wheel there", does: "Field of view" },
-    Gesture { group: Group::Hand, how: "Ctrl+wheel there", does: "Dolly" },
+    Gesture { group: Group::Hand, how: "Wheel there", does: "Look at pixels more closely" },
+    Gesture { group: Group::Hand, how: "Ctrl+wheel there", does: "Field of view" },
     Gesture { group: Group::Program, how: "Tab, Shift+Tab", does: "Next and previous control" },
     Gesture { group: Group::Program, how: "Enter, Space", does: "Press the control in focus" },
 ];

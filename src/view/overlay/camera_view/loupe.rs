@@ -13,10 +13,8 @@ use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::sketch::Pen;
 
-/// Number of pixels shown across and down.
-const PIXELS: u32 = 9;
-/// Side of a magnified pixel, in points, where there is room.
-const CELL: f64 = 24.0;
+/// Greatest side of all magnified pixels together, in points.
+const CELLS: f64 = 216.0;
 /// Greatest share of the view that the loupe takes; less than half of the height, so that it does
 /// not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
@@ -30,15 +28,17 @@ const RIM: DVec2 = DVec2::new(62.0, 23.0);
 pub struct Loupe {
     /// The pixels around the selected position, all of them traced.
     pub picture: Picture,
+    /// Number of pixels shown across and down; odd.
+    pub shown_pixels: u32,
     /// True if rows and columns are counted from one, as some courses do.
     pub count_from_one: bool,
 }
 
 /// Returns the rows and columns under the loupe, cut to the image. The selected position is in
 /// their middle, or in the middle one.
-pub fn loupe_window(position: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
+pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, own: u32, count: u32| {
-        let half = PIXELS / 2;
+        let half = pixels / 2;
         let (middle, end) = edge.map_or((own, own + 1), |edge| (edge, edge));
         middle.saturating_sub(half)..(end + half).min(count)
     };
@@ -68,16 +68,17 @@ impl Inset {
         let inspection = view.inspection.filter(|_| view.items.shows(Item::Loupe))?;
         let (position, at) =
             (inspection.image_position?, position_of(view.resolved, view.size, inspection.uv));
-        Some((loupe, position, at, Inset::new(view, &position, at)))
+        Some((loupe, position, at, Inset::new(view, loupe.shown_pixels, &position, at)))
     }
 
     /// Places the loupe in the corner of the view farthest from the selected position.
-    fn new(view: &CameraView, position: &PixelOfUv, at: DVec2) -> Inset {
+    fn new(view: &CameraView, pixels: u32, position: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
-        let pixels = f64::from(PIXELS);
+        let pixels = f64::from(pixels);
         let rim = scale * RIM;
         let room = SHARE * extent - DVec2::new(rim.x, 2.0 * rim.y);
-        let cell = (scale * CELL).min(room.min_element() / pixels).max(4.0 * scale);
+        let cell = (scale * CELLS).min(room.min_element()) / pixels;
+        let cell = cell.max(4.0 * scale);
         let cells = DVec2::splat(pixels * cell);
         let size = cells + DVec2::new(rim.x + 6.0 * scale, 2.0 * rim.y);
         let margin = 10.0 * scale;

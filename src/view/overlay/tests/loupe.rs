@@ -11,11 +11,11 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
         Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.resolve().expect("a camera");
     let inspection = Inspection::new(&resolved, &Scene::default(), Selection::Uv(uv));
     let position = inspection.image_position.expect("a place in the image");
-    let [rows, columns] = loupe_window(&position, resolved.image());
+    let [rows, columns] = loupe_window(&position, resolved.image(), 9);
     let raster = Raster::part(rows, columns);
     let pixels = vec![Color32::GRAY; raster.len()];
     let picture = Picture { raster, image: resolved.image(), pixels };
-    let loupe = Loupe { picture: picture.clone(), count_from_one };
+    let loupe = Loupe { picture: picture.clone(), shown_pixels: 9, count_from_one };
     let view = CameraView {
         resolved: &resolved,
         picture: &picture,
@@ -98,7 +98,7 @@ fn the_loupe_is_in_the_view_and_not_over_the_place() {
 #[test]
 fn at_the_image_s_border_there_are_fewer_pixels() {
     let (drawing, position) = drawing(DVec2::new(-0.5, 0.5), 400, 600, false);
-    let [rows, columns] = loupe_window(&position, image(400, 400));
+    let [rows, columns] = loupe_window(&position, image(400, 400), 9);
     assert_eq!((rows, columns), (0..4, 0..4));
     assert_eq!(texts(&drawing)[..3], ["row 0", "0", "column"]);
 }

@@ -1,0 +1,130 @@
+//! Writing unsaved changes aside while they are made, and offering those of a window that ended
+//! without being asked.
+
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use egui::Context;
+use pinhole_exchange::document::Document;
+
+use super::window::complain;
+use crate::model::files::OpenDocument;
+use crate::model::recovery::{Found, Slot, Unsaved, in_words};
+use crate::model::store::Store;
+use crate::ui::dialogs::dialog::Dialog;
+
+/// Time after the last edit, and during a long drag, after which changes are written, in seconds.
+const REST: f64 = 1.0;
+const LONGEST: f64 = 4.0;
+
+/// This window's slot, and what was found in others.
+#[derive(Default)]
+pub(super) struct Recovery {
+    slot: Option<Arc<Mutex<Slot>>>,
+    found: Vec<Found>,
+    /// The document as it was written last; `None` if nothing is written.
+    written: Option<Document>,
+    /// The document as it was seen last.
+    seen: Option<Document>,
+    /// Times of the last edit, and of the first one that is not written yet, in seconds.
+    last_edit: f64,
+    first_edit: Option<f64>,
+    writing: Option<JoinHandle<()>>,
+}
+
+impl Recovery {
+    /// Finds what other windows have left.
+    pub(super) fn new(store: Option<&Store>) -> Recovery {
+        let Some(store) = store else { return Recovery::default() };
+        let (slot, found) = Slot::open(&store.unsaved());
+        let slot = slot.map(|slot| Arc::new(Mutex::new(slot)));
+        Recovery { slot, found, ..Recovery::default() }
+    }
+
+    /// Returns the dialog that offers what was found, if anything was.
+    pub(super) fn offer(&self) -> Option<Dialog> {
+        let found = self.found.first()?;
+        Some(Dialog::Found { title: found.title.clone(), age: in_words(found.age) })
+    }
+
+    /// Takes the changes that were offered.
+    pub(super) fn take(&mut self) -> Option<Found> {
+        (!self.found.is_empty()).then(|| self.found.remove(0))
+    }
+
+    /// Writes changes aside, beside the frame, once the hand rests or has moved for long.
+    pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
+        if self.slot.is_none() {
+            return;
+        }
+        if !open.has_changes() {
+            self.clear();
+            return;
+        }
+        let now = ctx.input(|i| i.time);
+        if self.seen.as_ref() != Some(&open.document) {
+            self.seen = Some(open.document.clone());
+            self.last_edit = now;
+            self.first_edit.get_or_insert(now);
+        }
+        let Some(first) = self.first_edit else { return };
+        let due = (self.last_edit + REST).min(first + LONGEST);
+        if now < due {
+            ctx.request_repaint_after(Duration::from_secs_f64(due - now));
+            return;
+        }
+        self.first_edit = None;
+        self.write(Unsaved::of(open));
+    }
+
+    fn write(&mut self, unsaved: Unsaved) {
+        let Some(slot) = self.slot.clone() else { return };
+        self.written.clone_from(&self.seen);
+        self.finish_writing();
+        self.writing = Some(std::thread::spawn(move || {
+            let Ok(slot) = slot.lock() else { return };
+            if let Err(reason) = unsaved.write(&slot) {
+                complain(&format!("the unsaved changes could not be written aside: {reason}"));
+            }
+        }));
+    }
+
+    /// Waits until what is being written is written: what comes next must not overtake it.
+    fn finish_writing(&mut self) {
+        if let Some(writing) = self.writing.take() {
+            // A thread that panicked has written nothing.
+            let _ = writing.join();
+        }
+    }
+
+    /// Removes what is written: it is saved, or not wanted.
+    fn clear(&mut self) {
+        self.finish_writing();
+        (self.seen, self.first_edit) = (None, None);
+        if self.written.take().is_some()
+            && let Some(slot) = &self.slot
+            && let Ok(slot) = slot.lock()
+        {
+            slot.clear();
+        }
+    }
+
+    /// Writes changes that nobody was asked about, because display or adapter went away; removes them
+    /// if they are saved, or not wanted.
+    pub(super) fn end(&mut self, open: &OpenDocument, discarded: bool) {
+        if discarded || !open.has_changes() {
+            self.clear();
+            return;
+        }
+        self.finish_writing();
+        if let Some(slot) = &self.slot
+            && let Ok(slot) = slot.lock()
+        {
+            match Unsaved::of(open).write(&slot) {
+                Ok(()) => complain("the next start offers the unsaved changes"),
+                Err(reason) => complain(&format!("the unsaved changes are lost: {reason}")),
+            }
+        }
+    }
+}

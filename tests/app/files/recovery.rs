@@ -1,0 +1,124 @@
+//! A window that ends without being asked: its unsaved changes are offered at the next start.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::model::store::{Remembered, Store};
+use pinhole::ui::app::App;
+
+use crate::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
+
+const OFFER: &str = "Restore the unsaved changes to ";
+
+fn opened(store: &Store, scene: impl AsRef<Path>) -> Harness<'static, App> {
+    let remembered = Remembered { settings: unfolded(), ..Remembered::default() };
+    window_with(scene, remembered, Some(store.clone()))
+}
+
+fn scenes_written(store: &Store) -> usize {
+    let files = std::fs::read_dir(store.unsaved()).unwrap();
+    files.filter(|file| file.as_ref().unwrap().path().extension() == Some("toml".as_ref())).count()
+}
+
+/// A window in which the eye was moved; the change is written aside within two seconds.
+fn changed(store: &Store, scene: impl AsRef<Path>) -> Harness<'static, App> {
+    let before = scenes_written(store);
+    let mut window = opened(store, scene);
+    press(&mut window, "Not now");
+    type_into(&mut window, "eye x", "0.375");
+    let start = window.ctx.input(|i| i.time);
+    while window.ctx.input(|i| i.time) < start + 2.0 {
+        window.step();
+    }
+    let start = Instant::now();
+    while scenes_written(store) == before && start.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert_eq!(scenes_written(store), before + 1);
+    window
+}
+
+fn press(window: &mut Harness<'_, App>, button: &str) {
+    if let Some(button) = window.query_by_role_and_label(Role::Button, button) {
+        button.click();
+    }
+    window.run();
+}
+
+fn store() -> (tempfile::TempDir, Store) {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    std::fs::create_dir_all(store.unsaved()).unwrap();
+    (folder, store)
+}
+
+#[test]
+fn changes_of_a_window_that_was_killed_are_offered_and_restored() {
+    let (_folder, store) = store();
+    let killed = changed(&store, "look-at");
+    let wanted = killed.state().document().clone();
+    assert!(!says(&opened(&store, "canonical"), &format!("{OFFER}look-at?")), "it is still open");
+    drop(killed);
+    let mut window = opened(&store, "canonical");
+    assert_says(&window, &format!("{OFFER}look-at?"));
+    press(&mut window, "Restore");
+    assert_eq!(*window.state().document(), wanted);
+    assert_says(&window, "look-at*");
+    assert!(texts_with(&window, OFFER).is_empty());
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.run();
+    drop(window);
+    assert!(texts_with(&opened(&store, "canonical"), OFFER).is_empty(), "offered once");
+}
+
+#[test]
+fn two_windows_lose_nothing_to_each_other() {
+    let (_folder, store) = store();
+    let (first, second) = (changed(&store, "look-at"), changed(&store, "planet"));
+    drop((first, second));
+    let mut window = opened(&store, "canonical");
+    for _ in 0..2 {
+        assert!(!texts_with(&window, OFFER).is_empty());
+        press(&mut window, "Delete");
+    }
+    assert!(texts_with(&window, OFFER).is_empty());
+    assert_eq!(scenes_written(&store), 0);
+}
+
+#[test]
+fn what_is_saved_or_given_up_is_not_offered() {
+    let (folder, store) = store();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(
+        &path,
+        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n",
+    )
+    .unwrap();
+    let mut saved = changed(&store, &path);
+    saved.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    saved.run();
+    assert_eq!(scenes_written(&store), 0);
+    assert!(std::fs::read_to_string(&path).unwrap().contains("0.375"));
+    drop(saved);
+    let mut undone = changed(&store, "look-at");
+    undone.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    undone.run();
+    assert_eq!(scenes_written(&store), 0);
+}
+
+#[test]
+fn a_window_whose_display_went_away_writes_its_last_change() {
+    let (_folder, store) = store();
+    let mut window = changed(&store, "look-at");
+    type_into(&mut window, "eye y", "1.25");
+    window.state_mut().on_exit();
+    let wanted = window.state().document().clone();
+    drop(window);
+    let mut window = opened(&store, "canonical");
+    press(&mut window, "Restore");
+    assert_eq!(*window.state().document(), wanted);
+}
