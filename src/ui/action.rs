@@ -462,6 +462,8 @@ pub enum Switch {
     KeepPixelShape,
     /// Distance, width and height go together, so that the picture stays.
     KeepPicture,
+    /// Up stays as it is given while eye and at are dragged.
+    KeepUp,
     /// Nothing moves by itself.
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
@@ -485,6 +487,7 @@ impl Switch {
             Switch::EyeTravels => settings.eye_keeps == EyeKeeps::View,
             Switch::KeepPixelShape => settings.keep_pixel_shape,
             Switch::KeepPicture => settings.keep_picture,
+            Switch::KeepUp => settings.keep_up,
             Switch::ReducedMotion => settings.reduced_motion,
             Switch::Spotlight => session.spotlight,
             Switch::Pen => session.pen.is_some(),
@@ -504,6 +507,7 @@ impl Switch {
             Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
             Switch::KeepPixelShape => settings.keep_pixel_shape = on,
             Switch::KeepPicture => settings.keep_picture = on,
+            Switch::KeepUp => settings.keep_up = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
             Switch::Spotlight => session.spotlight = on,
             Switch::Pen => session.pen = on.then(Pen::default),

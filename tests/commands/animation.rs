@@ -27,7 +27,7 @@ fn an_animation_begins_with_the_figure_and_goes_on() {
     figure(folder.path(), &format!("{line} -o still.png")).done();
     let (.., still, _) = decode(&folder.path().join("still.png"));
     let still: Vec<u8> = still.iter().flat_map(|pixel| pixel[..3].to_vec()).collect();
-    for (kind, plays) in [("swing-up", 0), ("orbit", 0), ("walk", 1)] {
+    for (kind, plays) in [("swing-up", 0), ("orbit", 0), ("over-the-top", 0), ("walk", 1)] {
         let more = format!("-o {kind}.png --play {kind} --frames 4");
         assert_eq!(figure(folder.path(), &format!("{line} {more}")).done(), "");
         let (frames, repeats) = frames(&folder.path().join(format!("{kind}.png")));

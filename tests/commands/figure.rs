@@ -261,7 +261,8 @@ fn what_does_not_fit_is_refused() {
     at("canonical --view world -o a.svg --theme sepia")
         .refused("light, dark, colour-blind, colour-blind-dark, grey, grey-dark");
     at("canonical --view world -o a.png --frames 3").refused("--play <KIND>");
-    at("canonical --view world -o a.png --play dance").refused("swing-up, orbit, walk, scan");
+    at("canonical --view world -o a.png --play dance")
+        .refused("swing-up, orbit, over-the-top, walk, scan");
     at("canonical --view derivation -o a.png --play orbit")
         .failed(2, "--play shows a view: --view world or --view camera");
     at("canonical --view world -o a.svg --play orbit")

@@ -3,8 +3,10 @@
 
 mod player;
 
+use std::f64::consts::{PI, TAU};
+
 use pinhole_core::steering::SteerError;
-use pinhole_core::{Camera, Pixel};
+use pinhole_core::{Camera, Orientation, Pixel};
 
 pub use player::Player;
 
@@ -20,6 +22,9 @@ named_enum! {
         SwingUp: "Swing up round the view", "swing-up", "swing up round the view";
         /// The eye moves once around at.
         Orbit: "Orbit the camera round at", "orbit", "orbit round at";
+        /// The view goes up until it meets up, and over it: the picture flips. By at, the eye goes round
+        /// at; by view, it stays.
+        OverTheTop: "Over the top: the view meets up", "over-the-top", "go over the top";
         /// A point runs along the selected ray, from the eye to what the ray hits.
         Walk: "Run t along the ray", "walk", "run along the ray";
         /// The rays go out one after another, as a renderer sends them, and the picture appears.
@@ -58,7 +63,7 @@ impl Kind {
     /// Returns the duration at speed 1, in seconds.
     pub fn seconds(self) -> f64 {
         match self {
-            Kind::SwingUp | Kind::Orbit => 12.0,
+            Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => 12.0,
             Kind::Walk => 6.0,
             Kind::Scan => 20.0,
         }
@@ -67,7 +72,7 @@ impl Kind {
     /// Returns true if the animation moves the camera, which is a part of the document. It then ends
     /// where it began.
     pub fn moves_camera(self) -> bool {
-        matches!(self, Kind::SwingUp | Kind::Orbit)
+        matches!(self, Kind::SwingUp | Kind::Orbit | Kind::OverTheTop)
     }
 
     /// Returns the number of single steps of the whole animation.
@@ -79,7 +84,11 @@ impl Kind {
     /// first, the last frame of the others is the end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
         let intervals = if self.moves_camera() { n } else { n.saturating_sub(1) };
-        f64::from(k) / f64::from(intervals.max(1))
+        let phase = |k: f64| k / f64::from(intervals.max(1));
+        let phases = [phase(k.into()), phase(f64::from(k) + 0.5)];
+        // Where the view meets up, there is no picture: that frame shows it just after.
+        let meets = self == Kind::OverTheTop && [0.25, 0.75].contains(&phases[0]);
+        phases[usize::from(meets)]
     }
 }
 
@@ -113,7 +122,7 @@ impl Still {
     /// Sets all that an animation of this kind moves, and nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
         match kind {
-            Kind::SwingUp | Kind::Orbit => {
+            Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => {
                 let camera = &mut document.camera;
                 (camera.eye, camera.orientation) = (self.camera.eye, self.camera.orientation);
             }
@@ -169,6 +178,7 @@ impl Start {
                 let yaw = std::f64::consts::TAU * turn;
                 Still { camera: self.camera.orbited(yaw, 0.0)?, ..still }
             }
+            Kind::OverTheTop => Still { camera: over_the_top(&self.camera, turn)?, ..still },
             Kind::Walk => Still { ray_point_t: Some(phase * self.end), ..still },
             Kind::Scan => {
                 let scanned_pixels = (phase * self.pixels() as f64).round() as u64;
@@ -183,6 +193,49 @@ impl Start {
             }
         })
     }
+}
+
+/// Returns the camera on its way over the top, at a share of the turn. The direction backwards is
+///
+/// ```text
+/// -view = |view| (cos(b) up/|up| + sin(b) e),   e perpendicular to up,
+/// ```
+///
+/// with b from its first value to 0 at a quarter, where the view meets up, to -pi at three quarters, and
+/// back to the first value; there and at the end without rounding.
+fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
+    let (view, up) = (camera.view(), camera.up());
+    if let Orientation::Basis(_) = camera.orientation {
+        return Err(SteerError::NoUp);
+    }
+    camera.basis()?;
+    if turn == 0.0 {
+        return Ok(*camera);
+    }
+    let (top, length) = (up.normalize(), view.length());
+    let across = (-view).reject_from_normalized(top).normalize();
+    let first = (-view).dot(across).atan2((-view).dot(top));
+    let back = match turn {
+        0.25 | 0.75 => {
+            let factor = f64::from((length / up.length()) as f32);
+            if turn < 0.5 { factor * up } else { -factor * up }
+        }
+        _ => {
+            let angle = match turn {
+                ..0.25 => first * (1.0 - 4.0 * turn),
+                ..0.75 => -TAU * (turn - 0.25),
+                _ => -PI - 4.0 * (PI - first) * (turn - 0.75),
+            };
+            length * (angle.cos() * top + angle.sin() * across)
+        }
+    };
+    Ok(match camera.orientation {
+        Orientation::At { at, .. } => Camera { eye: at + back, ..*camera },
+        Orientation::View { up, .. } => {
+            Camera { orientation: Orientation::View { view: -back, up }, ..*camera }
+        }
+        Orientation::Basis(_) => *camera,
+    })
 }
 
 /// Returns the t at which a walk along a ray ends: that of its first hit.

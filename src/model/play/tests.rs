@@ -39,6 +39,36 @@ fn the_eye_orbits_at() {
 }
 
 #[test]
+fn the_view_goes_over_the_top_and_meets_up_without_rounding() {
+    let start = start();
+    for by_view in [false, true] {
+        let (view, up) = (DVec3::new(0.0, -0.5, -1.0), DVec3::new(0.0, 2.0, 0.0));
+        let orientation = match by_view {
+            true => Orientation::View { view, up },
+            false => Orientation::At { at: start.camera.eye + view, up },
+        };
+        let start = Start { camera: Camera { orientation, ..start.camera }, ..start };
+        let at = |phase| start.at(Kind::OverTheTop, phase).unwrap().camera;
+        for pole in [0.25, 0.75] {
+            assert_eq!(at(pole).view().cross(up), DVec3::ZERO, "{pole}");
+            let right = |phase: f64| at(phase).basis().unwrap().u;
+            let flip = right(pole - 0.01).dot(right(pole + 0.01));
+            assert!(flip < -0.999_999, "{flip}: u turns round");
+        }
+        for phase in (0..=100).map(|k| f64::from(k) / 100.0) {
+            let length = at(phase).view().length();
+            assert!((length - view.length()).abs() < 1e-6, "{phase}: {length}");
+        }
+        assert_eq!(start.at(Kind::OverTheTop, 1.0).unwrap(), start.still());
+    }
+    let orientation = Orientation::Basis(start.camera.basis().unwrap());
+    let by_hand = Start { camera: Camera { orientation, ..start.camera }, ..start };
+    assert_eq!(by_hand.at(Kind::OverTheTop, 0.1), Err(SteerError::NoUp));
+    let poles = (0..240).filter(|k| Kind::OverTheTop.phase_of_frame(*k, 240) == 0.25);
+    assert_eq!(poles.count(), 0, "every exported frame has a picture");
+}
+
+#[test]
 fn t_runs_to_the_hit() {
     let ray_point_t = |phase| start().at(Kind::Walk, phase).unwrap().ray_point_t;
     assert_eq!([0.0, 0.25, 1.0].map(ray_point_t), [Some(0.0), Some(1.5), Some(6.0)]);

@@ -120,6 +120,8 @@ pub struct Settings {
     pub keep_pixel_shape: bool,
     /// True if distance, width and height change together: the picture stays.
     pub keep_picture: bool,
+    /// True if up stays as it is given while eye and at are dragged, also where the view comes near it.
+    pub keep_up: bool,
     /// The quantity that stays when the eye is moved in the world view.
     pub eye_keeps: EyeKeeps,
     /// True if the camera panel's part for teaching is unfolded.
@@ -179,6 +181,7 @@ impl Default for Settings {
             count_from_one: false,
             keep_pixel_shape: true,
             keep_picture: false,
+            keep_up: false,
             eye_keeps: EyeKeeps::At,
             teaching: false,
             hides_panel: false,

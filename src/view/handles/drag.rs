@@ -8,8 +8,9 @@ use pinhole_core::steering::{
     CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, Steered, ViewportCorner,
     nice_step, pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, CameraError, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
+use super::magnet;
 use super::{HandleValues, Solid};
 use crate::model::session::hand::{Along, Axis, Grasp, Handle};
 
@@ -37,6 +38,8 @@ pub struct DragOptions {
     pub snaps: bool,
     /// The quantity that stays when the eye moves.
     pub eye: Keep,
+    /// True if up stays as it is given, also where a moved eye or at brings the view near it.
+    pub keeps_up: bool,
     /// The quantity that stays when a corner of the viewport moves.
     pub corner: CornerKeeps,
     /// The quantity that stays when the viewport's distance changes.
@@ -94,26 +97,19 @@ fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
     (tip - base) / length
 }
 
-/// Returns the steered camera, and whether up was turned, too. A camera without a basis is replaced by
-/// the `invalid` one, whose fields then show the fault.
-fn steered(
-    result: Result<Steered, SteerError>,
-    invalid: impl FnOnce(CameraError) -> Result<Camera, String>,
-) -> Result<(Camera, bool), String> {
-    match result {
-        Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-        Err(SteerError::Camera(fault)) => Ok((invalid(fault)?, false)),
-        Err(reason) => Err(reason.to_string()),
-    }
-}
-
 impl HandleDrag<'_> {
     /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
     /// # Errors
     /// Returns the reason, in words, if the handle cannot be dragged there.
     pub fn to(&self, uv: DVec2) -> Result<Dragged, String> {
-        let DragStart { at, begun_at, .. } = *self.start;
+        let DragStart { at, begun_at, before, .. } = *self.start;
+        // An axis that is held, or round steps, lead past the magnet.
+        let is_free = self.options.along == Along::View && !self.options.snaps;
+        if let Some(camera) = is_free.then(|| magnet::drawn_on(self, uv)).flatten() {
+            let part = HandleValues { camera, ..before };
+            return Ok(Dragged { part, ..self.unchanged() });
+        }
         let drag = Drag { anchor: at, begun_at };
         let point = drag.to(self.observer, uv, self.along()?).map_err(|e| e.to_string())?;
         self.put(point)
@@ -245,30 +241,40 @@ impl HandleDrag<'_> {
 
     fn eye(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        steered(camera.with_eye_at(point, self.options.eye), |fault| {
-            let by = point - camera.eye;
-            let orientation = match (camera.orientation, self.options.eye) {
-                (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
-                (Orientation::View { view, up }, Keep::At) => {
-                    Orientation::View { view: view - by, up }
-                }
-                (Orientation::Basis(_), _) => return Err(fault.to_string()),
-                (given, _) => given,
-            };
-            Ok(Camera { eye: point, orientation, ..camera })
-        })
+        let by = point - camera.eye;
+        let orientation = match (camera.orientation, self.options.eye) {
+            (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
+            (Orientation::View { view, up }, Keep::At) => Orientation::View { view: view - by, up },
+            (given, _) => given,
+        };
+        let set = Camera { eye: point, orientation, ..camera };
+        self.aimed(set, camera.with_eye_at(point, self.options.eye))
     }
 
     fn look_at(&self, point: DVec3) -> Result<(Camera, bool), String> {
         let camera = self.start.before.camera;
-        steered(camera.with_at(point), |fault| {
-            let orientation = match camera.orientation {
-                Orientation::At { up, .. } => Orientation::At { at: point, up },
-                Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
-                Orientation::Basis(_) => return Err(fault.to_string()),
-            };
-            Ok(Camera { orientation, ..camera })
-        })
+        let orientation = match camera.orientation {
+            Orientation::At { up, .. } => Orientation::At { at: point, up },
+            Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
+            basis => basis,
+        };
+        self.aimed(Camera { orientation, ..camera }, camera.with_at(point))
+    }
+
+    /// Returns the steered camera, and whether up was turned, too. A camera without a basis is replaced
+    /// by `set`, whose fields then show the fault; with up kept, it is `set` in any case.
+    fn aimed(
+        &self,
+        set: Camera,
+        steered: Result<Steered, SteerError>,
+    ) -> Result<(Camera, bool), String> {
+        let has_up = !matches!(set.orientation, Orientation::Basis(_));
+        match steered {
+            _ if has_up && self.options.keeps_up => Ok((set, false)),
+            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
+            Err(SteerError::Camera(_)) if has_up => Ok((set, false)),
+            Err(reason) => Err(reason.to_string()),
+        }
     }
 
     /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields

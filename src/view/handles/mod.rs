@@ -11,6 +11,7 @@
 
 mod drag;
 mod hit;
+mod magnet;
 mod marks;
 mod positions;
 mod text;

@@ -5,6 +5,7 @@ mod compare;
 mod covered;
 mod handles;
 mod labels;
+mod magnet;
 use egui_kittest::Harness;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};

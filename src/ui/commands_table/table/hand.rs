@@ -107,6 +107,8 @@ fn switches() -> Vec<UiCommand> {
         Hand, "Keep the picture",
             "Scales distance, width and height together, so that the picture stays.",
             [], LookAction::Toggle(Switch::KeepPicture);
+        Hand, "Keep up", "Leaves up as it is given where eye or at are dragged; off, it goes along near the view.",
+            [], LookAction::Toggle(Switch::KeepUp);
     ]
 }
 

@@ -184,6 +184,8 @@ fn playing() -> Vec<UiCommand> {
         Play, "Swing up", "Turns up round the view: all these cameras look along one line.",
             [], PlayAction::Open(Kind::SwingUp);
         Play, "Orbit", "Takes the camera once round what it looks at.", [], PlayAction::Open(Kind::Orbit);
+        Play, "Over the top", "Takes the view up until it meets up, and over it: the picture flips.",
+            [], PlayAction::Open(Kind::OverTheTop);
         Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], PlayAction::Open(Kind::Walk);
         Play, "Scan the pixels", "Sends out the rays row by row, as a renderer does.",
             [], PlayAction::Open(Kind::Scan);

@@ -20,6 +20,9 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
         // A basis set by hand has no up.
         if !matches!(camera.orientation, Orientation::Basis(_)) {
+            let hint = "Dragging eye or at leaves up as it is given, so that the view can meet it; \
+                        off, up goes along where they come near each other";
+            ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
             swing(ui, camera);
             tilt(ui, camera);
             dial::ui(ui, camera);

@@ -323,7 +323,8 @@ fn options(ctx: &Context, session: &Session) -> DragOptions {
         (Some(axis), true) => Along::Without(axis),
     };
     let (eye, corner, distance) = keeps_of(&session.settings, modifiers.alt);
-    DragOptions { along, snaps: modifiers.command, eye, corner, distance }
+    let keeps_up = session.settings.keep_up;
+    DragOptions { along, snaps: modifiers.command, eye, keeps_up, corner, distance }
 }
 
 /// Returns the index of the sphere at a position of the world view, in physical pixels.
