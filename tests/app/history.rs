@@ -134,6 +134,8 @@ fn history_survives_the_steps_of_a_lesson() {
     harness.run();
     let step_1 = harness.state().document().clone();
     type_into(&mut harness, "eye y", "2");
+    // The answer to the step's question, then the next step.
+    press(&mut harness, Modifiers::NONE, Key::PageDown);
     press(&mut harness, Modifiers::NONE, Key::PageDown);
     assert_eq!(harness.state().lesson().unwrap().id().step, 1);
 

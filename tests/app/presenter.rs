@@ -160,6 +160,10 @@ fn lessons_texts_are_large_and_their_keys_go_on() {
             assert_eq!(harness.state().lesson().unwrap().id().step, step);
             assert_texts_are_large(&harness);
             assert!(harness.query_by_label("Next").is_none(), "the strip is slim");
+            if harness.state().session().is_asking {
+                press(&mut harness, Key::PageDown);
+                assert_texts_are_large(&harness);
+            }
             if step + 1 < steps {
                 press(&mut harness, Key::PageDown);
             }

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use pinhole::model::concept::Concept;
-use pinhole::model::lessons::{AskedExercise, LessonArgument, StepId, Which, builtin, load, parse};
+use pinhole::model::lessons::{
+    AskedExercise, LessonArgument, Step, StepId, Which, builtin, load, parse,
+};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
@@ -37,6 +39,40 @@ fn every_lesson_is_read_and_says_how_it_begins() {
             assert!(sentences >= 1 && step.text.chars().count() < 260, "{}", step.text);
             assert_eq!(step.text.matches('*').count() % 2, 0, "{}", step.text);
         }
+    }
+}
+
+/// Fails unless a step asks before it tells: the question is one, and neither the text nor an item
+/// that it leaves in the views is the answer.
+fn assert_asks(step: &Step) {
+    let Some(question) = &step.question else { return };
+    let [text, ask, answer] = [&step.text, &question.ask, &question.answer];
+    assert!(ask.ends_with('?') && ask.chars().count() <= 120, "{ask}");
+    assert!(answer.ends_with('.') && answer.chars().count() <= 200, "{answer}");
+    assert!(!text.contains('?'), "one question is enough: {text}");
+    for printed in [text, &step.title, ask] {
+        assert!(!printed.contains(answer.trim_end_matches('.')), "{answer}");
+    }
+    for marked in [ask, answer] {
+        assert_eq!(marked.matches('*').count() % 2, 0, "{marked}");
+    }
+    let shown = step.view.items.unwrap();
+    for item in Item::ALL.into_iter().filter(|item| question.hidden.shows(*item)) {
+        assert!(shown.shows(item), "{} is hidden but never shown: {ask}", item.name());
+    }
+    assert_ne!(step.view.layout, Some(ViewLayout::Exercises), "an exercise asks by itself: {ask}");
+    assert_eq!(step.view.play, None, "an animation is to be watched: {ask}");
+}
+
+#[test]
+fn lessons_ask_before_they_tell() {
+    for lesson in builtin::all() {
+        lesson.steps.iter().for_each(assert_asks);
+        let asks = lesson.steps.iter().any(|step| step.question.is_some());
+        let is_other = |step: &Step| {
+            step.view.layout == Some(ViewLayout::Exercises) || step.view.play.is_some()
+        };
+        assert!(asks || lesson.steps.iter().all(is_other), "{}", lesson.title);
     }
 }
 

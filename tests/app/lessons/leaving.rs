@@ -10,7 +10,7 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
-use super::{Window, at_step, key, press, shown_step};
+use super::{Window, answer, at_step, key, press, shown_step};
 use crate::harness::{assert_says, open_scene, type_into, unfolded, window, window_with};
 
 #[test]
@@ -65,6 +65,7 @@ fn a_scenes_changes_are_asked_about_and_a_steps_are_not() {
     key(&mut window, Key::Enter);
     assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 3.0);
     type_into(&mut window, "eye x", "4");
+    answer(&mut window);
     press(&mut window, "Next");
     assert_says(&window, "Save the changes to mine.toml?");
     press(&mut window, "Save");
