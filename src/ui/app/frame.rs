@@ -296,6 +296,8 @@ impl App {
             ui.set_clip_rect(rects.rest);
             if shown {
                 changed |= (page.rest)(ui, &mut desk);
+            } else {
+                (page.asked)(ui, &desk);
             }
         });
         changed | exchange::paste_notice(ui.ctx(), &mut self.scene)

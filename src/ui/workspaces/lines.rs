@@ -11,6 +11,7 @@ pub(super) const LINES: Page = Page {
     rest: |ui, desk| {
         Changed::edited(&mut desk.session.lines, |lab| lines::ui(ui, lab, desk.style.digits))
     },
+    asked: |ui, desk| lines::asked(ui, &desk.session.lines),
     figure: Subject::Lines,
     ..Page::VIEWS
 };

@@ -29,6 +29,8 @@ pub(crate) struct Page {
     pub(crate) beside: Option<&'static Beside>,
     /// Shows what it has below the views, beside them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut Desk<'_>) -> Changed,
+    /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
+    pub(crate) asked: fn(&mut Ui, &Desk<'_>),
     /// Returns the concept that the mouse or the focus is on in that.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The figure that it is about.
@@ -83,6 +85,7 @@ impl Page {
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
         rest: |_, _| Changed::NOTHING,
+        asked: |_, _| {},
         hovered: |_, _, _| None,
         figure: Subject::World,
     };

@@ -54,6 +54,18 @@ pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
     paint(&canvas, lab, &ink, |_| false, digits);
 }
 
+/// Draws both lines and nothing that tells where they meet.
+pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
+    let (ink, background, halo) = Ink::from_style(theme::style(ui));
+    let canvas = Canvas::new(ui.painter_at(rect), rect, lab.window, halo);
+    canvas.painter.rect_filled(rect, 0.0, background);
+    let mut labels = LabelLayout::new(canvas.painter.clone(), halo, rect.shrink(3.0));
+    grid(&canvas, &ink);
+    implicit(&canvas, &lab.line(), &ink);
+    parametric(&canvas, lab, &ink);
+    coordinates(&canvas, &ink, &mut labels);
+}
+
 /// Paints everything but the background. Returns a description of the points that the ray has
 /// generated.
 pub(crate) fn paint(

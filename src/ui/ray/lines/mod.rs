@@ -9,6 +9,7 @@ use crate::model::lines::{LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
 pub(crate) use crate::view::lines::canvas::round_step;
+use crate::view::lines::drawing::draw_question;
 pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};
 
@@ -40,6 +41,11 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     });
     ui.data_mut(|data| data.insert_temp(lab_id(), area.size()));
     dragging::ui(ui, left, lab, digits);
+}
+
+/// Shows both lines while the class is asked where they meet.
+pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
+    draw_question(ui, ui.available_rect_before_wrap(), lab);
 }
 
 fn examples(ui: &mut Ui, lab: &mut LinesLab) {
