@@ -13,8 +13,16 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
-/// The number to that many significant digits, trailing zeros dropped; never `NaN` or `inf`.
+/// The number to that many significant digits, trailing zeros dropped; never `NaN` or `inf`. Fewer
+/// digits where they tell the number from all others: 0.1 at 17 digits is `0.1`.
 pub fn significant(value: f64, digits: usize) -> String {
+    // All numbers of 15 digits are told apart.
+    let fewer = (15..digits).map(|digits| rounded(value, digits));
+    let mut telling = fewer.filter(|text| text.parse() == Ok(value));
+    telling.next().unwrap_or_else(|| rounded(value, digits))
+}
+
+fn rounded(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "beyond f64".to_owned();
     }
@@ -49,7 +57,21 @@ pub fn written(value: f64, digits: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::grouped;
+    use super::{grouped, significant};
+
+    #[test]
+    fn digits_that_say_nothing_more_are_left_out() {
+        for (x, digits, text) in [
+            (0.1, 17, "0.1"),
+            (0.1, 16, "0.1"),
+            (0.5_f64.sqrt(), 17, "0.7071067811865476"),
+            (0.1 + 0.2, 17, "0.30000000000000004"),
+            (0.1 + 0.2, 16, "0.3"),
+            (1e22 / 3.0, 5, "3.3333e21"),
+        ] {
+            assert_eq!(significant(x, digits), text);
+        }
+    }
 
     #[test]
     fn groups_of_three() {

@@ -9,6 +9,7 @@ pub mod derivation_sections;
 pub mod expression;
 pub mod fault;
 pub mod files;
+pub mod given;
 pub mod history;
 pub mod inspection;
 pub mod lessons;

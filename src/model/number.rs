@@ -2,6 +2,29 @@
 
 pub(crate) use pinhole_lecture::numbers::{grouped, significant, written};
 
+/// The rounding of numbers that are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To so many significant digits.
+    Significant(usize),
+    /// To so many decimals; small numbers to two significant digits, which may be more decimals.
+    Decimals(usize),
+}
+
+impl Rounding {
+    /// Returns the number's text, without trailing zeros.
+    pub(crate) fn text(self, x: f64) -> String {
+        match self {
+            Rounding::Significant(digits) => significant(x, digits),
+            Rounding::Decimals(decimals) => {
+                let before = x.abs().log10().floor() + 1.0;
+                let digits = (before + decimals as f64).clamp(2.0, 17.0);
+                significant(x, if x == 0.0 { 2 } else { digits as usize })
+            }
+        }
+    }
+}
+
 /// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
 pub(crate) fn short(x: f64) -> String {
     let magnitude = x.abs();
@@ -42,7 +65,25 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::short;
+    use super::{Rounding, short};
+
+    #[test]
+    fn three_decimals() {
+        let cases = [
+            (0.0, "0"),
+            (26.115_129, "26.115"),
+            (-0.804_13, "-0.804"),
+            (1e5 / 3.0, "33333.333"),
+            (0.001_25, "0.0013"),
+            (-0.000_726_55, "-0.00073"),
+            (2.0, "2"),
+            (9.9999, "10"),
+            (f64::INFINITY, "beyond f64"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(Rounding::Decimals(3).text(x), text, "{x:?}");
+        }
+    }
 
     #[test]
     fn few_digits() {

@@ -11,6 +11,7 @@ use pinhole_lecture::mistakes::Mistake;
 use crate::figures::{Frames, Order};
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
+use crate::model::given::Given;
 use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
@@ -281,6 +282,8 @@ pub enum Action {
     Play(PlayAction),
     /// Freeze, drop or swap the ghost.
     Ghost(GhostAction),
+    /// Set a given number to a value, as it is shown.
+    Give(Given, f64),
     /// Move the camera.
     Steer(Steer),
     /// Move the observer of the world view.
@@ -377,6 +380,7 @@ impl Action {
             | Action::Exchange(_)
             | Action::Answers(_)
             | Action::Play(_)
+            | Action::Give(..)
             | Action::Steer(_)
             | Action::Observe(_)
             | Action::Object(_)
@@ -392,6 +396,7 @@ impl Action {
             Action::Steer(Steer::Zoom(_)) => Changed::CAMERA,
             Action::Steer(_) => Changed::POSE,
             Action::Object(_) => Changed::OBJECTS,
+            Action::Give(..) => Changed::CAMERA,
             Action::Observe(_) | Action::Figure(_) => Changed::NOTHING,
             Action::Leave(_)
             | Action::File(_)
@@ -437,6 +442,7 @@ impl Action {
             Action::File(_)
             | Action::Figure(_)
             | Action::Exchange(_)
+            | Action::Give(..)
             | Action::Steer(_)
             | Action::Observe(_)
             | Action::Object(_)
@@ -454,6 +460,8 @@ pub enum Switch {
     Item(Item),
     /// A part of the derivation.
     Section(DerivationSection),
+    /// The derivation writes short exact forms in place of decimals.
+    ExactForms,
     /// Rows and columns are shown counted from 1.
     CountFromOne,
     /// A moved eye takes the view along; off, it orbits at.
@@ -483,6 +491,7 @@ impl Switch {
         match self {
             Switch::Item(item) => settings.items.shows(item),
             Switch::Section(section) => session.sections.shows(section),
+            Switch::ExactForms => settings.exact_forms,
             Switch::CountFromOne => settings.count_from_one,
             Switch::EyeTravels => settings.eye_keeps == EyeKeeps::View,
             Switch::KeepPixelShape => settings.keep_pixel_shape,
@@ -503,6 +512,7 @@ impl Switch {
         match self {
             Switch::Item(item) => settings.items.set(item, on),
             Switch::Section(section) => session.sections.set(section, on),
+            Switch::ExactForms => settings.exact_forms = on,
             Switch::CountFromOne => settings.count_from_one = on,
             Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
             Switch::KeepPixelShape => settings.keep_pixel_shape = on,

@@ -38,6 +38,11 @@ const NOISE: f64 = 6.0 * f64::EPSILON;
 /// number with random digits is taken for a form with a probability below 3e-9.
 const LIMIT: u64 = 1 << 20;
 
+/// Largest whole number, and largest number under a root, of a form that [is
+/// short](NumberForm::is_short).
+pub(super) const LARGEST_SHORT: u64 = 99;
+const LARGEST_SHORT_ROOT: u64 = 999;
+
 impl NumberForm {
     /// The number 0.
     pub const ZERO: NumberForm =
@@ -133,6 +138,16 @@ impl NumberForm {
     /// Returns whether this is `n / sqrt k`, and not `n sqrt k / m`.
     pub fn is_root_below(self) -> bool {
         self.is_root_below
+    }
+
+    /// Returns true if the form is shorter to read than its decimals: numerator and denominator have
+    /// at most two digits, the number under the root at most three, as in the lecture's own
+    /// `w = (21, 4, 15)/sqrt 682`.
+    pub fn is_short(self) -> bool {
+        let NumberForm { numerator, root, denominator, .. } = self;
+        numerator.unsigned_abs() <= LARGEST_SHORT
+            && denominator <= LARGEST_SHORT
+            && root <= LARGEST_SHORT_ROOT
     }
 
     /// Decimals of the number where they say all of it: 0 of a whole number, 2 of 1/4. `None`

@@ -4,7 +4,7 @@ use std::fmt;
 
 use pinhole_core::DVec3;
 
-use super::number::{NumberForm, fraction_near, gcd};
+use super::number::{LARGEST_SHORT, NumberForm, fraction_near, gcd};
 
 /// A vector written with whole numbers and roots.
 ///
@@ -71,6 +71,18 @@ impl VectorForm {
         match self {
             VectorForm::Entries(entries) => entries,
             VectorForm::Common { whole, factor } => whole.map(|n| factor.times(n)),
+        }
+    }
+
+    /// Returns true if the form is shorter to read than decimals: each coordinate's form
+    /// [is](NumberForm::is_short), or the whole numbers have at most two digits and their factor's
+    /// form is short.
+    pub fn is_short(self) -> bool {
+        match self {
+            VectorForm::Entries(entries) => entries.into_iter().all(NumberForm::is_short),
+            VectorForm::Common { whole, factor } => {
+                factor.is_short() && whole.iter().all(|n| n.unsigned_abs() <= LARGEST_SHORT)
+            }
         }
     }
 

@@ -9,7 +9,7 @@ mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
-use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport};
+use pinhole_core::{Camera, DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport};
 use serde::{Deserialize, Serialize};
 
 use names::StoredShade;
@@ -61,6 +61,9 @@ pub struct Session {
     pub is_asking: bool,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
+    /// The number of the derivation's lines that are shown, from its first one; `None` shows all. The
+    /// derivation tells how many it has.
+    pub revealed_lines: Option<usize>,
     /// The wrong camera beside the right one.
     pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
@@ -114,6 +117,8 @@ pub struct Settings {
     pub loupe_pixels: u32,
     /// Significant digits of the readouts.
     pub digits: usize,
+    /// True if the derivation writes short exact forms, such as 1/√2, in place of decimals.
+    pub exact_forms: bool,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
     /// True if a change of viewport or image keeps the pixels' shape.
@@ -178,6 +183,7 @@ impl Default for Settings {
             items: OverlayItems::default(),
             loupe_pixels: 9,
             digits: 5,
+            exact_forms: true,
             count_from_one: false,
             keep_pixel_shape: true,
             keep_picture: false,
@@ -243,6 +249,16 @@ impl Session {
     /// Returns the ray that is shown: the one under the pointer, or else the selected one.
     pub fn shown_selection(&self) -> Selection {
         self.pointed_ray.unwrap_or(self.selection)
+    }
+}
+
+impl Session {
+    /// Keeps the selected position where it is seen after an edit of the camera.
+    pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
+        self.selection = self.selection.in_another_image(before.image, now.image);
+        if self.settings.keep_picture {
+            self.selection = self.selection.in_another_viewport(before.viewport, now.viewport);
+        }
     }
 }
 

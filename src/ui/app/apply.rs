@@ -59,6 +59,7 @@ impl App {
             Action::Answers(action) => return answers::apply(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
             Action::Ghost(action) => self.ghost(ctx, action),
+            Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);
                 self.hand.navigation.steer(steer, &mut self.scene.open.document.camera, time);

@@ -177,12 +177,8 @@ impl App {
         let settings = &mut scene.session.settings;
         let (before, unfolded) = (document.camera, settings.unfolded);
         let mut changed = camera::ui(ui, &mut document.camera, settings);
-        let now = &document.camera;
-        let selected = &mut scene.session.selection;
-        *selected = selected.in_another_image(before.image, now.image);
-        if settings.keep_picture {
-            *selected = selected.in_another_viewport(before.viewport, now.viewport);
-        }
+        scene.session.follow_camera(&before, &document.camera);
+        let (selected, settings) = (&mut scene.session.selection, &mut scene.session.settings);
         ui.separator();
         let resolved = document.camera.resolve().ok();
         let before = *selected;

@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use egui::Context;
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
+use crate::model::given::{self, Given};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::observer::Observer;
 use crate::model::play::Kind;
@@ -16,7 +18,7 @@ use crate::model::session::hand::Hand;
 use crate::model::session::{Selection, Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};
-use crate::ui::panels::objects;
+use crate::ui::panels::{camera, objects};
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.
@@ -188,15 +190,24 @@ impl OpenScene {
     /// Takes over the same scene with other numbers; the selected place goes along as when they are
     /// edited.
     pub(super) fn edit_back(&mut self, document: Document) {
-        let (old, new) = (self.open.document.camera, document.camera);
-        let selection = self.session.selection.in_another_image(old.image, new.image);
-        self.session.selection = match selection {
-            Selection::Uv(_) if self.session.settings.keep_picture => {
-                selection.in_another_viewport(old.viewport, new.viewport)
-            }
-            other => other,
-        };
+        self.session.follow_camera(&self.open.document.camera, &document.camera);
         self.open.document = document;
+    }
+
+    /// Sets a given number, as its field in the side panel does.
+    pub(super) fn give(&mut self, ctx: &Context, given: Given, value: f64) {
+        let (document, session) = (&mut self.open.document, &mut self.session);
+        let before = document.camera;
+        // A ray that was only pointed at is pinned by being edited.
+        let mut selection = session.shown_selection().inside(before.image);
+        let shown = selection;
+        let from_one = session.settings.count_from_one;
+        given::set(given, value, document, &mut selection, from_one);
+        if selection != shown {
+            session.selection = selection;
+        }
+        camera::keep(ctx, &before, &mut document.camera, &session.settings);
+        session.follow_camera(&before, &document.camera);
     }
 
     /// Goes back to another scene or step, looked at as it was then. What belongs to the window stays.

@@ -1,5 +1,8 @@
 //! The derivation of every number, line by line. Hovering a line highlights its concept in the
-//! views, and hovering a concept in a view highlights its line.
+//! views, and hovering a concept in a view highlights its line. The numbers that it begins with can be
+//! changed where they stand.
+
+mod givens;
 
 use std::sync::Arc;
 
@@ -8,13 +11,17 @@ use egui::{
     Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Tooltip, Ui,
     pos2, vec2,
 };
+use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::derivation_sections::{DerivationSection, DerivationSections};
+use crate::model::derivation_sections::DerivationSection;
+use crate::model::given::Givens;
+use crate::model::session::Session;
+use crate::ui::action::Action;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
 use crate::view::typesetting::derivation::{
-    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_line, paint,
+    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_lines, paint,
 };
 use crate::view::typesetting::formula::{self, Inks};
 use crate::view::typesetting::theme;
@@ -26,6 +33,26 @@ pub(crate) struct DerivationPanel {
     folded: Vec<(DerivationSection, Option<u32>)>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
+    /// The fields of given numbers, with the concepts of their lines.
+    fields: Vec<(Id, Option<Concept>)>,
+    /// The number of lines that were revealed last.
+    revealed: Option<usize>,
+}
+
+/// The line-independent inputs of a frame, and its outputs.
+struct Frame<'a> {
+    givens: Givens<'a>,
+    inks: Inks,
+    highlighted: Option<Concept>,
+    /// The concept to scroll to.
+    goal: Option<Concept>,
+    /// The number of lines that are revealed.
+    revealed: Option<usize>,
+    /// The line to scroll to.
+    goal_line: Option<usize>,
+    /// The number of lines so far.
+    line: usize,
+    actions: &'a mut Vec<Action>,
 }
 
 /// All lines with their layout.
@@ -53,6 +80,15 @@ impl DerivationPanel {
                 }
             }
         }
+        for (id, concept) in &self.fields {
+            if focused == Some(*id) {
+                has_focus = *concept;
+            }
+            let is_held = |response: Response| response.hovered() || response.dragged();
+            if ctx.read_response(*id).is_some_and(is_held) {
+                hovered = *concept;
+            }
+        }
         let concept = hovered.or(has_focus)?;
         Some(Hovered { concept, by: HoverSource::Derivation })
     }
@@ -67,32 +103,49 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the derivation.
+    /// Shows the derivation. Edits of the given numbers become actions.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
         derivation: &Arc<Derivation>,
-        sections: &mut DerivationSections,
-        hovered: Option<Hovered>,
-        highlighted: Option<Concept>,
+        document: &Document,
+        session: &mut Session,
+        actions: &mut Vec<Action>,
     ) {
         if !theme::installed(ui.ctx()).presenting {
-            self.head(ui, derivation, sections);
+            self.head(ui, derivation, session);
         }
-        // The panel scrolls only once to a concept that is hovered in a view.
-        let by_view = hovered.filter(|hovered| hovered.by == HoverSource::View);
+        // The panel scrolls only once to a concept that is hovered in a view, and to a line that is
+        // new.
+        let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
         let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
         self.scrolled_to = by_view.map(|hovered| hovered.concept);
+        let revealed = session.revealed_lines;
+        let is_new = std::mem::replace(&mut self.revealed, revealed) != revealed;
+        let mut frame = Frame {
+            givens: Givens {
+                document,
+                selection: session.shown_selection().inside(document.camera.image),
+                from_one: session.settings.count_from_one,
+            },
+            inks: Inks::from_ui(ui),
+            highlighted: session.highlighted(),
+            goal,
+            revealed,
+            goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
+            line: 0,
+            actions,
+        };
+        self.fields.clear();
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, derivation);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
-            let inks = Inks::from_ui(ui);
-            let mut goal = goal;
             for (k, section) in derivation.sections.iter().enumerate() {
-                self.section(ui, k, section, inks, highlighted, &mut goal);
+                self.section(ui, k, section, &mut frame);
             }
-            if derivation.left_out > 0 {
+            let is_all = revealed.is_none_or(|count| count >= frame.line);
+            if derivation.left_out > 0 && is_all {
                 ui.add_space(BEFORE_SECTION);
                 ui.label(RichText::new(left_out(derivation.left_out)).size(NOTE));
             }
@@ -100,10 +153,19 @@ impl DerivationPanel {
         });
     }
 
-    /// Shows the title, a checkbox for each section, and buttons that copy the derivation.
-    fn head(&self, ui: &mut Ui, derivation: &Derivation, sections: &mut DerivationSections) {
+    /// Shows the title, the form of the numbers, a checkbox for each section, and buttons that copy
+    /// the derivation.
+    fn head(&self, ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
+        let Session { sections, settings, .. } = session;
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new("Derivation").strong().size(SIZE));
+            for (exact, label, hint) in [
+                (true, "Exact", "Roots and fractions where they are short, such as 1/√2"),
+                (false, "Decimals", "Decimals alone; ≈ where they are rounded"),
+            ] {
+                ui.selectable_value(&mut settings.exact_forms, exact, label).on_hover_text(hint);
+            }
+            ui.separator();
             if ui.button("Copy").named("Copy the derivation").clicked() {
                 ui.ctx().copy_text(derivation.to_string());
             }
@@ -136,34 +198,61 @@ impl DerivationPanel {
         if known {
             return;
         }
-        let lines = derivation.sections.iter().map(|section| {
-            let line = |(k, line): (usize, &Line)| {
-                let id = Id::unique(("derivation line", section.section, section.object, k));
-                laid_line(ui, line, id, width)
-            };
-            section.lines.iter().enumerate().map(line).collect()
-        });
-        self.laid = Some(Laid {
-            derivation: Arc::clone(derivation),
-            width,
-            per_point,
-            lines: lines.collect(),
-        });
+        let id = |section: &Section, k: usize| {
+            Id::unique(("derivation line", section.section, section.object, k))
+        };
+        let lines = laid_lines(ui, derivation, width, id);
+        self.laid = Some(Laid { derivation: Arc::clone(derivation), width, per_point, lines });
     }
 
-    fn section(
-        &mut self,
-        ui: &mut Ui,
-        k: usize,
-        section: &Section,
-        inks: Inks,
-        highlighted: Option<Concept>,
-        goal: &mut Option<Concept>,
-    ) {
-        let key = (section.section, section.object);
-        let is_folded = self.is_folded(section);
-        let is_lit = |line: &Line| highlighted.is_some_and(|concept| line.is_about(concept));
+    fn section(&mut self, ui: &mut Ui, k: usize, section: &Section, frame: &mut Frame<'_>) {
+        // Lines that are revealed one by one are in no folded section.
+        let is_folded = frame.revealed.is_none() && self.is_folded(section);
+        let is_lit = |line: &Line| frame.highlighted.is_some_and(|concept| line.is_about(concept));
+        let is_hidden = |line: usize| frame.revealed.is_some_and(|count| line >= count);
         ui.add_space(BEFORE_SECTION);
+        if is_hidden(frame.line) {
+            ui.allocate_space(vec2(0.0, ui.spacing().interact_size.y));
+        } else {
+            let head = self.title(ui, section, is_folded);
+            if is_folded && section.lines.iter().any(is_lit) {
+                band(ui, head);
+            }
+        }
+        if is_folded {
+            frame.line += section.lines.len();
+            return;
+        }
+        let Some(lines) = self.laid.as_ref().and_then(|laid| laid.lines.get(k)) else { return };
+        for (line, laid) in section.lines.iter().zip(lines) {
+            let number = frame.line;
+            frame.line += 1;
+            if is_hidden(number) {
+                // Its space is kept: the lines above stay where they are.
+                ui.allocate_space(vec2(ui.available_width(), laid.height));
+                continue;
+            }
+            let response = show(ui, line, laid, frame.inks, is_lit(line));
+            for given in &laid.layout.givens {
+                let baseline = baseline_of(response.rect, laid);
+                let field =
+                    givens::field(ui, given, baseline, &frame.givens, SIZE, frame.actions);
+                self.fields.extend(field.map(|field| (field.id, line.concept)));
+            }
+            let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
+            if is_goal {
+                frame.goal = None;
+            }
+            if (is_goal || frame.goal_line == Some(number))
+                && !ui.clip_rect().contains_rect(response.rect)
+            {
+                response.scroll_to_me(Some(Align::Center));
+            }
+        }
+    }
+
+    /// Shows a section's title, which folds it. Returns its rectangle.
+    fn title(&mut self, ui: &mut Ui, section: &Section, is_folded: bool) -> Rect {
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
@@ -175,27 +264,13 @@ impl DerivationPanel {
         let name = format!("{verb}: {}", section.title);
         let head = head.inner.with_role(Role::Button).named(name);
         if head.clicked() {
+            let key = (section.section, section.object);
             self.folded.retain(|folded| *folded != key);
             if !is_folded {
                 self.folded.push(key);
             }
         }
-        if is_folded {
-            if section.lines.iter().any(is_lit) {
-                band(ui, head.rect);
-            }
-            return;
-        }
-        let Some(lines) = self.laid.as_ref().and_then(|laid| laid.lines.get(k)) else { return };
-        for (line, laid) in section.lines.iter().zip(lines) {
-            let response = show(ui, line, laid, inks, is_lit(line));
-            if goal.is_some_and(|goal| line.is_about(goal)) {
-                if !ui.clip_rect().contains_rect(response.rect) {
-                    response.scroll_to_me(Some(Align::Center));
-                }
-                *goal = None;
-            }
-        }
+        head.rect
     }
 }
 

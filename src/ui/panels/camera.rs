@@ -1,6 +1,6 @@
 //! The camera as numbers: eye, orientation, viewport and image.
 
-use egui::{Grid, RichText, Ui};
+use egui::{Context, Grid, RichText, Ui};
 use pinhole_core::{
     BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
 };
@@ -141,13 +141,19 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     ui.label("distance");
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
     ui.end_row();
-    if settings.keep_picture && camera.viewport != before.viewport {
-        teaching::keep_picture(ui, &before, camera);
-    } else if settings.keep_pixel_shape {
-        keep_pixels_shape(&before, camera);
-    }
+    keep(ui.ctx(), &before, camera, settings);
     // A change of the field of view would change the picture.
     field_of_view(ui, camera, !settings.keep_picture);
+}
+
+/// Keeps, after an edit of the viewport or the image, what the settings say that is kept: the picture,
+/// or the pixels' shape.
+pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
+    if settings.keep_picture && camera.viewport != before.viewport {
+        teaching::keep_picture(ctx, before, camera);
+    } else if settings.keep_pixel_shape {
+        keep_pixels_shape(before, camera);
+    }
 }
 
 /// Shows a field for the image's width or height.

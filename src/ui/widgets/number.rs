@@ -6,7 +6,9 @@ use std::ops::RangeInclusive;
 
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{Color32, Context, DragValue, FontId, Id, Response, RichText, Ui};
+use egui::{
+    Color32, Context, DragValue, FontId, Id, Rect, Response, RichText, Ui, UiBuilder, Vec2, vec2,
+};
 use pinhole_core::{DVec3, shortest};
 
 use super::spoken::Spoken as _;
@@ -23,6 +25,8 @@ const LEAST_DIGITS: usize = 2;
 /// A field that edits one number.
 pub(crate) struct NumberField<'a> {
     name: &'a str,
+    /// The name before the number that is shown while the mouse rests on it.
+    hint: &'a str,
     value: &'a mut f64,
     suffix: &'a str,
     width: f32,
@@ -34,12 +38,18 @@ impl<'a> NumberField<'a> {
     /// Creates a field with the accessible name `name`.
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
         let range = f64::MIN..=f64::MAX;
-        NumberField { name, value, suffix: "", width: 78.0, range, is_whole: false }
+        NumberField { name, hint: name, value, suffix: "", width: 78.0, range, is_whole: false }
     }
 
     /// Adds a unit after the number.
     pub(crate) fn suffix(mut self, suffix: &'a str) -> Self {
         self.suffix = suffix;
+        self
+    }
+
+    /// Sets the name that is shown before the number while the mouse rests on it.
+    pub(crate) fn hint(mut self, hint: &'a str) -> Self {
+        self.hint = hint;
         self
     }
 
@@ -60,6 +70,42 @@ impl<'a> NumberField<'a> {
     pub(crate) fn width(mut self, width: f32) -> Self {
         self.width = width;
         self
+    }
+
+    /// Shows the field over a number that is painted elsewhere, in `rect`: nothing is to be seen of it
+    /// but a tint under the mouse, until something is typed into it. Its id is that of its place.
+    pub(crate) fn show_over(self, ui: &mut Ui, place: Id, rect: Rect, size: f32) -> Response {
+        let known = ui.data(|data| data.get_temp::<Id>(place));
+        let is_typed = known.is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
+        let rect = if is_typed {
+            let room = vec2(rect.width().max(3.5 * size) + 12.0, rect.height());
+            Rect::from_min_size(rect.min - vec2(6.0, 0.0), room)
+        } else {
+            rect
+        };
+        let mut inside = ui.new_child(UiBuilder::new().scope_id(place).max_rect(rect));
+        inside.spacing_mut().interact_size.y = rect.height();
+        let style = inside.style_mut();
+        let font = FontId::proportional(if is_typed { size } else { 1.0 });
+        style.text_styles.insert(style.drag_value_text_style.clone(), font);
+        if !is_typed {
+            style.spacing.button_padding = Vec2::ZERO;
+            style.visuals.override_text_color = Some(Color32::TRANSPARENT);
+            let tint = style.visuals.selection.bg_fill.gamma_multiply(0.4);
+            let widgets = &mut style.visuals.widgets;
+            for (visuals, fill) in [
+                (&mut widgets.inactive, Color32::TRANSPARENT),
+                (&mut widgets.hovered, tint),
+                (&mut widgets.active, tint),
+            ] {
+                visuals.weak_bg_fill = fill;
+                visuals.bg_stroke = egui::Stroke::NONE;
+                visuals.expansion = 1.0;
+            }
+        }
+        let response = self.width(rect.width()).show(&mut inside);
+        ui.data_mut(|data| data.insert_temp(place, response.id));
+        response
     }
 
     /// Shows the field; the response tells whether the number changed.
@@ -109,7 +155,7 @@ impl<'a> NumberField<'a> {
         if typing || shown_whole || response.dragged() {
             response
         } else {
-            response.on_hover_text(format!("{} = {}{}", self.name, shortest(exact), self.suffix))
+            response.on_hover_text(format!("{} = {}{}", self.hint, shortest(exact), self.suffix))
         }
     }
 }

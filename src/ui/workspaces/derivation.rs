@@ -20,9 +20,9 @@ pub(super) const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DER
 
 fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
     let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };
-    let highlighted = desk.session.highlighted();
-    let hovered = desk.session.hovered;
-    Changed::edited(&mut desk.session.sections, |sections| {
-        desk.tools.derivation.ui(ui, derivation, sections, hovered, highlighted);
-    })
+    let (session, actions) = (&mut *desk.session, &mut *desk.actions);
+    let before = (session.sections, session.settings.exact_forms, actions.len());
+    desk.tools.derivation.ui(ui, derivation, &desk.open.document, session, actions);
+    let now = (session.sections, session.settings.exact_forms, actions.len());
+    Changed::SESSION.when(now != before)
 }

@@ -5,8 +5,9 @@ use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
 
 use super::Line;
 use super::names::{AT, EYE, U, UP, V, VIEW, W, dot, equation, joined, minus, normalize, times};
-use super::numbers::Numbers;
+use super::numbers::{Numbers, related};
 use crate::model::concept::Concept;
+use crate::model::given::GivenVector;
 use crate::model::letters;
 use crate::view::formula::{Formula, Operator, fraction, negative, norm, parentheses, row, word};
 
@@ -18,23 +19,20 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
 }
 
 fn derived(derivation: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
-    let given =
-        |name, value, concept| Line::new(concept, row([name, numbers.equals_vector(value)]));
-    let mut lines = vec![given(EYE, derivation.eye, Concept::Eye)];
-    lines.extend(derivation.at.map(|at| given(AT, at, Concept::At)));
-    lines.extend(derivation.up.map(|up| given(UP, up.vector, Concept::Up)));
+    let mut lines = vec![given(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
+    let vector = |name, as_given, value, concept| given(name, as_given, value, concept, numbers);
+    lines.extend(derivation.at.map(|at| vector(AT, GivenVector::At, at, Concept::At)));
+    lines.extend(derivation.up.map(|up| vector(UP, GivenVector::Up, up.vector, Concept::Up)));
     if let Some(view) = derivation.view {
-        let found = numbers.equals_vector(view.vector);
-        lines.push(Line::new(
-            Concept::View,
-            match derivation.at {
-                Some(at) => {
-                    let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
-                    row([equation(equation(VIEW, minus(AT, EYE)), put_in), found])
-                }
-                None => row([VIEW, found]),
-            },
-        ));
+        lines.push(match derivation.at {
+            Some(at) => {
+                let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
+                let formula = equation(equation(VIEW, minus(AT, EYE)), put_in);
+                let formula = row([formula, numbers.equals_vector(view.vector)]);
+                Line::new(Concept::View, formula)
+            }
+            None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
+        });
     }
     if let Some(backwards) = derivation.backwards {
         let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
@@ -64,6 +62,17 @@ fn derived(derivation: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         lines.push(Line::new(Concept::WCrossU, formula).also(&[Concept::V]));
     }
     lines
+}
+
+/// Returns the line of a vector that is given.
+fn given(
+    name: Formula,
+    as_given: GivenVector,
+    value: DVec3,
+    concept: Concept,
+    numbers: Numbers,
+) -> Line {
+    Line::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
 /// Returns the line of w, or of the reason why there is none.
@@ -104,8 +113,7 @@ fn quotient(vector: DVec3, length: f64, numbers: Numbers) -> Formula {
 /// Returns the symbols, the numbers put in, and the result. The numbers are left out if they are
 /// the same as the result.
 fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
-    let begins = format!("= {put_in} ");
-    if !put_in.begins_rounded() && result.to_string().starts_with(&begins) {
+    if result == related(put_in.clone()) {
         return row([symbols, result]);
     }
     row([equation(symbols, put_in), result])
@@ -118,13 +126,15 @@ fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
 }
 
 fn checked(derivation: &BasisByHand, numbers: Numbers) -> Vec<Line> {
-    let mut lines =
-        vec![Line::new(Concept::Eye, row([EYE, numbers.equals_vector(derivation.eye)]))];
+    let mut lines = vec![given(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
     let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
-    for ((name, concept), value) in names().zip([derivation.u, derivation.v, derivation.w]) {
-        lines.push(
-            Line::new(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
-        );
+    let values = [
+        (GivenVector::U, derivation.u),
+        (GivenVector::V, derivation.v),
+        (GivenVector::W, derivation.w),
+    ];
+    for ((name, concept), (as_given, value)) in names().zip(values) {
+        lines.push(given(name, as_given, value, concept, numbers).noted("set by hand"));
     }
     let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
         is_fault: !passes,

@@ -50,7 +50,7 @@ impl Derivation {
             for line in &section.lines {
                 let _ = write!(out, "- ${}$", latex::math(&line.formula));
                 if !line.note.is_empty() {
-                    let _ = write!(out, " ({})", markdown(&line.note));
+                    let _ = write!(out, "; {}", markdown(&line.note));
                 }
                 out.push('\n');
             }

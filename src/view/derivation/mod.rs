@@ -16,7 +16,7 @@ mod tests;
 
 use std::fmt;
 
-use pinhole_core::{ExactRay, ResolvedCamera, Scene};
+use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
@@ -26,6 +26,7 @@ use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
+use crate::model::number::Rounding;
 use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
 pub use export::Markup;
@@ -91,12 +92,21 @@ impl Line {
 }
 
 impl fmt::Display for Line {
+    /// Writes the formula and the note behind it. Notes have brackets of their own, so they stand in
+    /// none.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Line { formula, note, .. } = self;
         match note.is_empty() {
             true => formula.fmt(f),
-            false => write!(f, "{formula}   ({})", letters::plain_scalars(note)),
+            false => write!(f, "{formula}; {}", letters::plain_scalars(note)),
         }
+    }
+}
+
+impl Derivation {
+    /// Returns the number of lines, which can be shown one after the other.
+    pub fn line_count(&self) -> usize {
+        self.sections.iter().map(|section| section.lines.len()).sum()
     }
 }
 
@@ -146,8 +156,10 @@ pub struct DerivationSettings {
     pub selection: Selection,
     /// The sections to show.
     pub sections: DerivationSections,
-    /// Significant digits.
-    pub digits: usize,
+    /// The rounding of decimals.
+    pub rounding: Rounding,
+    /// True if short exact forms are written in place of decimals.
+    pub exact: bool,
     /// True if rows and columns are counted from 1.
     pub from_one: bool,
     /// The reason why there is no new picture, if there is none.
@@ -156,32 +168,37 @@ pub struct DerivationSettings {
 
 /// Computes the derivation.
 pub fn derivation(inputs: &DerivationInputs) -> Derivation {
-    let numbers = Numbers { digits: inputs.settings.digits, from_one: inputs.settings.from_one };
+    let DerivationSettings { rounding, exact, from_one, .. } = inputs.settings;
+    let numbers = Numbers { rounding, exact, from_one };
+    let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<Line>| {
         let title = section.label().to_owned();
         derivation.sections.push(Section { section, object: None, title, lines });
     };
     if inputs.settings.sections.shows(DerivationSection::Basis) {
-        add(DerivationSection::Basis, basis::lines(&inputs.document.camera, numbers));
+        add(DerivationSection::Basis, basis::lines(camera, numbers));
     }
     let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, inputs.settings.selection));
     let derived = exact
         .as_ref()
         .and_then(|(_, derived)| Some((inputs.resolved?, derived, inputs.inspection?)));
     if inputs.settings.sections.shows(DerivationSection::PixelToRay) {
-        let lines = match (derived, inputs.settings.fault) {
-            (Some((resolved, derived, inspection)), _) => {
-                ray::lines(resolved, derived, inspection, numbers)
+        add(DerivationSection::PixelToRay, match derived {
+            Some((resolved, derived, inspection)) => {
+                ray::lines(camera, resolved, derived, inspection, numbers)
             }
-            (None, Some(fault)) => vec![fault_line(&fault)],
-            (None, None) => Vec::new(),
-        };
-        add(DerivationSection::PixelToRay, lines);
+            None => {
+                let selection = inputs.settings.selection.inside(camera.image);
+                let mut lines = ray::givens(camera, selection, None, numbers);
+                lines.extend(inputs.settings.fault.as_ref().map(fault_line));
+                lines
+            }
+        });
     }
     if inputs.settings.sections.shows(DerivationSection::Objects) {
-        match (exact, inputs.scene, inputs.inspection, inputs.settings.fault) {
-            (Some((exact, derived)), Some(scene), Some(inspection), _) => {
+        match (exact, inputs.scene, inputs.inspection) {
+            (Some((exact, derived)), Some(scene), Some(inspection)) => {
                 add_objects(
                     &mut derivation,
                     inputs,
@@ -190,10 +207,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
                     numbers,
                 );
             }
-            (.., Some(fault @ Fault::Scene(_))) => {
-                add(DerivationSection::Objects, vec![fault_line(&fault)]);
-            }
-            _ => {}
+            _ => add_given_objects(&mut derivation, inputs, numbers),
         }
     }
     derivation
@@ -212,7 +226,7 @@ fn exact_ray(
     Some((selection.exact_ray(resolved).ok()?, derived))
 }
 
-fn fault_line(fault: &Fault) -> Line {
+fn fault_line(fault: &impl fmt::Display) -> Line {
     Line {
         formula: word("no ray"),
         concept: None,
@@ -220,6 +234,35 @@ fn fault_line(fault: &Fault) -> Line {
         note: letters::typeset_message(fault),
         is_fault: true,
     }
+}
+
+/// Adds the objects' given numbers alone, and the reason why there is no more.
+fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs, numbers: Numbers) {
+    let document = inputs.document;
+    let faulty = match inputs.settings.fault {
+        Some(Fault::Scene(
+            SceneError::Sphere { index, error } | SceneError::Plane { index, error },
+        )) => Some((index as u32, error)),
+        _ => None,
+    };
+    let count = document.object_count();
+    let listed: Vec<u32> = match faulty {
+        Some((index, _)) if count > LISTED => vec![index],
+        _ => (0..count.min(LISTED) as u32).collect(),
+    };
+    derivation.left_out = count - listed.len();
+    for object in listed {
+        let mut lines = objects::givens(document, object, numbers);
+        if let Some((_, error)) = faulty.filter(|(index, _)| *index == object) {
+            lines.push(Line { formula: word("no picture"), ..fault_line(&error) });
+        }
+        derivation.sections.push(object_section(document, object, lines));
+    }
+}
+
+fn object_section(document: &Document, object: u32, lines: Vec<Line>) -> Section {
+    let title = document.title_of(object as usize);
+    Section { section: DerivationSection::Objects, object: Some(object), title, lines }
 }
 
 fn add_objects(
@@ -234,13 +277,9 @@ fn add_objects(
     for object in listed {
         let Some(shape) = scene.object(object) else { continue };
         let Ok(steps) = ObjectDerivation::new(&shape, object, exact) else { continue };
-        let lines = objects::lines(object, &steps, derived.ray(), inspection, numbers);
-        derivation.sections.push(Section {
-            section: DerivationSection::Objects,
-            object: Some(object),
-            title: inputs.document.title_of(object as usize),
-            lines,
-        });
+        let lines =
+            objects::lines(inputs.document, object, &steps, derived.ray(), inspection, numbers);
+        derivation.sections.push(object_section(inputs.document, object, lines));
     }
 }
 

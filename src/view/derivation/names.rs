@@ -1,5 +1,6 @@
 //! Names and operators of the lecture's formulas.
 
+use super::numbers::related;
 use crate::view::formula::{Formula, Ink, Operator, parentheses, row, word};
 
 pub(super) const U: Formula = Formula::Vector("u", Ink::U);
@@ -20,8 +21,7 @@ pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 
 /// Returns `left = right`, or `left ≈ right` if digits are left out on the right.
 pub(super) fn equation(left: Formula, right: Formula) -> Formula {
-    let relation = if right.begins_rounded() { Operator::Approximately } else { Operator::Equals };
-    row([left, relation.into(), right])
+    row([left, related(right)])
 }
 
 /// Returns `left sign right`.

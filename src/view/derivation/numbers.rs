@@ -1,36 +1,67 @@
-//! Numbers and vectors as formulas: exact if their form is recognised, otherwise rounded to some
-//! digits, or both.
+//! Numbers and vectors as formulas: exact if that is wanted and their form is recognised and short
+//! ([`NumberForm::is_short`]), otherwise as decimals. One number is written in one form.
+//!
+//! `=` stands only before what is exactly the value: an exact form, a given number with all its
+//! digits, or decimals that the value ends with. All other decimals are rounded and stand behind `≈`.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::{NumberForm, VectorForm};
 
-use crate::model::number::significant;
-use crate::view::formula::{Formula, Operator, fraction, number, root, rounded, row, tuple};
+use crate::model::given::{Given, GivenVector};
+use crate::model::number::Rounding;
+use crate::view::formula::{
+    Formula, Operator, fraction, given, number, root, rounded, row, tuple,
+};
 
 /// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Numbers {
-    /// Significant digits.
-    pub(super) digits: usize,
+    /// The rounding of decimals.
+    pub(super) rounding: Rounding,
+    /// True if short exact forms are written in place of decimals.
+    pub(super) exact: bool,
     /// True if rows and columns are counted from 1, as some courses do.
     pub(super) from_one: bool,
 }
 
+/// Largest number of digits that a number has by what it is; one with more of them is rounded. Of
+/// numbers with random digits, one in a thousand has no more than so many.
+const TELLING_DIGITS: usize = 12;
+
 impl Numbers {
-    /// Returns the number rounded to `digits` digits.
+    /// Returns the rounded number.
     pub(super) fn decimal(self, x: f64) -> Formula {
-        let digits = significant(x, self.digits);
+        let digits = self.rounding.text(x);
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns true if the number has no more than `digits` digits, apart from rounding errors.
+    /// Returns true if the number is exactly what its digits say, apart from rounding errors.
     fn is_whole(self, x: f64) -> bool {
-        let fits = |x: f64| significant(x, self.digits).parse() == Ok(x);
+        let digits = self.rounding.text(x);
+        let shown = digits.parse();
         let recognised = || NumberForm::recognise(x).filter(|form| form.decimals().is_some());
-        fits(x) || recognised().is_some_and(|form| fits(form.value()))
+        (shown == Ok(x) && significant_digits(&digits) <= TELLING_DIGITS)
+            || recognised().is_some_and(|form| shown == Ok(form.value()))
     }
 
-    /// Returns the vector rounded to `digits` digits.
+    /// Returns a number that is given: exactly itself wherever all its digits are shown.
+    pub(super) fn given(self, name: Given, x: f64) -> Formula {
+        let digits = self.rounding.text(x);
+        let shown = match self.form(x) {
+            _ if digits.parse() == Ok(x) => number(&digits),
+            Some(form) => exact(form),
+            None => self.decimal(x),
+        };
+        given(name, shown)
+    }
+
+    /// Returns a vector that is given.
+    pub(super) fn given_vector(self, name: GivenVector, v: DVec3) -> Formula {
+        let coordinates = name.coordinates().into_iter().zip(v.to_array());
+        tuple(coordinates.map(|(name, x)| self.given(name, x)))
+    }
+
+    /// Returns the vector with rounded coordinates.
     pub(super) fn decimals(self, v: DVec3) -> Formula {
         tuple(v.to_array().map(|x| self.decimal(x)))
     }
@@ -39,13 +70,15 @@ impl Numbers {
         v.to_array().into_iter().all(|x| self.is_whole(x))
     }
 
-    /// Returns the number's exact form, if it says more than its digits.
+    /// Returns the number's exact form, if it is short and says more than its digits.
     fn form(self, x: f64) -> Option<NumberForm> {
-        NumberForm::recognise(x).filter(|_| !self.is_whole(x))
+        let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
+        if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
     }
 
     fn vector_form(self, v: DVec3) -> Option<VectorForm> {
-        VectorForm::recognise(v).filter(|_| !self.are_whole(v))
+        let recognised = || VectorForm::recognise(v).filter(|form| form.is_short());
+        if self.exact { recognised().filter(|_| !self.are_whole(v)) } else { None }
     }
 
     /// Returns the exact form if there is one, otherwise the rounded number.
@@ -64,16 +97,14 @@ impl Numbers {
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the result of a derivation: `= 5 sqrt 2 ≈ 7.0711`, `= 0.2`, `≈ 0.14286`.
+    /// Returns the result of a derivation in one form: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
     pub(super) fn equals(self, x: f64) -> Formula {
-        let exact = self.form(x).map(exact);
-        result(exact, self.decimal(x), self.is_whole(x))
+        related(self.scalar(x))
     }
 
-    /// Returns the result of a derivation for a vector.
+    /// Returns the result of a derivation for a vector, in one form.
     pub(super) fn equals_vector(self, v: DVec3) -> Formula {
-        let exact = self.vector_form(v).map(|form| self.exact_vector(form));
-        result(exact, self.decimals(v), self.are_whole(v))
+        related(self.vector(v))
     }
 
     /// Returns a recognised vector; coordinates for which `digits` digits suffice are written as
@@ -107,13 +138,18 @@ impl Numbers {
     }
 }
 
-fn relation(is_whole: bool) -> Operator {
-    if is_whole { Operator::Equals } else { Operator::Approximately }
+/// Returns a formula behind `=`, or behind `≈` if digits are left out.
+pub(super) fn related(value: Formula) -> Formula {
+    let relation =
+        if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
+    row([relation.into(), value])
 }
 
-fn result(exact: Option<Formula>, decimals: Formula, is_whole: bool) -> Formula {
-    let exact = exact.map(|exact| row([Operator::Equals.into(), exact]));
-    row(exact.into_iter().chain([relation(is_whole).into(), decimals]))
+/// Returns the number of significant digits of a written number.
+fn significant_digits(text: &str) -> usize {
+    let mantissa = text.split('e').next().unwrap_or_default();
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    digits.trim_matches('0').len()
 }
 
 /// Returns the formula of a recognised number.

@@ -1,7 +1,8 @@
 //! Intersection of the selected ray with one object: the deciding numbers, the roots, the hit, the
 //! normal.
 
-use pinhole_core::{Ray, Root};
+use pinhole_core::{Plane, Ray, Root, Sphere};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
 };
@@ -11,6 +12,7 @@ use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};
 use super::numbers::Numbers;
 use super::ray::along;
 use crate::model::concept::Concept;
+use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
 use crate::view::formula::{
     Formula, Operator, fraction, index, negative, norm, number, parentheses, power, root, row,
@@ -31,14 +33,45 @@ struct ObjectLines<'a> {
     lines: Vec<Line>,
 }
 
+/// Returns the lines of an object's given numbers. Spheres from a CSV file are changed there.
+pub(super) fn givens(document: &Document, object: u32, numbers: Numbers) -> Vec<Line> {
+    let index = object as usize;
+    let line = |name, right| Line::new(Concept::Object(object), equation(name, right));
+    let own = document.spheres.get(index).map(|item| item.shape);
+    if let Some(Sphere { center, radius }) = own {
+        let center = numbers.given_vector(GivenVector::Center(object), center);
+        return vec![
+            line(CENTRE, center),
+            line(R, numbers.given(Given::Radius(object), radius)),
+        ];
+    }
+    let Some(plane) = index.checked_sub(document.sphere_count()) else {
+        let from_file = document.csv_spheres.as_ref();
+        let row = from_file.and_then(|csv| csv.items.get(index - document.spheres.len()));
+        return row.map_or(Vec::new(), |item| {
+            let Sphere { center, radius } = item.shape;
+            vec![line(CENTRE, numbers.vector(center)), line(R, numbers.scalar(radius))]
+        });
+    };
+    let Some(Plane { point, normal }) = document.planes.get(plane).map(|item| item.shape) else {
+        return Vec::new();
+    };
+    vec![
+        line(POINT, numbers.given_vector(GivenVector::Point(object), point)),
+        line(N, numbers.given_vector(GivenVector::Normal(object), normal)),
+    ]
+}
+
 pub(super) fn lines(
+    document: &Document,
     object: u32,
     derivation: &ObjectDerivation,
     ray: Ray,
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
-    let mut lines = ObjectLines { object, ray, inspection, numbers, lines: Vec::new() };
+    let lines = givens(document, object, numbers);
+    let mut lines = ObjectLines { object, ray, inspection, numbers, lines };
     match derivation {
         ObjectDerivation::Sphere(sphere) => lines.sphere(sphere),
         ObjectDerivation::Plane(plane) => lines.plane(plane),
@@ -58,10 +91,6 @@ impl ObjectLines<'_> {
     fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
         let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
-        let radius = row([R, numbers.equals(derivation.sphere.radius)]);
-        let given =
-            row([CENTRE, numbers.equals_vector(derivation.sphere.center), Operator::Comma.into()]);
-        self.line(row([given, radius]));
         let difference = equation(minus(P, CENTRE), minus(p, c));
         self.line(row([difference, numbers.equals_vector(derivation.from_center)]));
         self.quadratic(derivation);
@@ -134,9 +163,6 @@ impl ObjectLines<'_> {
 
     fn plane(&mut self, derivation: &PlaneDerivation) {
         let numbers = self.numbers;
-        let point =
-            row([POINT, numbers.equals_vector(derivation.plane.point), Operator::Comma.into()]);
-        self.line(row([point, N, numbers.equals_vector(derivation.plane.normal)]));
         let n = || numbers.vector(derivation.plane.normal);
         let rate = equation(dot(N, D), dot(n(), numbers.vector(self.ray.direction)));
         self.line(row([rate, numbers.equals(derivation.terms.rate)]));

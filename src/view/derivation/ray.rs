@@ -1,26 +1,83 @@
 //! Derivation of the view ray of a pixel or of a position (u, v).
 
-use pinhole_core::{PixelOfUv, ResolvedCamera};
+use pinhole_core::{Camera, PixelOfUv, ResolvedCamera, Viewport};
 use pinhole_lecture::{PixelShares, RayDerivation};
 
 use super::Line;
 use super::names::{D, DISTANCE, P, T, U, V, W, equation, joined, minus};
 use super::numbers::Numbers;
 use crate::model::concept::Concept;
+use crate::model::given::Given;
 use crate::model::inspection::Inspection;
+use crate::model::session::Selection;
 use crate::view::formula::{
     Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
 };
 
+/// Returns the lines of the given numbers that the ray is worked out from. They stand there without
+/// a ray, too, so that whoever has dragged one of them too far can drag it back.
+pub(super) fn givens(
+    camera: &Camera,
+    selection: Selection,
+    note: Option<&str>,
+    numbers: Numbers,
+) -> Vec<Line> {
+    let scalar = |name, as_given, value: f64| {
+        equation(Formula::Scalar(name), numbers.given(as_given, value))
+    };
+    let Viewport { width, height, distance, .. } = camera.viewport;
+    let distance = Line::new(Concept::Distance, scalar("distance", Given::Distance, distance));
+    match selection {
+        Selection::Uv(uv) => {
+            let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
+            let values = [(Given::PositionU, uv.x), (Given::PositionV, uv.y)];
+            let values = tuple(values.map(|(as_given, x)| numbers.given(as_given, x)));
+            let position = Line::new(Concept::Pixel, equation(symbols, values));
+            vec![distance, position.noted(note.unwrap_or_default())]
+        }
+        Selection::Pixel(pixel) => {
+            let (i, j) = numbers.counted(pixel);
+            let list = |[a, b]: [Formula; 2]| row([a, Operator::Comma.into(), b]);
+            let size = |name, as_given, count: u32| scalar(name, as_given, count.into());
+            let index = |name: &str, letter, as_given, k: u32| {
+                row([word(name), scalar(letter, as_given, k.into())])
+            };
+            let viewport =
+                [scalar("width", Given::Width, width), scalar("height", Given::Height, height)];
+            let (columns, rows) = (camera.image.width(), camera.image.height());
+            let image =
+                [size("W", Given::ImageWidth, columns), size("H", Given::ImageHeight, rows)];
+            let pixel = [
+                index("row", "i", Given::Row, i),
+                index("column", "j", Given::Column, j),
+            ];
+            let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
+            vec![
+                Line::new(Concept::Viewport, list(viewport)),
+                Line::new(Concept::Viewport, list(image)).noted("pixels"),
+                distance,
+                Line::new(Concept::Pixel, list(pixel)).noted(counted),
+            ]
+        }
+    }
+}
+
 pub(super) fn lines(
+    camera: &Camera,
     resolved: &ResolvedCamera,
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
     let mut lines = match &ray.shares {
-        Some(shares) => of_pixel(resolved, shares, ray, numbers),
-        None => vec![of_uv(resolved, ray, inspection, numbers)],
+        Some(shares) => {
+            let given = givens(camera, Selection::Pixel(shares.pixel), None, numbers);
+            given.into_iter().chain(of_pixel(resolved, shares, ray, numbers)).collect()
+        }
+        None => {
+            let note = position_note(resolved, inspection, numbers);
+            givens(camera, Selection::Uv(ray.uv), Some(&note), numbers)
+        }
     };
     let (viewport, basis) = (resolved.viewport(), resolved.basis());
     let distance = negative(DISTANCE);
@@ -67,10 +124,6 @@ fn of_pixel(
     numbers: Numbers,
 ) -> Vec<Line> {
     let (i, j) = numbers.counted(shares.pixel);
-    let position = |name, k: u32| equation(Formula::Scalar(name), number(&k.to_string()));
-    let rows = row([word("row"), position("i", i), Operator::Comma.into()]);
-    let pixel = row([rows, word("column"), position("j", j)]);
-    let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
     let half = || number("0.5");
     // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
     // edge.
@@ -89,7 +142,6 @@ fn of_pixel(
     let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
     let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));
     vec![
-        Line::new(Concept::Pixel, pixel).noted(counted),
         line(
             "u",
             "width",
@@ -109,16 +161,13 @@ fn of_pixel(
     ]
 }
 
-/// Returns the line of a given (u, v), with its position in the image.
-fn of_uv(
+/// Returns the note on a given (u, v): its position in the image.
+fn position_note(
     resolved: &ResolvedCamera,
-    ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
-) -> Line {
-    let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
-    let values = tuple([numbers.scalar(ray.uv.x), numbers.scalar(ray.uv.y)]);
-    let note = match inspection.image_position {
+) -> String {
+    match inspection.image_position {
         None => "outside the image".to_owned(),
         Some(position) if position.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()
@@ -128,6 +177,5 @@ fn of_uv(
             format!("in the pixel of row {i}, column {j}")
         }
         Some(_) => "on an edge between pixels".to_owned(),
-    };
-    Line::new(Concept::Pixel, equation(symbols, values)).noted(note)
+    }
 }

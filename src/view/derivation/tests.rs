@@ -10,6 +10,17 @@ fn document(scene: &str) -> Document {
 }
 
 fn derive(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {
+    let rounding = Rounding::Significant(digits);
+    derive_as(document, selection, (rounding, true), from_one)
+}
+
+/// Returns the derivation with exact forms or without them.
+fn derive_as(
+    document: &Document,
+    selection: Selection,
+    (rounding, exact): (Rounding, bool),
+    from_one: bool,
+) -> Derivation {
     let resolved = document.camera.resolve();
     let scene = document.scene();
     let inspection = resolved.as_ref().ok().zip(scene.as_ref().ok());
@@ -28,7 +39,8 @@ fn derive(document: &Document, selection: Selection, digits: usize, from_one: bo
         settings: DerivationSettings {
             selection,
             sections: DerivationSections::default(),
-            digits,
+            rounding,
+            exact,
             from_one,
             fault,
         },

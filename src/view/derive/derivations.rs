@@ -7,7 +7,11 @@ use pinhole_exchange::document::Document;
 use super::Derived;
 use super::derived::Inputs;
 use super::memo::Memo;
+use crate::model::number::Rounding;
 use crate::view::derivation::{Derivation, DerivationInputs, DerivationSettings, derivation};
+
+/// Decimals of the derivation's numbers while presenting: what can be read from the back row.
+const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
 #[derive(Debug, Default)]
@@ -26,7 +30,11 @@ impl Derivations {
         let settings = DerivationSettings {
             selection: session.shown_selection(),
             sections: session.sections,
-            digits: session.settings.digits,
+            rounding: match session.presenting {
+                Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
+                None => Rounding::Significant(session.settings.digits),
+            },
+            exact: session.settings.exact_forms,
             from_one: session.settings.count_from_one,
             fault: derived.fault,
         };

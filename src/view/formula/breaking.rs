@@ -1,9 +1,14 @@
-//! Line breaking: sets a formula in lines of a given width. It is broken before `=` and other
+//! Line breaking: sets a formula in lines of a given width, aligned at its relations.
+//!
+//! What stands before the first relation ends where the column says, so that the relations of all
+//! formulas in a column stand below each other; later lines begin there, each with its relation. A
+//! line has one form of a vector at most: the next one begins a new line, at whatever width, so that
+//! nothing jumps while numbers change. A formula that is too wide is broken before `=` and other
 //! relations; a piece that is still too wide is broken before `+`, `×` and other operators; then
 //! vectors are written as columns; then the text gets smaller. No line is wider than the column.
 
-use super::layout::{Layout, Measure, layout, room, row};
-use super::{Direction, Formula};
+use super::layout::{Layout, Measure, room, row};
+use super::{Direction, Formula, Operator};
 
 /// The column in which lines are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,44 +17,63 @@ pub struct Column {
     pub size: f32,
     /// Width of the column.
     pub width: f32,
-    /// Indent of every line but the first.
+    /// Position of the first relation, and of the start of every later line. What is too wide for
+    /// the room before it moves its own first relation to the right.
     pub indent: f32,
 }
 
 /// Distance between two lines, in ems.
 const LEADING: f32 = 0.42;
 
+/// Returns the width of what stands before a formula's first relation, with the gap behind it; 0 for
+/// a formula without one.
+pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn Measure) -> f32 {
+    let parts = formula.parts();
+    match parts.iter().position(Formula::is_relation) {
+        Some(at) if at > 0 => {
+            row(&parts[..at], size, measure).width + room(&parts[at - 1], &parts[at], size)
+        }
+        _ => 0.0,
+    }
+}
+
 /// Sets a formula in as many lines as it needs.
 pub fn lines(formula: &Formula, column: Column, measure: &mut dyn Measure) -> Layout {
     let Column { size, width, indent } = column;
-    let whole = layout(formula, size, measure);
-    if whole.width <= width {
-        return whole;
-    }
-    let mut set = Lines { column, done: Vec::new(), open: None };
-    for piece in pieces(
-        formula.parts(),
-        |part| matches!(part, Formula::Operator(operator) if operator.is_relation()),
-    ) {
+    let left = left_width(formula, size, measure);
+    let start = if left > 0.0 { (indent - left).max(0.0) } else { 0.0 };
+    let mut set = Lines { column, start, done: Vec::new(), open: None };
+    let mut before: Vec<&[Formula]> = Vec::new();
+    for piece in pieces(formula.parts(), Formula::is_relation) {
+        if piece.first().is_some_and(Formula::is_relation) {
+            if before.iter().any(|before| are_apart(before, piece)) {
+                set.end_line();
+                before.clear();
+            }
+            before.push(piece);
+        }
+        let lines_before = set.done.len();
         let single = row(piece, size, measure);
         if single.width <= width - indent {
             set.add(piece, single);
-            continue;
+        } else {
+            set.add_in_terms(piece, measure);
         }
-        for term in pieces(
-            piece,
-            |part| matches!(part, Formula::Operator(operator) if operator.is_binary()),
-        ) {
-            let single = row(term, size, measure);
-            let single = if single.width <= width - indent {
-                single
-            } else {
-                narrowed(term, size, width - indent, measure)
-            };
-            set.add(term, single);
+        if set.done.len() > lines_before {
+            before = vec![piece];
         }
     }
     set.stacked()
+}
+
+/// Returns true if two pieces that begin with relations must not stand in one line: two forms of a
+/// vector; and `≈ a = b`, where what equals the left side would seem to equal a.
+fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
+    let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
+    let begins_with =
+        |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
+    (has_tuple(before) && has_tuple(after))
+        || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }
 
 /// Cuts the parts before each one that `begins` a new piece.
@@ -98,16 +122,38 @@ fn upright(formula: &Formula) -> Formula {
 /// The lines while they are set.
 struct Lines<'a> {
     column: Column,
+    /// Start of the first line.
+    start: f32,
     done: Vec<Layout>,
     /// The line that is being filled, and its last part.
     open: Option<(Layout, &'a Formula)>,
 }
 
 impl<'a> Lines<'a> {
+    /// Ends the open line: the next piece begins a new one.
+    fn end_line(&mut self) {
+        self.done.extend(self.open.take().map(|(line, _)| line));
+    }
+
+    /// Adds a piece that is too wide for a line term by term.
+    fn add_in_terms(&mut self, piece: &'a [Formula], measure: &mut dyn Measure) {
+        let Column { size, width, indent } = self.column;
+        let is_binary =
+            |part: &Formula| matches!(part, Formula::Operator(operator) if operator.is_binary());
+        for term in pieces(piece, is_binary) {
+            let single = row(term, size, measure);
+            let single = match single.width <= width - indent {
+                true => single,
+                false => narrowed(term, size, width - indent, measure),
+            };
+            self.add(term, single);
+        }
+    }
+
     /// Adds a piece to the open line if it fits, otherwise to a new line.
     fn add(&mut self, parts: &'a [Formula], piece: Layout) {
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
-        let indent = if self.done.is_empty() { 0.0 } else { self.column.indent };
+        let indent = if self.done.is_empty() { self.start } else { self.column.indent };
         match self.open.take() {
             Some((mut line, before)) => {
                 let x = line.width + room(before, first, self.column.size);
@@ -125,11 +171,11 @@ impl<'a> Lines<'a> {
 
     /// Stacks the lines.
     fn stacked(mut self) -> Layout {
-        self.done.extend(self.open.take().map(|(line, _)| line));
+        self.end_line();
         let mut whole = Layout::default();
         for (k, line) in self.done.into_iter().enumerate() {
             if k == 0 {
-                whole = line;
+                whole.put(line, self.start, 0.0);
                 continue;
             }
             let y = whole.descent + LEADING * self.column.size + line.ascent;

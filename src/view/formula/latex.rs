@@ -10,6 +10,7 @@ pub(crate) fn math(formula: &Formula) -> String {
         Formula::Word(text) => word(text),
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
         Formula::Operator(operator) => sign(*operator).to_owned(),
+        Formula::Given(_, inner) => math(inner),
         Formula::Row(parts) => row(parts),
         Formula::Root(inner) => format!(r"\sqrt{{{}}}", math(inner)),
         Formula::Fraction(above, below) => format!(r"\frac{{{}}}{{{}}}", math(above), math(below)),
@@ -33,8 +34,7 @@ pub(crate) fn math(formula: &Formula) -> String {
 /// `align` meet.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
-    let is_relation = |part: &Formula| matches!(part, Formula::Operator(o) if o.is_relation());
-    match parts.iter().position(is_relation) {
+    match parts.iter().position(Formula::is_relation) {
         Some(at) => format!("{} &{}", row(&parts[..at]), row(&parts[at..])),
         None => format!("& {}", row(parts)),
     }

@@ -2,6 +2,7 @@
 //! without its refinements.
 
 use super::{Direction, Formula, Gap, Ink, Operator, gap};
+use crate::model::given::Given;
 use crate::model::letters;
 
 /// The font of a piece of text.
@@ -47,6 +48,21 @@ pub struct Rule {
     pub ink: Ink,
 }
 
+/// The box of a number that is given: around its baseline, as those of texts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenBox {
+    /// The number.
+    pub given: Given,
+    /// The start of its baseline.
+    pub at: [f32; 2],
+    /// Width of the box.
+    pub width: f32,
+    /// Extent above the baseline.
+    pub ascent: f32,
+    /// Extent below the baseline.
+    pub descent: f32,
+}
+
 /// A formula with positions: a box that extends above its baseline by `ascent` and below by
 /// `descent`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,6 +77,8 @@ pub struct Layout {
     pub runs: Vec<Run>,
     /// The strokes.
     pub rules: Vec<Rule>,
+    /// The given numbers in it.
+    pub givens: Vec<GivenBox>,
 }
 
 /// Lengths in ems: extent of a line of text above and below its baseline; height of fraction bars,
@@ -96,6 +114,12 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
         Formula::Operator(operator) => {
             text_box(operator.sign().to_owned(), Face::Upright, Ink::Text, size, measure)
         }
+        Formula::Given(given, inner) => {
+            let mut inner = layout(inner, size, measure);
+            let Layout { width, ascent, descent, .. } = inner;
+            inner.givens.push(GivenBox { given: *given, at: [0.0; 2], width, ascent, descent });
+            inner
+        }
         Formula::Row(parts) => row(parts, size, measure),
         Formula::Root(inner) => root(layout(inner, size, measure), size),
         Formula::Fraction(above, below) => {
@@ -130,7 +154,7 @@ fn text_box(text: String, face: Face, ink: Ink, size: f32, measure: &mut dyn Mea
         ascent: ASCENT * size,
         descent: DESCENT * size,
         runs: vec![Run { text, face, size, ink, at: [0.0, 0.0] }],
-        rules: Vec::new(),
+        ..Layout::default()
     }
 }
 
@@ -146,7 +170,9 @@ impl Layout {
         for rule in &mut other.rules {
             rule.points.iter_mut().for_each(|point| *point = moved(*point));
         }
+        other.givens.iter_mut().for_each(|given| given.at = moved(given.at));
         self.runs.append(&mut other.runs);
+        self.givens.append(&mut other.givens);
         self.rules.append(&mut other.rules);
         self.width = self.width.max(x + other.width);
         self.ascent = self.ascent.max(other.ascent - y);

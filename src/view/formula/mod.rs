@@ -17,8 +17,10 @@ mod text;
 #[cfg(test)]
 mod tests;
 
-pub use breaking::{Column, lines};
-pub use layout::{Face, Layout, Measure, Rule, Run, layout};
+pub use breaking::{Column, left_width, lines};
+pub use layout::{Face, GivenBox, Layout, Measure, Rule, Run, layout};
+
+use crate::model::given::Given;
 
 /// One formula, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +35,8 @@ pub enum Formula {
     Number(String),
     /// Rounded digits.
     Rounded(String),
+    /// A number that is given and can be changed where it stands.
+    Given(Given, Box<Formula>),
     /// An operator between two parts, or a sign before one.
     Operator(Operator),
     /// Parts side by side.
@@ -205,6 +209,11 @@ pub fn negative(inner: Formula) -> Formula {
     row([Operator::Negative.into(), inner])
 }
 
+/// Returns a number that can be changed where it stands.
+pub fn given(given: Given, inner: Formula) -> Formula {
+    Formula::Given(given, Box::new(inner))
+}
+
 /// Returns `(x, y, z)`.
 pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
     Formula::Tuple(coordinates.into_iter().collect(), Direction::Row)
@@ -216,6 +225,7 @@ impl Formula {
     pub fn is_negative(&self) -> bool {
         match self {
             Formula::Operator(Operator::Negative) => true,
+            Formula::Given(_, inner) => inner.is_negative(),
             Formula::Row(parts) => parts.first().is_some_and(Formula::is_negative),
             _ => false,
         }
@@ -229,9 +239,7 @@ impl Formula {
 
     /// Returns true if the formula has rounded digits before its first relation.
     pub fn begins_rounded(&self) -> bool {
-        let relates =
-            |part: &&Formula| matches!(part, Formula::Operator(sign) if sign.is_relation());
-        self.parts().iter().take_while(|part| !relates(part)).any(Formula::is_rounded)
+        self.parts().iter().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
     }
 
     fn is_rounded(&self) -> bool {
@@ -241,15 +249,42 @@ impl Formula {
             Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
                 a.is_rounded() || b.is_rounded()
             }
-            Formula::Root(inner) | Formula::Norm(inner) | Formula::Parentheses(inner) => {
-                inner.is_rounded()
-            }
+            Formula::Root(inner)
+            | Formula::Norm(inner)
+            | Formula::Parentheses(inner)
+            | Formula::Given(_, inner) => inner.is_rounded(),
             Formula::Scalar(_)
             | Formula::Vector(..)
             | Formula::Word(_)
             | Formula::Number(_)
             | Formula::Operator(_) => false,
         }
+    }
+
+    /// Returns true if there is a vector's coordinates in it.
+    fn has_tuple(&self) -> bool {
+        match self {
+            Formula::Tuple(..) => true,
+            Formula::Row(parts) => parts.iter().any(Formula::has_tuple),
+            Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
+                a.has_tuple() || b.has_tuple()
+            }
+            Formula::Root(inner)
+            | Formula::Norm(inner)
+            | Formula::Parentheses(inner)
+            | Formula::Given(_, inner) => inner.has_tuple(),
+            Formula::Scalar(_)
+            | Formula::Vector(..)
+            | Formula::Word(_)
+            | Formula::Number(_)
+            | Formula::Rounded(_)
+            | Formula::Operator(_) => false,
+        }
+    }
+
+    /// Returns true for a relation, at which formulas are aligned.
+    fn is_relation(&self) -> bool {
+        matches!(self, Formula::Operator(operator) if operator.is_relation())
     }
 
     /// Returns the formula's parts, or itself as the only part.

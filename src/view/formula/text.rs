@@ -15,6 +15,7 @@ impl fmt::Display for Formula {
                 f.write_str(text)
             }
             Formula::Operator(operator) => f.write_str(operator.sign()),
+            Formula::Given(_, inner) => inner.fmt(f),
             Formula::Row(parts) => row(parts, f),
             Formula::Root(inner) => guarded("√", inner, f),
             Formula::Fraction(above, below) => {
@@ -60,6 +61,7 @@ fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
 /// Writes an operator that applies only to the next part, with parentheses around several parts.
 fn guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match inner {
+        Formula::Given(_, inner) => guarded(sign, inner, f),
         Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({inner})"),
         _ => write!(f, "{sign}{inner}"),
     }

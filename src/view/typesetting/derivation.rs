@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use egui::{FontId, Galley, Id, Rect, Ui, vec2};
 
+use crate::model::derivation_sections::DerivationSection;
 use crate::view::derivation::{Derivation, Line, Section, left_out};
 use crate::view::formula::{Column, Layout};
 use crate::view::typesetting::formula::{self, Inks};
@@ -17,7 +18,7 @@ pub(crate) const NOTE: f32 = 15.0;
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// Indent of the second and later lines of a formula, in points.
+/// Least indent of the relations and of the second and later lines of a formula, in points.
 const INDENT: f32 = 26.0;
 
 /// Distances in points: above a section's title, and between two lines.
@@ -40,10 +41,36 @@ pub(crate) fn note_galley(ui: &Ui, line: &Line, width: f32) -> Arc<Galley> {
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
 
-pub(crate) fn laid_line(ui: &Ui, line: &Line, id: Id, width: f32) -> LaidLine {
+/// Largest share of the width for what stands before the relations.
+const LEFT: f32 = 0.32;
+
+/// Lays out all lines of a derivation in a column, by sections; `id` names a line by its section and
+/// its index there. The relations of a kind of section stand below each other.
+pub(crate) fn laid_lines(
+    ui: &Ui,
+    derivation: &Derivation,
+    width: f32,
+    id: impl Fn(&Section, usize) -> Id,
+) -> Vec<Vec<LaidLine>> {
     let inner = (width - 2.0 * PAD.x).max(20.0);
-    let indent = INDENT.min(0.2 * inner);
-    let layout = formula::set(ui.ctx(), &line.formula, Column { size: SIZE, width: inner, indent });
+    let left = |line: &Line| formula::left_width(ui.ctx(), &line.formula, SIZE);
+    let indent_of = |kind: DerivationSection| {
+        let sections = derivation.sections.iter().filter(|section| section.section == kind);
+        let lefts = sections.flat_map(|section| &section.lines).map(left);
+        lefts.filter(|left| *left <= LEFT * inner).fold(INDENT.min(0.2 * inner), f32::max)
+    };
+    let indents = DerivationSection::ALL.map(indent_of);
+    let of_section = |section: &Section| {
+        let column = Column { size: SIZE, width: inner, indent: indents[section.section as usize] };
+        let lines = section.lines.iter().enumerate();
+        lines.map(|(k, line)| laid_line(ui, line, id(section, k), column)).collect()
+    };
+    derivation.sections.iter().map(of_section).collect()
+}
+
+fn laid_line(ui: &Ui, line: &Line, id: Id, column: Column) -> LaidLine {
+    let Column { width: inner, indent, .. } = column;
+    let layout = formula::set(ui.ctx(), &line.formula, column);
     let height = layout.ascent + layout.descent;
     let mut whole = LaidLine { id, text: line.to_string(), layout, note: PAD, height };
     if !line.note.is_empty() {
@@ -86,7 +113,8 @@ pub(crate) fn draw(
 ) -> f32 {
     let (inks, painter) = (Inks::from_ui(ui), ui.painter());
     let mut at = column.min;
-    for (k, section) in derivation.sections.iter().enumerate() {
+    let laid = laid_lines(ui, derivation, column.width(), |_, _| Id::NULL);
+    for (k, (section, laid)) in derivation.sections.iter().zip(&laid).enumerate() {
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
         let color = ui.visuals().strong_text_color();
         let title = FontId::proportional(SIZE);
@@ -97,10 +125,9 @@ pub(crate) fn draw(
         if is_folded(section) {
             continue;
         }
-        for line in &section.lines {
-            let laid = laid_line(ui, line, Id::NULL, column.width());
+        for (line, laid) in section.lines.iter().zip(laid) {
             let rect = Rect::from_min_size(at, vec2(column.width(), laid.height));
-            paint(ui, rect, line, &laid, inks);
+            paint(ui, rect, line, laid, inks);
             at.y += laid.height + BETWEEN_LINES;
         }
     }

@@ -14,6 +14,11 @@ pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
     lines(formula, column, &mut Fonts(ctx))
 }
 
+/// Returns the width of what stands before a formula's first relation, with the gap behind it.
+pub(crate) fn left_width(ctx: &Context, formula: &Formula, size: f32) -> f32 {
+    crate::view::formula::left_width(formula, size, &mut Fonts(ctx))
+}
+
 struct Fonts<'a>(&'a Context);
 
 impl Measure for Fonts<'_> {

@@ -267,6 +267,8 @@ fn switches() -> Vec<UiCommand> {
         commands.push(command(Group::Layout, name, about, action));
     }
     commands.extend(commands![
+        Numbers, "Exact forms in the derivation", "Writes 1/√2 and the like, or decimals.",
+            [], LookAction::Toggle(Switch::ExactForms);
         Numbers, "Count from 1", "Counts rows and columns from 1, or from 0.",
             [], LookAction::Toggle(Switch::CountFromOne);
         Colours, "Reduced motion", "Lets nothing move by itself: no transitions.",

@@ -3,7 +3,7 @@
 
 mod dial;
 
-use egui::{CollapsingHeader, Id, Label, RichText, Slider, Ui};
+use egui::{CollapsingHeader, Context, Id, Label, RichText, Slider, Ui};
 use pinhole_core::{Camera, Orientation};
 
 use crate::model::session::Settings;
@@ -34,14 +34,14 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
 }
 
 /// Scales the other two extents of the viewport after an edit of one.
-pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
-    let kept = Kept::resume(ui, "kept picture", |made| made.viewport == before.viewport, before);
+pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) {
+    let kept = Kept::resume(ctx, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
         // An invalid extent is reported below the fields, as without the lock; the next valid one
         // restores the picture.
         if from.check().is_ok() {
-            Kept { made: *camera, ..kept }.keep(ui, "kept picture");
+            Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
         }
         return;
     };
@@ -49,7 +49,7 @@ pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     camera.viewport.width = as_typed(edited.width, old.width, scaled.viewport.width);
     camera.viewport.height = as_typed(edited.height, old.height, scaled.viewport.height);
     camera.viewport.distance = scaled.viewport.distance;
-    Kept { made: *camera, ..kept }.keep(ui, "kept picture");
+    Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
 }
 
 /// The camera from which a control's turn or scaling starts. Every move of the control starts there
@@ -64,20 +64,20 @@ struct Kept {
 impl Kept {
     /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
     /// false for the camera that the control made last.
-    fn resume(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
-        let kept = ui.data(|data| data.get_temp::<Kept>(Id::unique(name)));
+    fn resume(ctx: &Context, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
+        let kept = ctx.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
     }
 
-    fn keep(self, ui: &Ui, name: &'static str) {
-        ui.data_mut(|data| data.insert_temp(Id::unique(name), self));
+    fn keep(self, ctx: &Context, name: &'static str) {
+        ctx.data_mut(|data| data.insert_temp(Id::unique(name), self));
     }
 }
 
 /// Turns up about the view direction, in degrees from its position before the control was touched.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::resume(ui, "swung camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
     let hint = "Turns up about the view: the camera rolls, and looks along the same line";
     row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
@@ -90,14 +90,14 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
         }
         if let Ok(swung) = kept.from.swung(degrees) {
             *camera = swung;
-            Kept { made: swung, degrees, ..kept }.keep(ui, "swung camera");
+            Kept { made: swung, degrees, ..kept }.keep(ui.ctx(), "swung camera");
         }
     });
 }
 
 /// Turns up towards the view or away from it, in the plane of both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::resume(ui, "tilted camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui.ctx(), "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint =
@@ -118,7 +118,7 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
         }
         if let Ok(tilted) = kept.from.up_tilted(degrees) {
             *camera = tilted;
-            Kept { made: tilted, ..kept }.keep(ui, "tilted camera");
+            Kept { made: tilted, ..kept }.keep(ui.ctx(), "tilted camera");
         }
     });
 }

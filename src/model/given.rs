@@ -1,0 +1,319 @@
+//! The given numbers: those of the scene file and the selected ray, which everything else is worked
+//! out from.
+
+use std::ops::RangeInclusive;
+
+use pinhole_core::{DVec3, ImageSize, Orientation};
+use pinhole_exchange::document::Document;
+
+use crate::model::session::Selection;
+
+/// A number that is given, and not worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Given {
+    /// A coordinate of a vector or point: 0 is x, 1 is y, 2 is z.
+    Coordinate(GivenVector, u8),
+    /// The viewport's width.
+    Width,
+    /// The viewport's height.
+    Height,
+    /// The distance from the eye to the viewport.
+    Distance,
+    /// W, the image's width in pixels.
+    ImageWidth,
+    /// H, the image's height in pixels.
+    ImageHeight,
+    /// The selected pixel's row.
+    Row,
+    /// The selected pixel's column.
+    Column,
+    /// The selected position's u.
+    PositionU,
+    /// The selected position's v.
+    PositionV,
+    /// The radius of the sphere with this index among all objects.
+    Radius(u32),
+}
+
+/// A vector or point that is given; those of objects have the object's index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the lecture's own names")]
+pub enum GivenVector {
+    Eye,
+    At,
+    View,
+    Up,
+    /// u, v, w of a basis that is set by hand.
+    U,
+    V,
+    W,
+    Center(u32),
+    Point(u32),
+    Normal(u32),
+}
+
+impl GivenVector {
+    /// Returns its three coordinates.
+    pub fn coordinates(self) -> [Given; 3] {
+        [0, 1, 2].map(|axis| Given::Coordinate(self, axis))
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            GivenVector::Eye => "eye",
+            GivenVector::At => "at",
+            GivenVector::View => "view",
+            GivenVector::Up => "up",
+            GivenVector::U => "u",
+            GivenVector::V => "v",
+            GivenVector::W => "w",
+            GivenVector::Center(_) => "centre",
+            GivenVector::Point(_) => "point",
+            GivenVector::Normal(_) => "normal",
+        }
+    }
+
+    fn object(self) -> Option<u32> {
+        match self {
+            GivenVector::Center(object)
+            | GivenVector::Point(object)
+            | GivenVector::Normal(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// Returns the vector in the document; `None` if there is none.
+    fn find(self, document: &Document) -> Option<DVec3> {
+        let camera = &document.camera;
+        let plane = |object: u32| {
+            let index = (object as usize).checked_sub(document.sphere_count())?;
+            Some(document.planes.get(index)?.shape)
+        };
+        match (self, camera.orientation) {
+            (GivenVector::Eye, _) => Some(camera.eye),
+            (GivenVector::At, Orientation::At { at, .. }) => Some(at),
+            (GivenVector::View, Orientation::View { view, .. }) => Some(view),
+            (GivenVector::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
+                Some(up)
+            }
+            (GivenVector::U, Orientation::Basis(basis)) => Some(basis.u),
+            (GivenVector::V, Orientation::Basis(basis)) => Some(basis.v),
+            (GivenVector::W, Orientation::Basis(basis)) => Some(basis.w),
+            (GivenVector::Center(object), _) => {
+                Some(document.spheres.get(object as usize)?.shape.center)
+            }
+            (GivenVector::Point(object), _) => Some(plane(object)?.point),
+            (GivenVector::Normal(object), _) => Some(plane(object)?.normal),
+            _ => None,
+        }
+    }
+
+    fn set(self, document: &mut Document, value: DVec3) {
+        let first_plane = document.sphere_count();
+        let camera = &mut document.camera;
+        match (self, &mut camera.orientation) {
+            (GivenVector::Eye, _) => camera.eye = value,
+            (GivenVector::At, Orientation::At { at, .. }) => *at = value,
+            (GivenVector::View, Orientation::View { view, .. }) => *view = value,
+            (GivenVector::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
+                *up = value;
+            }
+            (GivenVector::U, Orientation::Basis(basis)) => basis.u = value,
+            (GivenVector::V, Orientation::Basis(basis)) => basis.v = value,
+            (GivenVector::W, Orientation::Basis(basis)) => basis.w = value,
+            (GivenVector::Center(object), _) => {
+                document.spheres[object as usize].shape.center = value;
+            }
+            (GivenVector::Point(object), _) => {
+                document.planes[object as usize - first_plane].shape.point = value;
+            }
+            (GivenVector::Normal(object), _) => {
+                document.planes[object as usize - first_plane].shape.normal = value;
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The document and the selected ray, which hold all given numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Givens<'a> {
+    /// The document.
+    pub document: &'a Document,
+    /// The selected ray.
+    pub selection: Selection,
+    /// True if rows and columns are counted from 1.
+    pub from_one: bool,
+}
+
+impl Givens<'_> {
+    /// Returns the number as it is shown; `None` if there is none, because the camera or the ray is
+    /// given in another way.
+    pub fn value(&self, given: Given) -> Option<f64> {
+        let (camera, from) = (&self.document.camera, f64::from(u8::from(self.from_one)));
+        let viewport = &camera.viewport;
+        match (given, self.selection) {
+            (Given::Coordinate(vector, axis), _) => {
+                Some(vector.find(self.document)?[usize::from(axis)])
+            }
+            (Given::Width, _) => Some(viewport.width),
+            (Given::Height, _) => Some(viewport.height),
+            (Given::Distance, _) => Some(viewport.distance),
+            (Given::ImageWidth, _) => Some(camera.image.width().into()),
+            (Given::ImageHeight, _) => Some(camera.image.height().into()),
+            (Given::Row, Selection::Pixel(pixel)) => Some(f64::from(pixel.row) + from),
+            (Given::Column, Selection::Pixel(pixel)) => Some(f64::from(pixel.column) + from),
+            (Given::PositionU, Selection::Uv(uv)) => Some(uv.x),
+            (Given::PositionV, Selection::Uv(uv)) => Some(uv.y),
+            (Given::Radius(object), _) => {
+                Some(self.document.spheres.get(object as usize)?.shape.radius)
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns the whole numbers that it may be; `None` if it may be any number.
+    pub fn whole_range(&self, given: Given) -> Option<RangeInclusive<f64>> {
+        let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
+        match given {
+            Given::ImageWidth | Given::ImageHeight => Some(1.0..=f64::from(ImageSize::MAX)),
+            Given::Row => Some(from..=f64::from(image.height() - 1) + from),
+            Given::Column => Some(from..=f64::from(image.width() - 1) + from),
+            _ => None,
+        }
+    }
+
+    /// Returns its name, such as `eye x` or `sphere 0 “ball” radius`.
+    pub fn name(&self, given: Given) -> String {
+        let of_object = |object: u32, name: &str| {
+            format!("{} {name}", self.document.title_of(object as usize))
+        };
+        match given {
+            Given::Coordinate(vector, axis) => {
+                let name = format!("{} {}", vector.name(), ["x", "y", "z"][usize::from(axis)]);
+                vector.object().map_or(name.clone(), |object| of_object(object, &name))
+            }
+            Given::Width => "width".to_owned(),
+            Given::Height => "height".to_owned(),
+            Given::Distance => "distance".to_owned(),
+            Given::ImageWidth => "W".to_owned(),
+            Given::ImageHeight => "H".to_owned(),
+            Given::Row => "row".to_owned(),
+            Given::Column => "column".to_owned(),
+            Given::PositionU => "uv u".to_owned(),
+            Given::PositionV => "uv v".to_owned(),
+            Given::Radius(object) => of_object(object, "radius"),
+        }
+    }
+}
+
+/// Sets a given number to a value as it is shown; nothing happens if there is no such number, or if
+/// it has to be whole and in a range and is not.
+pub fn set(
+    given: Given,
+    value: f64,
+    document: &mut Document,
+    selection: &mut Selection,
+    from_one: bool,
+) {
+    let givens = Givens { document, selection: *selection, from_one };
+    let fits = |range: RangeInclusive<f64>| range.contains(&value) && value.fract() == 0.0;
+    if givens.value(given).is_none() || !givens.whole_range(given).is_none_or(fits) {
+        return;
+    }
+    let index = |value: f64| value as u32 - u32::from(from_one);
+    let image = document.camera.image;
+    let viewport = &mut document.camera.viewport;
+    match (given, selection) {
+        (Given::Coordinate(vector, axis), _) => {
+            if let Some(mut whole) = vector.find(document) {
+                whole[usize::from(axis)] = value;
+                vector.set(document, whole);
+            }
+        }
+        (Given::Width, _) => viewport.width = value,
+        (Given::Height, _) => viewport.height = value,
+        (Given::Distance, _) => viewport.distance = value,
+        (Given::ImageWidth | Given::ImageHeight, _) => {
+            let size = match given {
+                Given::ImageWidth => ImageSize::new(value as u32, image.height()),
+                _ => ImageSize::new(image.width(), value as u32),
+            };
+            document.camera.image = size.unwrap_or(image);
+        }
+        (Given::Row, Selection::Pixel(pixel)) => pixel.row = index(value),
+        (Given::Column, Selection::Pixel(pixel)) => pixel.column = index(value),
+        (Given::PositionU, Selection::Uv(uv)) => uv.x = value,
+        (Given::PositionV, Selection::Uv(uv)) => uv.y = value,
+        (Given::Radius(object), _) => document.spheres[object as usize].shape.radius = value,
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_core::{DVec2, OrientationKind, Pixel};
+    use pinhole_exchange::scenes::SceneSource;
+
+    use super::*;
+
+    fn all() -> Vec<Given> {
+        use GivenVector::{At, Center, Eye, Normal, Point, U, Up, V, View, W};
+        let vectors = [Eye, At, View, Up, U, V, W, Center(1), Point(2), Normal(2)];
+        let others = [
+            Given::Width,
+            Given::Height,
+            Given::Distance,
+            Given::ImageWidth,
+            Given::ImageHeight,
+            Given::Row,
+            Given::Column,
+            Given::PositionU,
+            Given::PositionV,
+            Given::Radius(0),
+        ];
+        vectors.into_iter().flat_map(GivenVector::coordinates).chain(others).collect()
+    }
+
+    #[test]
+    fn a_number_that_is_set_changes_and_no_other_does() {
+        let source = SceneSource::from_argument("canonical".as_ref()).expect("a scene");
+        let canonical = source.load().expect("a document");
+        let pixel = Selection::Pixel(Pixel { row: 3, column: 4 });
+        let mut set_so_far = 0;
+        for kind in [OrientationKind::At, OrientationKind::View, OrientationKind::Basis] {
+            for selection in [pixel, Selection::Uv(DVec2::new(0.25, -0.125))] {
+                for given in all() {
+                    let mut document = canonical.clone();
+                    document.camera = document.camera.given_by(kind).expect("a camera");
+                    let mut selection = selection;
+                    let values = |document: &Document, selection: Selection| {
+                        let givens = Givens { document, selection, from_one: true };
+                        all().into_iter().map(|given| givens.value(given)).collect::<Vec<_>>()
+                    };
+                    let before = values(&document, selection);
+                    set(given, 7.0, &mut document, &mut selection, true);
+                    let now = values(&document, selection);
+                    for ((one, before), now) in all().into_iter().zip(before).zip(now) {
+                        let expected = if one == given { before.map(|_| 7.0) } else { before };
+                        assert_eq!(now, expected, "{one:?} after {given:?}");
+                        set_so_far += usize::from(before != now);
+                    }
+                }
+            }
+        }
+        assert!(set_so_far > 100, "{set_so_far}");
+    }
+
+    #[test]
+    fn a_row_below_the_image_and_half_a_pixel_are_refused() {
+        let source = SceneSource::from_argument("canonical".as_ref()).expect("a scene");
+        let mut document = source.load().expect("a document");
+        let mut selection = Selection::Pixel(Pixel { row: 3, column: 4 });
+        for (given, value) in [(Given::Row, 400.0), (Given::Row, 0.5), (Given::ImageWidth, 0.0)] {
+            let before = (document.clone(), selection);
+            set(given, value, &mut document, &mut selection, false);
+            assert_eq!((document.clone(), selection), before, "{given:?} {value}");
+        }
+    }
+}
