@@ -185,9 +185,8 @@ impl Givens<'_> {
 
     /// Returns its name, such as `eye x` or `sphere 0 “ball” radius`.
     pub fn name(&self, given: Given) -> String {
-        let of_object = |object: u32, name: &str| {
-            format!("{} {name}", self.document.title_of(object as usize))
-        };
+        let of_object =
+            |object: u32, name: &str| format!("{} {name}", self.document.title_of(object as usize));
         match given {
             Given::Coordinate(vector, axis) => {
                 let name = format!("{} {}", vector.name(), ["x", "y", "z"][usize::from(axis)]);

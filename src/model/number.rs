@@ -1,6 +1,22 @@
-//! Number formatting for readers: few significant digits, no noise.
+//! The window's one number format: few significant digits, no noise, the real minus sign (−), and
+//! digits without groups. What is typed, copied or saved has the minus of the keyboard (-).
 
-pub(crate) use pinhole_lecture::numbers::{grouped, significant, written};
+use pinhole_core::shortest;
+pub(crate) use pinhole_lecture::numbers::{significant, written};
+
+/// Writes a number with all its digits, for reading.
+pub(crate) fn written_whole(x: f64) -> String {
+    shortest(x).replace('-', "−")
+}
+
+/// Returns a sentence of the command line without its groups of digits: `1,200` becomes `1200`.
+pub(crate) fn ungrouped(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let is_digit = |k: usize| letters.get(k).is_some_and(char::is_ascii_digit);
+    let is_group = |k: usize| (k + 1..k + 4).all(is_digit) && !is_digit(k + 4);
+    let is_comma = |k: usize| letters[k] == ',' && k > 0 && is_digit(k - 1) && is_group(k);
+    (0..letters.len()).filter(|k| !is_comma(*k)).map(|k| letters[k]).collect()
+}
 
 /// The rounding of numbers that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +41,7 @@ impl Rounding {
     }
 }
 
-/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
+/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
 pub(crate) fn short(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -33,11 +49,11 @@ pub(crate) fn short(x: f64) -> String {
     }
     if !(1e-3..1e5).contains(&magnitude) {
         let text = format!("{x:.1e}");
-        return text.replace(".0e", "e");
+        return text.replace(".0e", "e").replace('-', "−");
     }
     let digits_before = magnitude.log10().floor() as i32 + 1;
     let decimals = (3 - digits_before).clamp(0, 5) as usize;
-    let text = format!("{x:.decimals$}");
+    let text = format!("{x:.decimals$}").replace('-', "−");
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -65,7 +81,18 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Rounding, short};
+    use super::{Rounding, short, ungrouped};
+
+    #[test]
+    fn counts_lose_their_commas_and_sentences_keep_theirs() {
+        for (text, plain) in [
+            ("12,345,678 of 1,200 pixels, 3, 4", "12345678 of 1200 pixels, 3, 4"),
+            ("row 1, column 200", "row 1, column 200"),
+            ("1,2345", "1,2345"),
+        ] {
+            assert_eq!(ungrouped(text), plain);
+        }
+    }
 
     #[test]
     fn three_decimals() {
@@ -95,10 +122,10 @@ mod tests {
             (9.9999, "10"),
             (1430.4, "1430"),
             (32_145_678.0, "3.2e7"),
-            (1e-6, "1e-6"),
-            (-0.25, "-0.25"),
+            (1e-6, "1e−6"),
+            (-0.25, "−0.25"),
             (0.001_234_56, "0.00123"),
-            (5e-324, "4.9e-324"),
+            (5e-324, "4.9e−324"),
             (f64::MAX, "1.8e308"),
         ];
         for (x, text) in cases {

@@ -63,7 +63,7 @@ fn every_line_can_be_read() {
         "𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)",
         "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
         "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
-        "(u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)",
+        "(u, v) = (0.2, −0.1); the corner of four pixels, no pixel's centre",
         "𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)",
     ] {
         assert_says(&window, line);
@@ -174,7 +174,7 @@ fn the_derivation_goes_up_to_the_line_that_fails() {
     type_into(&mut window, "at z", "0");
     let reason = "eye and at are the same point (0, 0, 0): move one of them";
     assert_says(&window, "view = at − eye = (0, 0, 0) − (0, 0, 0) = (0, 0, 0)");
-    assert_says(&window, &format!("𝐰 = normalize(−view)   ({reason})"));
+    assert_says(&window, &format!("𝐰 = normalize(−view); {reason}"));
     assert!(texts_with(&window, "up × 𝐰").is_empty());
     type_into(&mut window, "at y", "1");
     assert_says(&window, "up × 𝐰 = (0, 1, 0) × (0, −1, 0) = (0, 0, 0)");
@@ -206,6 +206,233 @@ fn sections_are_folded_and_left_out() {
     let copied = copied.unwrap();
     assert!(copied.starts_with("Basis\n  eye = (0, 0, 0)\n"), "{copied}");
     assert!(!copied.contains("D = b²"));
+}
+
+/// Returns the names of the derivation's fields, from top to bottom.
+fn fields(window: &Harness<'_, App>) -> Vec<String> {
+    let all = window.query_all_by_role(Role::SpinButton);
+    let names = all.filter_map(|node| node.accesskit_node().label());
+    names.filter_map(|name| Some(name.strip_prefix("derivation ")?.to_owned())).collect()
+}
+
+fn field_rect(window: &Harness<'_, App>, name: &str) -> egui::Rect {
+    window.get_by_role_and_label(Role::SpinButton, &format!("derivation {name}")).rect()
+}
+
+fn undo(window: &mut Harness<'_, App>) {
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    window.run();
+}
+
+#[test]
+fn the_given_numbers_are_fields_and_no_others() {
+    let mut window = derivation_window("canonical");
+    let coordinates = |name: &str| ["x", "y", "z"].map(|axis| format!("{name} {axis}"));
+    let mut expected: Vec<String> = ["eye", "at", "up"].into_iter().flat_map(coordinates).collect();
+    expected.extend(["distance", "uv u", "uv v"].map(str::to_owned));
+    for sphere in ["sphere 0 “ball”", "sphere 1 “marble”"] {
+        expected.extend(coordinates(&format!("{sphere} centre")));
+        expected.push(format!("{sphere} radius"));
+    }
+    expected.extend(coordinates("plane 2 “back wall” point"));
+    expected.extend(coordinates("plane 2 “back wall” normal"));
+    assert_eq!(fields(&window), expected);
+    type_into(&mut window, "row", "3");
+    let of_pixel: Vec<String> = fields(&window).into_iter().skip(9).take(7).collect();
+    assert_eq!(of_pixel, ["width", "height", "W", "H", "distance", "row", "column"]);
+}
+
+#[test]
+fn a_given_number_is_typed_where_it_stands_and_all_follows_in_the_same_frame() {
+    let mut window = derivation_window("canonical");
+    let world =
+        |window: &Harness<'_, App>| window.state().derived().world_view.clone().unwrap().image;
+    let before = world(&window);
+    window.get_by_role_and_label(Role::SpinButton, "derivation eye x").click();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "derivation eye x").type_text("1/2");
+    window.run();
+    window.key_press(egui::Key::Enter);
+    window.step();
+    assert_eq!(window.state().document().camera.eye.x, 0.5);
+    assert_says(&window, "eye = (0.5, 0, 0)");
+    assert_says(&window, "view = at − eye = (0, 0, −1) − (0.5, 0, 0) = (−0.5, 0, −1)");
+    assert_ne!(before, world(&window));
+    let field = window.get_by_role_and_label(Role::SpinButton, "eye x");
+    assert_eq!(field.value().as_deref(), Some("0.5"));
+    undo(&mut window);
+    assert_eq!(window.state().document().camera.eye.x, 0.0);
+}
+
+#[test]
+fn a_drag_of_a_given_number_is_one_step() {
+    let mut window = derivation_window("canonical");
+    let before = window.state().document().clone();
+    let from = field_rect(&window, "sphere 0 “ball” radius").center();
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.run();
+    let mut radii = vec![before.spheres[0].shape.radius];
+    for k in 1..=4 {
+        window.hover_at(from + egui::vec2(12.0 * k as f32, 0.0));
+        // The frame in which the mouse moves shows it.
+        window.step();
+        let radius = window.state().document().spheres[0].shape.radius;
+        assert!(radius > radii[k - 1], "{radius} after {radii:?}");
+        assert!(says(&window, &format!("r = {radius}")), "{:?}", texts_with(&window, "r = "));
+        radii.push(radius);
+        assert_eq!(
+            pointed(&window).map(|pointed| pointed.concept),
+            Some(Concept::Object(0)),
+            "the sphere is lit while its number is dragged"
+        );
+    }
+    window.drop_at(from + egui::vec2(48.0, 0.0));
+    window.run();
+    undo(&mut window);
+    assert_eq!(*window.state().document(), before);
+}
+
+#[test]
+fn escape_gives_the_old_number_back() {
+    let mut window = derivation_window("canonical");
+    let before = window.state().document().clone();
+    window.get_by_role_and_label(Role::SpinButton, "derivation up y").click();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "derivation up y").type_text("9");
+    window.run();
+    window.key_press(egui::Key::Escape);
+    window.run();
+    assert_eq!(*window.state().document(), before);
+    assert_says(&window, "up = (0, 1, 0)");
+}
+
+#[test]
+fn what_is_no_number_is_refused_with_a_reason() {
+    let mut window = derivation_window("canonical");
+    let before = window.state().document().clone();
+    type_into(&mut window, "derivation distance", "zwei");
+    assert_eq!(*window.state().document(), before);
+    assert!(!texts_with(&window, "“zwei” is not a number").is_empty());
+    type_into(&mut window, "row", "3");
+    type_into(&mut window, "derivation row", "400");
+    assert!(!texts_with(&window, "400 is not between 0 and 399").is_empty());
+    assert_says(&window, "row i = 3, column j = 200; counted from 0");
+}
+
+#[test]
+fn a_number_that_is_dragged_too_far_can_be_dragged_back() {
+    let mut window = derivation_window("canonical");
+    for (name, left, line) in [
+        ("distance", -140.0, "no ray; viewport distance is −0.4"),
+        ("sphere 1 “marble” radius", -140.0, "no picture; radius is −"),
+    ] {
+        let from = field_rect(&window, name).center();
+        let before = window.state().document().clone();
+        window.hover_at(from);
+        window.run();
+        window.drag_at(from);
+        window.run();
+        window.hover_at(from + egui::vec2(left, 0.0));
+        window.run();
+        assert!(
+            texts_with(&window, "; ").iter().any(|text| text.starts_with(line)),
+            "{name}: {:?}",
+            texts_with(&window, "; ")
+        );
+        window.hover_at(from + egui::vec2(20.0, 0.0));
+        window.run();
+        window.drop_at(from + egui::vec2(20.0, 0.0));
+        window.run();
+        assert!(window.state().derived().fault.is_none(), "{name}");
+        undo(&mut window);
+        assert_eq!(*window.state().document(), before, "{name}");
+    }
+}
+
+#[test]
+fn the_pixels_shape_is_kept_as_in_the_panel() {
+    let mut window = derivation_window("canonical");
+    type_into(&mut window, "row", "3");
+    type_into(&mut window, "derivation width", "2");
+    let viewport = window.state().document().camera.viewport;
+    assert_eq!((viewport.width, viewport.height), (2.0, 2.0));
+    type_into(&mut window, "derivation W", "200");
+    let camera = window.state().document().camera;
+    assert_eq!((camera.viewport.width, camera.viewport.height), (1.0, 2.0));
+    assert_says(&window, "row i = 3, column j = 100; counted from 0");
+}
+
+#[test]
+fn given_numbers_are_reached_by_the_keyboard() {
+    let mut window = derivation_window("canonical");
+    window.get_by_role_and_label(Role::SpinButton, "derivation at x").focus();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "derivation at x").type_text("3");
+    window.run();
+    window.key_press(egui::Key::Tab);
+    window.run();
+    assert_says(&window, "at = (3, 0, −1)");
+    let y = window.get_by_role_and_label(Role::SpinButton, "derivation at y");
+    assert!(y.is_focused());
+}
+
+#[test]
+fn exact_forms_or_decimals() {
+    let mut window = derivation_window("forty-five");
+    assert_says(&window, "𝐮 = (1/√2, 0, −1/√2); set by hand");
+    window.get_by_label("Decimals").click();
+    window.run();
+    assert!(!window.state().session().settings.exact_forms);
+    assert_says(&window, "𝐮 ≈ (0.70711, 0, −0.70711); set by hand");
+    assert!(texts_with(&window, "√2").is_empty(), "{:?}", texts_with(&window, "√2"));
+    window.get_by_label("Exact").click();
+    window.run();
+    assert_says(&window, "𝐮 = (1/√2, 0, −1/√2); set by hand");
+}
+
+#[test]
+fn three_decimals_while_presenting() {
+    let mut window = derivation_window("look-at");
+    assert!(!texts_with(&window, "0.9882").is_empty());
+    window.key_press(egui::Key::F5);
+    window.run();
+    assert!(texts_with(&window, "0.9882").is_empty());
+    assert!(!texts_with(&window, "≈ 0.988").is_empty());
+    assert!(!texts_with(&window, "(21, 4, 15)/√682").is_empty(), "short forms stay");
+}
+
+#[test]
+fn lines_are_revealed_one_by_one() {
+    let mut window = derivation_window("canonical");
+    let lines = |window: &Harness<'_, App>| {
+        let derivation = window.state().derived().derivation.clone().unwrap();
+        let lines = derivation.sections.iter().flat_map(|section| &section.lines);
+        let texts: Vec<String> = lines.map(ToString::to_string).collect();
+        assert_eq!(texts.len(), derivation.line_count());
+        texts
+    };
+    let all = lines(&window);
+    let top = |window: &Harness<'_, App>, line: &str| window.get_by_label(line).rect().top();
+    let before = top(&window, "at = (0, 0, −1)");
+    for count in [0, 1, 2, 12, all.len() - 1, all.len(), all.len() + 5] {
+        window.state_mut().reveal_lines(Some(count));
+        window.run();
+        for (k, line) in all.iter().enumerate() {
+            assert_eq!(says(&window, line), k < count, "{line} with {count} lines revealed");
+        }
+        if count < 2 {
+            assert!(!fields(&window).contains(&"at x".to_owned()));
+        }
+        if count == 2 {
+            assert_eq!(top(&window, "at = (0, 0, −1)"), before, "nothing jumps");
+        }
+    }
+    assert_eq!(lines(&window), all);
+    window.state_mut().reveal_lines(None);
+    window.run();
+    assert!(all.iter().all(|line| says(&window, line)));
 }
 
 #[test]

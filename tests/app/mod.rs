@@ -9,6 +9,7 @@ pub(crate) mod harness;
 mod history;
 mod lessons;
 mod names;
+mod number_format;
 mod objects;
 mod pace;
 mod palette;

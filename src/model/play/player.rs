@@ -149,8 +149,7 @@ impl Player {
             Kind::Scan => {
                 let steps = self.kind.steps(&self.start);
                 let so_far = (self.phase * steps as f64).round() as u64;
-                let grouped = crate::model::number::grouped;
-                format!("{} of {} pixels", grouped(so_far), grouped(steps))
+                format!("{so_far} of {steps} pixels")
             }
         }
     }

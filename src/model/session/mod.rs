@@ -9,7 +9,9 @@ mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
-use pinhole_core::{Camera, DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport};
+use pinhole_core::{
+    Camera, DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport,
+};
 use serde::{Deserialize, Serialize};
 
 use names::StoredShade;

@@ -1,9 +1,10 @@
 //! The table of conventions: a camera as it is given here and in another program.
 
-use pinhole_core::{DVec3, Pixel, shortest};
+use pinhole_core::{DVec3, Pixel};
 use pinhole_exchange::format::{Axis, Conventions, ExportScene, Format, PixelConvention};
 
 use crate::model::letters::{bold, italic};
+use crate::model::number::written_whole;
 
 /// A row of the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,7 +36,7 @@ fn counted(
     let (i, j) = (italic('i'), italic('j'));
     let (y, x) = (f64::from(row), f64::from(column));
     let (w, h) = (f64::from(width), f64::from(height));
-    let pair = |a: f64, b: f64| format!("({}, {})", shortest(a), shortest(b));
+    let pair = |a: f64, b: f64| format!("({}, {})", written_whole(a), written_whole(b));
     match pixels {
         PixelConvention::Corner => [
             format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
@@ -111,9 +112,9 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
         FIELD_OF_VIEW,
         format!(
             "width {} × height {} at distance {}",
-            shortest(viewport.width),
-            shortest(viewport.height),
-            shortest(viewport.distance)
+            written_whole(viewport.width),
+            written_whole(viewport.height),
+            written_whole(viewport.distance)
         ),
         format!("{}: {}", conventions.view, conventions.field_of_view(subject)),
         false,

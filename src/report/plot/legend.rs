@@ -2,12 +2,12 @@
 //! panels, so that neither marks nor counts ever cover each other.
 
 use egui::Align;
+use pinhole_lecture::numbers::grouped;
 
 use super::frame::{TEXT, WEAK};
 use super::marker::{self, WRONG, marker_of};
 use super::summary::{Summary, Worst};
 use crate::figures::chart::{Chart, Point, bold, plain};
-use crate::model::number::grouped;
 
 /// Distance from one line to the next, in points.
 const LINE: f64 = 29.0;

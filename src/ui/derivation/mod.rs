@@ -235,8 +235,7 @@ impl DerivationPanel {
             let response = show(ui, line, laid, frame.inks, is_lit(line));
             for given in &laid.layout.givens {
                 let baseline = baseline_of(response.rect, laid);
-                let field =
-                    givens::field(ui, given, baseline, &frame.givens, SIZE, frame.actions);
+                let field = givens::field(ui, given, baseline, &frame.givens, SIZE, frame.actions);
                 self.fields.extend(field.map(|field| (field.id, line.concept)));
             }
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));

@@ -7,6 +7,7 @@ use pinhole_core::{
 
 use super::{section, teaching};
 use crate::model::letters::typeset_message;
+use crate::model::number::written;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, meaning};
 use crate::ui::changed::Changed;
@@ -21,7 +22,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> C
     ui.horizontal(|ui| {
         ui.heading("Camera");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let hint = "Eye at the origin, looking along -z, viewport 1 × 1 at distance 1";
+            let hint = "Eye at the origin, looking along −z, viewport 1 × 1 at distance 1";
             if ui.button("Canonical camera").on_hover_text(hint).clicked() {
                 *camera = Camera::CANONICAL;
             }
@@ -224,7 +225,7 @@ fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
     if shape.is_finite() && shape > 0.0 && (shape - 1.0).abs() > 1e-9 {
-        let times = crate::ui::widgets::number::significant(shape, 4);
+        let times = written(shape, 4);
         ui.label(format!("Pixels are {times} times as wide as high: spheres look stretched"));
         if ui.button("Make pixels square").clicked() {
             camera.viewport.height = camera.viewport.width / camera.image.aspect();

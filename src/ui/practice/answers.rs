@@ -7,6 +7,7 @@ use egui::{
 use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::letters::typeset_message;
+use crate::model::number::ungrouped;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::{Selection, Session};
 use crate::ui::action::{Action, AnswersAction, LookAction};
@@ -81,7 +82,7 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
         (_, None) => NONE.to_owned(),
         (None, Some(_)) => why_not(derived).to_owned(),
         (Some(Err(error)), _) => error.to_string(),
-        (Some(Ok(graded)), _) => format!("{}. {}", graded.agreement(), graded.advice()),
+        (Some(Ok(graded)), _) => ungrouped(&format!("{}. {}", graded.agreement(), graded.advice())),
     }
 }
 

@@ -9,7 +9,6 @@ use super::readouts::NumberStyle;
 use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
-use crate::model::number::grouped;
 use crate::model::session::ghost::{Beside, Ghost};
 use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::asking::Asking as _;
@@ -56,10 +55,9 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     fault::no_picture(ui, rect, &text);
 }
 
-/// Returns `12,345 of 90,000 pixels see another object`.
+/// Returns `12345 of 90000 pixels see another object`.
 fn seen(against: &AgainstGhost) -> String {
-    let [differing, pixels] =
-        [against.seen.differing, against.seen.pixels].map(|n| grouped(n as u64));
+    let [differing, pixels] = [against.seen.differing, against.seen.pixels];
     format!("{differing} of {pixels} pixels see another object")
 }
 

@@ -8,7 +8,7 @@ use pinhole_exchange::document::Document;
 
 use super::pointed_number;
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
-use crate::model::number::{grouped, written};
+use crate::model::number::written;
 use crate::model::session::Settings;
 use crate::model::symbols::meaning_of_readout;
 use crate::ui::widgets::fault::fault_text;
@@ -106,7 +106,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
 
 /// Returns the text about the steps of the ladder that the picture needed.
 pub(crate) fn steps(steps: Steps) -> String {
-    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
+    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
     if steps.beyond_f64() == 0 {
         return format!("Decisions in the picture: {f64}, all by f64");
     }

@@ -12,6 +12,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
+use crate::model::number::written_whole;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
@@ -131,10 +132,16 @@ pub(crate) fn spoken(shown: &Derived) -> String {
     let Some(inspection) = &shown.inspection else { return String::new() };
     let position = match inspection.pixel() {
         Some(pixel) => format!("row {}, column {}", pixel.row, pixel.column),
-        None => format!("u {}, v {}", inspection.uv.x, inspection.uv.y),
+        None => {
+            let [u, v] = inspection.uv.to_array().map(written_whole);
+            format!("u {u}, v {v}")
+        }
     };
     match inspection.first_hit() {
-        Some(hit) => format!("{position}: hits object {} at t = {}", hit.object, hit.t),
+        Some(hit) => {
+            let t = written_whole(hit.t);
+            format!("{position}: hits object {} at t = {t}", hit.object)
+        }
         None => format!("{position}: hits nothing"),
     }
 }

@@ -3,7 +3,6 @@
 use egui::{FontId, Grid, RichText, ScrollArea, Ui};
 use pinhole_core::{Counts, Steps};
 
-use crate::model::number::grouped;
 use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
@@ -19,23 +18,23 @@ const LINES: [Line; 13] = [
         "spheres",
         "All spheres of the scene; the world view draws those around the observer or the camera as \
          circles and does not trace them",
-        |c, _| grouped(c.spheres),
+        |c, _| c.spheres.to_string(),
     ),
-    ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| grouped(c.behind)),
+    ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| c.behind.to_string()),
     (
         "outside the picture, or between two rows",
         "Left out: they lie outside the picture, or are so small that they fall between the centres \
          of two rows of its pixels",
-        |c, _| grouped(c.outside),
+        |c, _| c.outside.to_string(),
     ),
     ("in view", "Their outlines reach rows of the picture, hidden or not", |c, _| {
-        grouped(c.in_view)
+        c.in_view.to_string()
     }),
     (
         "passed over as hidden",
         "Nearer spheres hide all of it in a band of rows. Counted once for each such band, so it can \
          be more than there are spheres; scenes of fewer than 256 spheres are not tested for it",
-        |c, _| grouped(c.hidden),
+        |c, _| c.hidden.to_string(),
     ),
     (
         "index blocks left out",
@@ -60,19 +59,19 @@ const LINES: [Line; 13] = [
     (
         "decided in f64",
         "Hit or miss, and which is first, settled within f64's error bound",
-        |_, s| grouped(s.f64),
+        |_, s| s.f64.to_string(),
     ),
     ("in double-double", "Too close for f64: settled with twice the digits", |_, s| {
-        grouped(s.double_double)
+        s.double_double.to_string()
     }),
     ("exactly", "Too close for that too: settled in whole numbers, without rounding", |_, s| {
-        grouped(s.exact)
+        s.exact.to_string()
     }),
-    ("all decisions", "What one ray decides about one object is one", |_, s| grouped(s.total())),
+    ("all decisions", "What one ray decides about one object is one", |_, s| s.total().to_string()),
 ];
 
 fn share(part: u64, all: u64) -> String {
-    format!("{} of {}", grouped(part), grouped(all))
+    format!("{part} of {all}")
 }
 
 /// Shows a line a count, a column a picture.

@@ -13,11 +13,8 @@ use pinhole_core::{DVec3, shortest};
 
 use super::spoken::Spoken as _;
 use crate::model::expression::evaluate;
-pub(crate) use crate::model::number::significant;
+use crate::model::number::{written, written_whole};
 use crate::view::typesetting::theme::{self, error_color};
-
-/// Maximum number of significant digits in a field that is not being edited.
-const FIELD_DIGITS: usize = 5;
 
 /// Minimum number of significant digits.
 const LEAST_DIGITS: usize = 2;
@@ -118,7 +115,7 @@ impl<'a> NumberField<'a> {
         let room = self.width - 2.0 * ui.spacing().button_padding.x;
         let font = ui.style().drag_value_text_style.resolve(ui.style());
         let short = |value: f64| fitting(ui.ctx(), value, self.suffix, &font, room);
-        let shown_whole = short(exact) == shortest(exact);
+        let shown_whole = short(exact).replace('−', "-").parse() == Ok(exact);
         let (ctx, suffix) = (ui.ctx().clone(), self.suffix);
         let field = DragValue::new(self.value)
             .speed(speed)
@@ -155,12 +152,17 @@ impl<'a> NumberField<'a> {
         if typing || shown_whole || response.dragged() {
             response
         } else {
-            response.on_hover_text(format!("{} = {}{}", self.hint, shortest(exact), self.suffix))
+            response.on_hover_text(format!(
+                "{} = {}{}",
+                self.hint,
+                written_whole(exact),
+                self.suffix
+            ))
         }
     }
 }
 
-/// Formats the number with as many digits as fit into `room`, in points: a field that grew with its
+/// Formats the number with as many digits as the settings say and fit into `room`, in points: a field that grew with its
 /// number would push the views aside during a drag in them.
 fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
     let fits = |text: &String| {
@@ -172,8 +174,9 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
         };
         is_short || ctx.fonts_mut(laid_out) <= room
     };
-    let mut texts = (LEAST_DIGITS..=FIELD_DIGITS).rev().map(|digits| rounded(value, digits));
-    texts.find(fits).unwrap_or_else(|| rounded(value, LEAST_DIGITS))
+    let most = theme::installed(ctx).digits;
+    let mut texts = (LEAST_DIGITS..=most).rev().map(|digits| written(value, digits));
+    texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
 /// Returns the number, or an error with the valid range.
@@ -182,7 +185,7 @@ fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f
     if is_in_range && (!is_whole || value.fract() == 0.0) {
         return Ok(value);
     }
-    let [value, from, to] = [value, *range.start(), *range.end()].map(shortest);
+    let [value, from, to] = [value, *range.start(), *range.end()].map(written_whole);
     match is_in_range {
         true => Err(format!("{value} is no whole number")),
         false => Err(format!("{value} is not between {from} and {to}")),
@@ -239,12 +242,6 @@ fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     speed
 }
 
-/// Formats `value` with at most this many significant digits, and with `…` if digits are left out.
-pub(crate) fn rounded(value: f64, digits: usize) -> String {
-    let short = significant(value, digits);
-    if short.parse() == Ok(value) { short } else { format!("{short}…") }
-}
-
 /// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Returns true if one changed.
 pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     let mut changed = false;
@@ -268,42 +265,4 @@ pub(crate) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
         "p" | "d" => colors.ray,
         _ => return None,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::rounded;
-    use super::significant;
-
-    #[test]
-    fn rounded_numbers_say_so() {
-        let cases = [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (1.0, "1"),
-            (0.1, "0.1"),
-            (-0.25, "-0.25"),
-            (0.7123456789012345, "0.712346…"),
-            (1.0 / 3.0, "0.333333…"),
-            (5000.0, "5000"),
-            (-5001.25, "-5001.25"),
-            (1e300, "1e300"),
-            (1.5e-9, "1.5e-9"),
-            (1234567.891, "1234568…"),
-            (1e12, "1e12"),
-            (123456.0, "123456"),
-        ];
-        for (value, text) in cases {
-            assert_eq!(rounded(value, 6), text, "{value:?}");
-        }
-    }
-
-    #[test]
-    fn digits_are_significant_ones() {
-        assert_eq!(significant(2f64.sqrt() * 5.0, 5), "7.0711");
-        assert_eq!(significant(0.000123456, 3), "0.000123");
-        assert_eq!(significant(-1.2 / 2f64.sqrt(), 12), "-0.848528137424");
-        assert_eq!(significant(f64::NAN, 5), "beyond f64");
-        assert_eq!(significant(f64::INFINITY, 5), "beyond f64");
-    }
 }

@@ -130,7 +130,7 @@ impl fmt::Display for Derivation {
 pub fn left_out(count: usize) -> String {
     match count {
         1 => "1 more object is not listed".to_owned(),
-        n => format!("{} more objects are not listed", crate::model::number::grouped(n as u64)),
+        n => format!("{n} more objects are not listed"),
     }
 }
 
@@ -184,17 +184,20 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
         .as_ref()
         .and_then(|(_, derived)| Some((inputs.resolved?, derived, inputs.inspection?)));
     if inputs.settings.sections.shows(DerivationSection::PixelToRay) {
-        add(DerivationSection::PixelToRay, match derived {
-            Some((resolved, derived, inspection)) => {
-                ray::lines(camera, resolved, derived, inspection, numbers)
-            }
-            None => {
-                let selection = inputs.settings.selection.inside(camera.image);
-                let mut lines = ray::givens(camera, selection, None, numbers);
-                lines.extend(inputs.settings.fault.as_ref().map(fault_line));
-                lines
-            }
-        });
+        add(
+            DerivationSection::PixelToRay,
+            match derived {
+                Some((resolved, derived, inspection)) => {
+                    ray::lines(camera, resolved, derived, inspection, numbers)
+                }
+                None => {
+                    let selection = inputs.settings.selection.inside(camera.image);
+                    let mut lines = ray::givens(camera, selection, None, numbers);
+                    lines.extend(inputs.settings.fault.as_ref().map(fault_line));
+                    lines
+                }
+            },
+        );
     }
     if inputs.settings.sections.shows(DerivationSection::Objects) {
         match (exact, inputs.scene, inputs.inspection) {

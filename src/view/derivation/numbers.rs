@@ -9,9 +9,7 @@ use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
 use crate::model::number::Rounding;
-use crate::view::formula::{
-    Formula, Operator, fraction, given, number, root, rounded, row, tuple,
-};
+use crate::view::formula::{Formula, Operator, fraction, given, number, root, rounded, row, tuple};
 
 /// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,8 +138,7 @@ impl Numbers {
 
 /// Returns a formula behind `=`, or behind `≈` if digits are left out.
 pub(super) fn related(value: Formula) -> Formula {
-    let relation =
-        if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
+    let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([relation.into(), value])
 }
 

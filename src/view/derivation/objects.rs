@@ -40,10 +40,7 @@ pub(super) fn givens(document: &Document, object: u32, numbers: Numbers) -> Vec<
     let own = document.spheres.get(index).map(|item| item.shape);
     if let Some(Sphere { center, radius }) = own {
         let center = numbers.given_vector(GivenVector::Center(object), center);
-        return vec![
-            line(CENTRE, center),
-            line(R, numbers.given(Given::Radius(object), radius)),
-        ];
+        return vec![line(CENTRE, center), line(R, numbers.given(Given::Radius(object), radius))];
     }
     let Some(plane) = index.checked_sub(document.sphere_count()) else {
         let from_file = document.csv_spheres.as_ref();

@@ -47,10 +47,7 @@ pub(super) fn givens(
             let (columns, rows) = (camera.image.width(), camera.image.height());
             let image =
                 [size("W", Given::ImageWidth, columns), size("H", Given::ImageHeight, rows)];
-            let pixel = [
-                index("row", "i", Given::Row, i),
-                index("column", "j", Given::Column, j),
-            ];
+            let pixel = [index("row", "i", Given::Row, i), index("column", "j", Given::Column, j)];
             let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
             vec![
                 Line::new(Concept::Viewport, list(viewport)),
@@ -162,11 +159,7 @@ fn of_pixel(
 }
 
 /// Returns the note on a given (u, v): its position in the image.
-fn position_note(
-    resolved: &ResolvedCamera,
-    inspection: &Inspection,
-    numbers: Numbers,
-) -> String {
+fn position_note(resolved: &ResolvedCamera, inspection: &Inspection, numbers: Numbers) -> String {
     match inspection.image_position {
         None => "outside the image".to_owned(),
         Some(position) if position.touching(resolved.image()).len() == 4 => {

@@ -72,35 +72,39 @@ fn the_canonical_camera() {
               𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)
 
             Pixel to ray
-              (u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)
+              distance = 1
+              (u, v) = (0.2, −0.1); the corner of four pixels, no pixel's centre
               u 𝐮 = 0.2 (1, 0, 0) = (0.2, 0, 0)
               v 𝐯 = −0.1 (0, 1, 0) = (0, −0.1, 0)
               −distance 𝐰 = −1 (0, 0, 1) = (0, 0, −1)
               𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)
-              |𝐝| = √105/10 ≈ 1.0247   (how long a step of t = 1 is)
-              𝐩 + t 𝐝 = (0, 0, 0) + t (0.2, −0.1, −1)   (𝐩 = eye; t = 1 is on the viewport)
+              |𝐝| = √105/10; how long a step of t = 1 is
+              𝐩 + t 𝐝 = (0, 0, 0) + t (0.2, −0.1, −1); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “ball”
-              centre = (0, 0, −5), r = 1
+              centre = (0, 0, −5)
+              r = 1
               𝐩 − centre = (0, 0, 0) − (0, 0, −5) = (0, 0, 5)
               a = 𝐝 · 𝐝 = (0.2, −0.1, −1) · (0.2, −0.1, −1) = 1.05
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (0, 0, 5) = −5
               c = |𝐩 − centre|² − r² = |(0, 0, 5)|² − 1² = 24
-              D = b² − a c = (−5)² − 1.05 · 24 = −0.2   (D < 0: the line passes by)
+              D = b² − a c = (−5)² − 1.05 · 24 = −0.2; D < 0: the line passes by
 
             sphere 1 “marble”
-              centre = (−1.2, 0.9, −4), r = 0.5
+              centre = (−1.2, 0.9, −4)
+              r = 0.5
               𝐩 − centre = (0, 0, 0) − (−1.2, 0.9, −4) = (1.2, −0.9, 4)
               a = 𝐝 · 𝐝 = (0.2, −0.1, −1) · (0.2, −0.1, −1) = 1.05
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (1.2, −0.9, 4) = −3.67
               c = |𝐩 − centre|² − r² = |(1.2, −0.9, 4)|² − 0.5² = 18
-              D = b² − a c = (−3.67)² − 1.05 · 18 = −5.4311   (D < 0: the line passes by)
+              D = b² − a c = (−3.67)² − 1.05 · 18 = −5.4311; D < 0: the line passes by
 
             plane 2 “back wall”
-              point = (0, 0, −6), 𝐧 = (0, 0, 1)
+              point = (0, 0, −6)
+              𝐧 = (0, 0, 1)
               𝐧 · 𝐝 = (0, 0, 1) · (0.2, −0.1, −1) = −1
               𝐧 · (point − 𝐩) = (0, 0, 1) · ((0, 0, −6) − (0, 0, 0)) = −6
-              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) = −6/(−1) = 6   (first hit (smallest t > 0))
+              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) = −6/(−1) = 6; first hit (smallest t > 0)
               hit = 𝐩 + t 𝐝 = (0, 0, 0) + 6 (0.2, −0.1, −1) = (1.2, −0.6, −6)
               normal = 𝐧/|𝐧| = (0, 0, 1)
         "#]],
@@ -119,60 +123,68 @@ fn a_pixel_of_the_look_at_camera() {
               up = (0, 1, 0)
               view = at − eye = (−1, 0, −5) − (20, 4, 10) = (−21, −4, −15)
               −view = (21, 4, 15)
-              𝐰 = normalize(−view) = (21, 4, 15)/√682 ≈ (0.80413, 0.15317, 0.57438)
-              up × 𝐰 = (0, 1, 0) × (21, 4, 15)/√682 = (15, 0, −21)/√682 ≈ (0.57438, 0, −0.80413)
-              |up × 𝐰| = |up| sin(angle) ≈ 1 · sin(81.189°) = 111/√12617 ≈ 0.9882
-              𝐮 = normalize(up × 𝐰) ≈ (0.57438, 0, −0.80413)/0.9882 = (5, 0, −7)/√74 ≈ (0.58124, 0, −0.81373)
-              𝐯 = 𝐰 × 𝐮 = (21, 4, 15)/√682 × (5, 0, −7)/√74 = (−14, 111, −10)/√12617 ≈ (−0.12464, 0.9882, −0.089027)
+              𝐰 = normalize(−view) = (21, 4, 15)/√682
+              up × 𝐰 = (0, 1, 0) × (21, 4, 15)/√682 = (15, 0, −21)/√682
+              |up × 𝐰| = |up| sin(angle) ≈ 1 · sin(81.189°) ≈ 0.9882
+              𝐮 = normalize(up × 𝐰) ≈ (0.57438, 0, −0.80413)/0.9882 = (5, 0, −7)/√74
+              𝐯 = 𝐰 × 𝐮 = (21, 4, 15)/√682 × (5, 0, −7)/√74 ≈ (−0.12464, 0.9882, −0.089027)
 
             Pixel to ray
-              row i = 99, column j = 199   (counted from 0)
+              width = 1, height = 1
+              W = 400, H = 400; pixels
+              distance = 1
+              row i = 99, column j = 199; counted from 0
               u = width ((j + 0.5)/W − 0.5) = 1 ((199 + 0.5)/400 − 0.5) = −0.00125
               v = height (0.5 − (i + 0.5)/H) = 1 (0.5 − (99 + 0.5)/400) = 0.25125
               u 𝐮 = −0.00125 (5, 0, −7)/√74 ≈ (−0.00072655, 0, 0.0010172)
-              v 𝐯 = 0.25125 (−14, 111, −10)/√12617 ≈ (−0.031315, 0.24829, −0.022368)
-              −distance 𝐰 = −1 (21, 4, 15)/√682 = (−21, −4, −15)/√682 ≈ (−0.80413, −0.15317, −0.57438)
+              v 𝐯 ≈ 0.25125 (−0.12464, 0.9882, −0.089027) ≈ (−0.031315, 0.24829, −0.022368)
+              −distance 𝐰 = −1 (21, 4, 15)/√682 = (−21, −4, −15)/√682
               𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 ≈ (−0.00072655, 0, 0.0010172) + (−0.031315, 0.24829, −0.022368) + (−21, −4, −15)/√682 ≈ (−0.83617, 0.095117, −0.59573)
-              |𝐝| ≈ 1.0311   (how long a step of t = 1 is)
-              𝐩 + t 𝐝 ≈ (20, 4, 10) + t (−0.83617, 0.095117, −0.59573)   (𝐩 = eye; t = 1 is on the viewport)
+              |𝐝| ≈ 1.0311; how long a step of t = 1 is
+              𝐩 + t 𝐝 ≈ (20, 4, 10) + t (−0.83617, 0.095117, −0.59573); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “target”
-              centre = (−1, 0, −5), r = 3
+              centre = (−1, 0, −5)
+              r = 3
               𝐩 − centre = (20, 4, 10) − (−1, 0, −5) = (21, 4, 15)
               a = 𝐝 · 𝐝 ≈ (−0.83617, 0.095117, −0.59573) · (−0.83617, 0.095117, −0.59573) ≈ 1.0631
-              b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (21, 4, 15) = −√682 ≈ −26.115
+              b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (21, 4, 15) = −√682
               c = |𝐩 − centre|² − r² = |(21, 4, 15)|² − 3² = 673
-              D = b² − a c ≈ (−√682)² − 1.0631 · 673 ≈ −33.485   (D < 0: the line passes by)
+              D = b² − a c ≈ (−√682)² − 1.0631 · 673 ≈ −33.485; D < 0: the line passes by
 
             sphere 1 “left”
-              centre = (−9, −1, 3), r = 2
+              centre = (−9, −1, 3)
+              r = 2
               𝐩 − centre = (20, 4, 10) − (−9, −1, 3) = (29, 5, 7)
               a = 𝐝 · 𝐝 ≈ (−0.83617, 0.095117, −0.59573) · (−0.83617, 0.095117, −0.59573) ≈ 1.0631
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (29, 5, 7) ≈ −27.944
               c = |𝐩 − centre|² − r² = |(29, 5, 7)|² − 2² = 911
-              D = b² − a c ≈ (−27.944)² − 1.0631 · 911 ≈ −187.67   (D < 0: the line passes by)
+              D = b² − a c ≈ (−27.944)² − 1.0631 · 911 ≈ −187.67; D < 0: the line passes by
 
             sphere 2 “right”
-              centre = (4, −1.5, −12), r = 1.5
+              centre = (4, −1.5, −12)
+              r = 1.5
               𝐩 − centre = (20, 4, 10) − (4, −1.5, −12) = (16, 5.5, 22)
               a = 𝐝 · 𝐝 ≈ (−0.83617, 0.095117, −0.59573) · (−0.83617, 0.095117, −0.59573) ≈ 1.0631
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (16, 5.5, 22) ≈ −25.962
               c = |𝐩 − centre|² − r² = |(16, 5.5, 22)|² − 1.5² = 768
-              D = b² − a c ≈ (−25.962)² − 1.0631 · 768 ≈ −142.47   (D < 0: the line passes by)
+              D = b² − a c ≈ (−25.962)² − 1.0631 · 768 ≈ −142.47; D < 0: the line passes by
 
             sphere 3 “near”
-              centre = (9, −2, 3), r = 1
+              centre = (9, −2, 3)
+              r = 1
               𝐩 − centre = (20, 4, 10) − (9, −2, 3) = (11, 6, 7)
               a = 𝐝 · 𝐝 ≈ (−0.83617, 0.095117, −0.59573) · (−0.83617, 0.095117, −0.59573) ≈ 1.0631
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (11, 6, 7) ≈ −12.797
               c = |𝐩 − centre|² − r² = |(11, 6, 7)|² − 1² = 205
-              D = b² − a c ≈ (−12.797)² − 1.0631 · 205 ≈ −54.17   (D < 0: the line passes by)
+              D = b² − a c ≈ (−12.797)² − 1.0631 · 205 ≈ −54.17; D < 0: the line passes by
 
             plane 4 “floor”
-              point = (0, −3, 0), 𝐧 = (0, 1, 0)
+              point = (0, −3, 0)
+              𝐧 = (0, 1, 0)
               𝐧 · 𝐝 ≈ (0, 1, 0) · (−0.83617, 0.095117, −0.59573) ≈ 0.095117
               𝐧 · (point − 𝐩) = (0, 1, 0) · ((0, −3, 0) − (20, 4, 10)) = −7
-              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) ≈ −7/0.095117 ≈ −73.593   (behind the eye: no hit)
+              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) ≈ −7/0.095117 ≈ −73.593; behind the eye: no hit
         "#]],
     );
 }
@@ -185,48 +197,52 @@ fn the_lectures_forty_five_degrees() {
         expect![[r#"
             Basis
               eye = (0, 0, 0)
-              𝐮 = (1/√2, 0, −1/√2) ≈ (0.70711, 0, −0.70711)   (set by hand)
-              𝐯 = (0, 1, 0)   (set by hand)
-              𝐰 = (1/√2, 0, 1/√2) ≈ (0.70711, 0, 0.70711)   (set by hand)
-              |𝐮| = 1   (of length 1)
-              |𝐯| = 1   (of length 1)
-              |𝐰| = 1   (of length 1)
-              𝐮 · 𝐯 = 0   (at right angles)
-              𝐯 · 𝐰 = 0   (at right angles)
-              𝐰 · 𝐮 = 0   (at right angles)
-              (𝐮 × 𝐯) · 𝐰 = 1   (right-handed)
+              𝐮 = (1/√2, 0, −1/√2); set by hand
+              𝐯 = (0, 1, 0); set by hand
+              𝐰 = (1/√2, 0, 1/√2); set by hand
+              |𝐮| = 1; of length 1
+              |𝐯| = 1; of length 1
+              |𝐰| = 1; of length 1
+              𝐮 · 𝐯 = 0; at right angles
+              𝐯 · 𝐰 = 0; at right angles
+              𝐰 · 𝐮 = 0; at right angles
+              (𝐮 × 𝐯) · 𝐰 = 1; right-handed
 
             Pixel to ray
-              (u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)
-              u 𝐮 = 0.2 (1/√2, 0, −1/√2) = (√2/10, 0, −√2/10) ≈ (0.14142, 0, −0.14142)
+              distance = 1
+              (u, v) = (0.2, −0.1); the corner of four pixels, no pixel's centre
+              u 𝐮 = 0.2 (1/√2, 0, −1/√2) = (√2/10, 0, −√2/10)
               v 𝐯 = −0.1 (0, 1, 0) = (0, −0.1, 0)
-              −distance 𝐰 = −1 (1/√2, 0, 1/√2) = (−1/√2, 0, −1/√2) ≈ (−0.70711, 0, −0.70711)
-              𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (√2/10, 0, −√2/10) + (0, −0.1, 0) + (−1/√2, 0, −1/√2) = (−2 √2/5, −0.1, −3 √2/5) ≈ (−0.56569, −0.1, −0.84853)
-              |𝐝| = √105/10 ≈ 1.0247   (how long a step of t = 1 is)
-              𝐩 + t 𝐝 = (0, 0, 0) + t (−2 √2/5, −0.1, −3 √2/5)   (𝐩 = eye; t = 1 is on the viewport)
+              −distance 𝐰 = −1 (1/√2, 0, 1/√2) = (−1/√2, 0, −1/√2)
+              𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (√2/10, 0, −√2/10) + (0, −0.1, 0) + (−1/√2, 0, −1/√2) = (−2 √2/5, −0.1, −3 √2/5)
+              |𝐝| = √105/10; how long a step of t = 1 is
+              𝐩 + t 𝐝 = (0, 0, 0) + t (−2 √2/5, −0.1, −3 √2/5); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “ball”
-              centre = (−4, 0, −4), r = 1
+              centre = (−4, 0, −4)
+              r = 1
               𝐩 − centre = (0, 0, 0) − (−4, 0, −4) = (4, 0, 4)
               a = 𝐝 · 𝐝 = (−2 √2/5, −0.1, −3 √2/5) · (−2 √2/5, −0.1, −3 √2/5) = 1.05
-              b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4, 0, 4) = −4 √2 ≈ −5.6569
+              b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4, 0, 4) = −4 √2
               c = |𝐩 − centre|² − r² = |(4, 0, 4)|² − 1² = 31
-              D = b² − a c = (−4 √2)² − 1.05 · 31 = −0.55   (D < 0: the line passes by)
+              D = b² − a c = (−4 √2)² − 1.05 · 31 = −0.55; D < 0: the line passes by
 
             sphere 1 “marble”
-              centre = (−4.5, 0.9, −2), r = 0.5
+              centre = (−4.5, 0.9, −2)
+              r = 0.5
               𝐩 − centre = (0, 0, 0) − (−4.5, 0.9, −2) = (4.5, −0.9, 2)
               a = 𝐝 · 𝐝 = (−2 √2/5, −0.1, −3 √2/5) · (−2 √2/5, −0.1, −3 √2/5) = 1.05
               b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4.5, −0.9, 2) ≈ −4.1526
               c = |𝐩 − centre|² − r² = |(4.5, −0.9, 2)|² − 0.5² = 24.81
-              D = b² − a c ≈ (−4.1526)² − 1.05 · 24.81 ≈ −8.8061   (D < 0: the line passes by)
+              D = b² − a c ≈ (−4.1526)² − 1.05 · 24.81 ≈ −8.8061; D < 0: the line passes by
 
             plane 2 “back wall”
-              point = (0, 0, −6), 𝐧 = (0, 0, 1)
-              𝐧 · 𝐝 = (0, 0, 1) · (−2 √2/5, −0.1, −3 √2/5) = −3 √2/5 ≈ −0.84853
+              point = (0, 0, −6)
+              𝐧 = (0, 0, 1)
+              𝐧 · 𝐝 = (0, 0, 1) · (−2 √2/5, −0.1, −3 √2/5) = −3 √2/5
               𝐧 · (point − 𝐩) = (0, 0, 1) · ((0, 0, −6) − (0, 0, 0)) = −6
-              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) ≈ −6/(−0.84853) = 5 √2 ≈ 7.0711   (first hit (smallest t > 0))
-              hit = 𝐩 + t 𝐝 = (0, 0, 0) + 5 √2 (−2 √2/5, −0.1, −3 √2/5) = (−4, −1/√2, −6) ≈ (−4, −0.70711, −6)
+              t = (𝐧 · (point − 𝐩))/(𝐧 · 𝐝) ≈ −6/(−0.84853) = 5 √2; first hit (smallest t > 0)
+              hit = 𝐩 + t 𝐝 = (0, 0, 0) + 5 √2 (−2 √2/5, −0.1, −3 √2/5) = (−4, −1/√2, −6)
               normal = 𝐧/|𝐧| = (0, 0, 1)
         "#]],
     );
@@ -238,9 +254,9 @@ fn rows_and_columns_counted_from_one() {
     let derivation = derive(&document("canonical"), pixel, 5, true);
     let lines = derivation.sections[1].lines.iter().take(3).map(|line| format!("{line}\n"));
     expect![[r#"
-        row i = 100, column j = 200   (counted from 1)
-        u = width ((j − 0.5)/W − 0.5) = 1 ((200 − 0.5)/400 − 0.5) = −0.00125
-        v = height (0.5 − (i − 0.5)/H) = 1 (0.5 − (100 − 0.5)/400) = 0.25125
+        width = 1, height = 1
+        W = 400, H = 400; pixels
+        distance = 1
     "#]]
     .assert_eq(&lines.collect::<String>());
 }
@@ -300,8 +316,8 @@ fn digits_follow_the_setting() {
           up = (0.1, 1, 0.2)
           view = (0.3, −0.77, −1.9)
           −view = (−0.3, 0.77, 1.9)
-          𝐰 = normalize(−view) ≈ (−0.3, 0.77, 1.9)/2.07 = (−30, 77, 190)/√42929 ≈ (−0.145, 0.372, 0.917)
-          up × 𝐰 = (0.1, 1, 0.2) × (−30, 77, 190)/√42929 ≈ (0.843, −0.121, 0.182)
+          𝐰 = normalize(−view) ≈ (−0.3, 0.77, 1.9)/2.07 ≈ (−0.145, 0.372, 0.917)
+          up × 𝐰 ≈ (0.1, 1, 0.2) × (−0.145, 0.372, 0.917) ≈ (0.843, −0.121, 0.182)
           |up × 𝐰| = |up| sin(angle) ≈ √105/10 · sin(58.2°) ≈ 0.871
           𝐮 = normalize(up × 𝐰) ≈ (0.843, −0.121, 0.182)/0.871 ≈ (0.968, −0.139, 0.209)
     "#]]
@@ -329,9 +345,9 @@ fn as_latex_and_as_markdown() {
         \subsection*{Basis}
         \begin{align*}
           \mathbf{eye} &= \left( 0, 0, 0 \right) \\
-          \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, -0.70711 \right) && \text{set by hand} \\
+          \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) && \text{set by hand} \\
           \mathbf{v} &= \left( 0, 1, 0 \right) && \text{set by hand} \\
-          \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, 0.70711 \right) && \text{set by hand} \\
+          \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) && \text{set by hand} \\
           \left| \mathbf{u} \right| &= 1 && \text{of length 1} \\
           \left| \mathbf{v} \right| &= 1 && \text{of length 1} \\
           \left| \mathbf{w} \right| &= 1 && \text{of length 1} \\
@@ -342,12 +358,13 @@ fn as_latex_and_as_markdown() {
         \end{align*}
         \subsection*{Pixel to ray}
         \begin{align*}
+          \mathit{distance} &= 1 \\
           \left( u, v \right) &= \left( 0.2, -0.1 \right) && \text{the corner of four pixels, no pixel's centre} \\
-          u \mathbf{u} &= 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \approx \left( 0.14142, 0, -0.14142 \right) \\
+          u \mathbf{u} &= 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \\
           v \mathbf{v} &= -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right) \\
-          -\mathit{distance} \mathbf{w} &= -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right) \\
-          \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right) \\
-          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \approx 1.0247 && \text{how long a step of $t$ = 1 is} \\
+          -\mathit{distance} \mathbf{w} &= -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \\
+          \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
+          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} && \text{how long a step of $t$ = 1 is} \\
           \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) && \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
         \end{align*}
         1 more object is not listed
@@ -356,26 +373,27 @@ fn as_latex_and_as_markdown() {
         ### Basis
 
         - $\mathbf{eye} = \left( 0, 0, 0 \right)$
-        - $\mathbf{u} = \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, -0.70711 \right)$ (set by hand)
-        - $\mathbf{v} = \left( 0, 1, 0 \right)$ (set by hand)
-        - $\mathbf{w} = \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, 0.70711 \right)$ (set by hand)
-        - $\left| \mathbf{u} \right| = 1$ (of length 1)
-        - $\left| \mathbf{v} \right| = 1$ (of length 1)
-        - $\left| \mathbf{w} \right| = 1$ (of length 1)
-        - $\mathbf{u} \cdot \mathbf{v} = 0$ (at right angles)
-        - $\mathbf{v} \cdot \mathbf{w} = 0$ (at right angles)
-        - $\mathbf{w} \cdot \mathbf{u} = 0$ (at right angles)
-        - $\left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} = 1$ (right-handed)
+        - $\mathbf{u} = \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right)$; set by hand
+        - $\mathbf{v} = \left( 0, 1, 0 \right)$; set by hand
+        - $\mathbf{w} = \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right)$; set by hand
+        - $\left| \mathbf{u} \right| = 1$; of length 1
+        - $\left| \mathbf{v} \right| = 1$; of length 1
+        - $\left| \mathbf{w} \right| = 1$; of length 1
+        - $\mathbf{u} \cdot \mathbf{v} = 0$; at right angles
+        - $\mathbf{v} \cdot \mathbf{w} = 0$; at right angles
+        - $\mathbf{w} \cdot \mathbf{u} = 0$; at right angles
+        - $\left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} = 1$; right-handed
 
         ### Pixel to ray
 
-        - $\left( u, v \right) = \left( 0.2, -0.1 \right)$ (the corner of four pixels, no pixel's centre)
-        - $u \mathbf{u} = 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \approx \left( 0.14142, 0, -0.14142 \right)$
+        - $\mathit{distance} = 1$
+        - $\left( u, v \right) = \left( 0.2, -0.1 \right)$; the corner of four pixels, no pixel's centre
+        - $u \mathbf{u} = 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right)$
         - $v \mathbf{v} = -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right)$
-        - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right)$
-        - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right)$
-        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10} \approx 1.0247$ (how long a step of 𝑡 = 1 is)
-        - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$ (𝐩 = eye; 𝑡 = 1 is on the viewport)
+        - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right)$
+        - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$
+        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10}$; how long a step of 𝑡 = 1 is
+        - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$; 𝐩 = eye; 𝑡 = 1 is on the viewport
 
         1 more object is not listed
     "#]].assert_eq(&derivation.written_in(Markup::Markdown));

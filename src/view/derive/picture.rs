@@ -16,7 +16,6 @@ use super::objects::GoodWorld;
 use super::scan::first_pixels;
 use super::watch::{self, Watch, Work};
 use crate::model::inspection::Inspection;
-use crate::model::number::grouped;
 use crate::model::overlay_items::Item;
 use crate::model::session::{Selection, Settings};
 use crate::view::accuracy::{self, Comparison};
@@ -47,7 +46,7 @@ impl TooMany {
 
 impl fmt::Display for TooMany {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (objects, pixels) = (grouped(self.objects), grouped(self.pixels));
+        let (objects, pixels) = (self.objects, self.pixels);
         write!(
             f,
             "{objects} objects at {pixels} pixels are too many for a method that asks every object \

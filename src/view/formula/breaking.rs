@@ -70,8 +70,7 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn Measure) -> La
 /// vector; and `≈ a = b`, where what equals the left side would seem to equal a.
 fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
-    let begins_with =
-        |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
+    let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
     (has_tuple(before) && has_tuple(after))
         || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }

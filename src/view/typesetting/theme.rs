@@ -14,7 +14,7 @@ use crate::view::overlay::Style;
 use crate::view::typesetting::fonts;
 
 /// The settings that determine the window's look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
     /// The colour scheme.
     pub(crate) scheme: Scheme,
@@ -22,6 +22,14 @@ pub(crate) struct Look {
     pub(crate) presenting: bool,
     /// True if nothing is animated.
     pub(crate) reduced_motion: bool,
+    /// Significant digits of the numbers in fields.
+    pub(crate) digits: usize,
+}
+
+impl Default for Look {
+    fn default() -> Look {
+        Look::new(&Settings::default(), false)
+    }
 }
 
 impl Look {
@@ -32,8 +40,8 @@ impl Look {
 
     /// Returns the look for the settings.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
-        let Settings { scheme, reduced_motion, .. } = *settings;
-        Look { scheme, presenting, reduced_motion }
+        let Settings { scheme, reduced_motion, digits, .. } = *settings;
+        Look { scheme, presenting, reduced_motion, digits }
     }
 }
 

@@ -8,7 +8,7 @@ use pinhole_core::{BasisError, Camera, UpAngle};
 
 use super::reason;
 use crate::model::letters::typeset_message;
-use crate::ui::widgets::number::significant;
+use crate::model::number::written;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
@@ -44,7 +44,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
 
 /// Shows the number and its meaning.
 fn words(ui: &mut Ui, conditioning: f64) {
-    let number = format!("{}° of roll per 1° of up", significant(conditioning, 3));
+    let number = format!("{}° of roll per 1° of up", written(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
     response.on_hover_text(hint).named("conditioning").spoken(number);

@@ -64,7 +64,12 @@ struct Kept {
 impl Kept {
     /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
     /// false for the camera that the control made last.
-    fn resume(ctx: &Context, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
+    fn resume(
+        ctx: &Context,
+        name: &'static str,
+        is_now: impl Fn(&Camera) -> bool,
+        now: &Camera,
+    ) -> Kept {
         let kept = ctx.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)

@@ -8,7 +8,6 @@ use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuil
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::model::number::grouped;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
@@ -67,10 +66,10 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     })
 }
 
-/// Returns `12,345 of 90,000 pixels shown differ`.
+/// Returns `12345 of 90000 pixels shown differ`.
 fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
-    let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
+    let (differing, pixels) = (seen.differing, seen.pixels);
     Some(match seen.differing {
         0 => format!("none of {pixels} pixels shown differs"),
         1 => format!("1 of {pixels} pixels shown differs"),

@@ -6,10 +6,10 @@ mod table;
 
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, shortest, trace};
+use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, trace};
 use pinhole_exchange::document::Document;
 
-use crate::model::number::short;
+use crate::model::number::{short, written_whole};
 use crate::model::session::{MethodName, Selection, Session};
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
@@ -190,7 +190,9 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
         // Every digit: the difference is in the last ones.
-        object => format!("hits {} at t = {}", document.title_of(object as usize), shortest(t)),
+        object => {
+            format!("hits {} at t = {}", document.title_of(object as usize), written_whole(t))
+        }
     };
     let verdict = match Comparison::new(&truth, &traced).errors[0] {
         PixelError::Wrong => "wrong".to_owned(),

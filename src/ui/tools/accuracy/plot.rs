@@ -7,7 +7,7 @@ use egui_plot::{
 use pinhole_core::methods::Method;
 
 use super::table::color_of;
-use crate::model::number::{grouped, power_of_ten, short};
+use crate::model::number::{power_of_ten, short};
 use crate::report::columns;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
@@ -114,7 +114,7 @@ fn description(row: &MethodRow) -> String {
         row.name.clone(),
         format!("{} ns a pixel", number(row.ns_per_pixel.median)),
         format!("t off by at most {} ulps of its own precision", number(row.ulp.max)),
-        format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
+        format!("{} of {} decisions wrong", row.wrong, row.decisions),
     ];
     if let Some(method) = Method::from_name(&row.name) {
         // The plot does not wrap them.

@@ -1,0 +1,102 @@
+//! One number format in the whole window: the real minus, and digits without groups.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
+
+use super::harness::{type_into, unfolded, window_with};
+
+/// Returns every name and value in the window but those of text that is being typed.
+fn texts(window: &Harness<'_, App>) -> Vec<String> {
+    let read = |node: egui_kittest::Node<'_>| {
+        let node = node.accesskit_node();
+        let is_typed =
+            node.role() == Role::TextInput || node.role() == Role::SpinButton && node.is_focused();
+        let value = node.value().filter(|_| !is_typed);
+        [node.label(), value, node.description()]
+    };
+    window.root().children_recursive().flat_map(read).flatten().collect()
+}
+
+/// Returns the parts of a text that are not in the window's number format.
+fn faults(text: &str) -> Vec<String> {
+    let letters: Vec<char> = text.chars().collect();
+    let at = |k: usize| letters.get(k).copied().unwrap_or(' ');
+    let is_digit = |k: usize| at(k).is_ascii_digit();
+    let around = |k: usize| letters[k.saturating_sub(8)..letters.len().min(k + 8)].iter().collect();
+    let mut faults = Vec::new();
+    for k in 0..letters.len() {
+        let is_joined = k > 0 && (at(k - 1).is_alphabetic() && at(k - 1) != 'e');
+        let is_minus = at(k) == '-' && (is_digit(k + 1) || at(k + 1) == '.') && !is_joined;
+        let separates = [',', ' ', '\u{2009}', '\u{202f}', '\''].contains(&at(k));
+        let is_group = separates
+            && k > 0
+            && is_digit(k - 1)
+            && (k + 1..k + 4).all(is_digit)
+            && !is_digit(k + 4);
+        if is_minus || is_group {
+            faults.push(around(k));
+        }
+    }
+    faults
+}
+
+#[test]
+fn the_faults_are_found() {
+    for text in ["x = -1", "(0, -0.5)", "1e-9", "189,489 of 2", "160 000 pixels", "160\u{202f}000"]
+    {
+        assert!(!faults(text).is_empty(), "{text}");
+    }
+    for text in ["−1", "sphere 2-a", "row 1, column 200", "ray-sphere", "82369", "3 of 400 pixels"]
+    {
+        assert_eq!(faults(text), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn every_number_in_the_window_is_written_in_one_way() {
+    let layouts = [
+        ViewLayout::Both,
+        ViewLayout::Derivation,
+        ViewLayout::Plot,
+        ViewLayout::Lines,
+        ViewLayout::Compare,
+        ViewLayout::Mistakes,
+        ViewLayout::Exercises,
+        ViewLayout::Accuracy,
+        ViewLayout::Frame,
+    ];
+    let everywhere =
+        ["canonical", "look-at"].into_iter().flat_map(|scene| layouts.map(|l| (scene, l)));
+    let further = ["inside", "almost-parallel-up", "tiny-far", "planet", "non-square"];
+    let further = further.map(|scene| (scene, ViewLayout::Derivation));
+    for (scene, layout) in everywhere.chain(further) {
+        let settings = Settings { layout, teaching: true, ..unfolded() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let mut window = window_with(scene, remembered, None);
+        for (field, text) in [("eye x", "-1.25"), ("eye y", "-12345.678")] {
+            if window.query_by_role_and_label(Role::SpinButton, field).is_some() {
+                type_into(&mut window, field, text);
+            }
+        }
+        for text in texts(&window) {
+            let faults = faults(&text);
+            assert!(faults.is_empty(), "{scene}, {layout:?}: {faults:?} in “{text}”");
+        }
+    }
+}
+
+#[test]
+fn fields_have_the_digits_of_the_settings() {
+    let value = |digits| {
+        let settings = Settings { digits, ..unfolded() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let window = window_with("canonical", remembered, None);
+        window.get_by_role_and_label(Role::SpinButton, "horizontal field of view").value()
+    };
+    assert_eq!(value(5).as_deref(), Some("53.13°"));
+    assert_eq!(value(3).as_deref(), Some("53.1°"));
+}
