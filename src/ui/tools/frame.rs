@@ -128,19 +128,19 @@ mod tests {
         let mut steps = Steps::default();
         (steps.f64, steps.double_double, steps.exact) = (2_100_000, 12, 3);
         let expected = [
-            "spheres: 1,000,000",
-            "behind the eye: 250,000",
-            "outside the picture, or between two rows: 738,000",
-            "in view: 12,000",
-            "passed over as hidden: 4,321",
-            "index blocks left out: 40,000 of 62,500",
+            "spheres: 1000000",
+            "behind the eye: 250000",
+            "outside the picture, or between two rows: 738000",
+            "in view: 12000",
+            "passed over as hidden: 4321",
+            "index blocks left out: 40000 of 62500",
             "planes asked: 1 of 2",
             "bands without a hit: 5 of 34",
-            "rows that nothing reaches: 163 of 1,080",
-            "decided in f64: 2,100,000",
+            "rows that nothing reaches: 163 of 1080",
+            "decided in f64: 2100000",
             "in double-double: 12",
             "exactly: 3",
-            "all decisions: 2,100,015",
+            "all decisions: 2100015",
         ];
         assert_eq!(said(&counts, &steps), expected);
     }

@@ -110,6 +110,7 @@ impl<'a> NumberField<'a> {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
         let speed = if self.is_whole { 1.0 } else { drag_speed(ui, id, *self.value) };
+        let is_given_up = is_given_up(ui, id);
         let fault: RefCell<Option<String>> = RefCell::new(None);
         let exact = *self.value;
         let room = self.width - 2.0 * ui.spacing().button_padding.x;
@@ -132,6 +133,9 @@ impl<'a> NumberField<'a> {
                 false => fitting(&ctx, value, suffix, &font, room),
             })
             .custom_parser(|text| {
+                if is_given_up {
+                    return None;
+                }
                 match evaluate(text).and_then(|x| in_range(x, &self.range, self.is_whole)) {
                     Ok(value) => {
                         *fault.borrow_mut() = Some(String::new());
@@ -177,6 +181,18 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     let most = theme::installed(ctx).digits;
     let mut texts = (LEAST_DIGITS..=most).rev().map(|digits| written(value, digits));
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
+}
+
+/// Returns true if Escape ended the typing into a field: what was typed is not taken over. egui takes
+/// a field that has lost the focus for one that was left by another key in the pass after that.
+fn is_given_up(ui: &Ui, id: Id) -> bool {
+    let key = id.with("given up");
+    if !ui.memory(|memory| memory.lost_focus(id)) {
+        ui.data_mut(|data| data.remove::<bool>(key));
+        return false;
+    }
+    let is_escape = ui.input(|input| input.key_pressed(egui::Key::Escape));
+    ui.data_mut(|data| *data.get_temp_mut_or(key, is_escape))
 }
 
 /// Returns the number, or an error with the valid range.
