@@ -458,9 +458,9 @@ fn an_idle_window_keeps_its_derivation() {
 #[test]
 fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
     let mut window = derivation_window("canonical");
-    let mut said = |line: &str, offset: f32| {
+    let mut said = |line: &str, [x, y]: [f32; 2]| {
         let rect = window.get_by_label(line).rect();
-        window.hover_at(rect.left_center() + egui::vec2(offset, 0.0));
+        window.hover_at(rect.left_top() + egui::vec2(x, y));
         for _ in 0..4 {
             window.step();
         }
@@ -468,16 +468,16 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
     };
     let has = |texts: &[String], words: &str| texts.iter().any(|text| text.starts_with(words));
     let (w, u) = ("𝐰: backwards, the opposite of the view", "𝐮: to the right in the image");
-    let texts = said("𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)", 14.0);
+    let texts = said("𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)", [63.0, 22.0]);
     assert!(has(&texts, w), "{texts:?}");
     let scalar = "𝑢: how far right of the viewport's middle";
     let line = "u 𝐮 = 0.2 (1, 0, 0) = (0.2, 0, 0)";
-    let texts = said(line, 12.0);
+    let texts = said(line, [83.0, 13.0]);
     assert!(has(&texts, scalar) && !has(&texts, u) && !has(&texts, w), "{texts:?}");
-    let texts = said(line, 26.0);
+    let texts = said(line, [96.0, 13.0]);
     assert!(has(&texts, u) && !has(&texts, scalar), "{texts:?}");
     // Numbers mean nothing but themselves.
-    let texts = said(line, 80.0);
+    let texts = said(line, [150.0, 13.0]);
     assert!(!has(&texts, u) && !has(&texts, scalar), "{texts:?}");
 }
 

@@ -183,16 +183,29 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
-/// Returns true if Escape ended the typing into a field: what was typed is not taken over. egui takes
-/// a field that has lost the focus for one that was left by another key in the pass after that.
+/// The typing into a field, from one pass to the next.
+#[derive(Clone, Copy, Default, PartialEq)]
+enum Typing {
+    #[default]
+    GoesOn,
+    GivenUp,
+}
+
+/// Returns true if Escape ended the typing into a field: what was typed is not taken over. egui would
+/// do so in the pass after that, in which Escape is no longer pressed.
 fn is_given_up(ui: &Ui, id: Id) -> bool {
-    let key = id.with("given up");
-    if !ui.memory(|memory| memory.lost_focus(id)) {
-        ui.data_mut(|data| data.remove::<bool>(key));
+    let key = id.with("typing");
+    let before = ui.data_mut(|data| data.remove_temp::<Typing>(key));
+    let is_escape = ui.input(|input| input.key_pressed(egui::Key::Escape));
+    if ui.memory(|memory| memory.has_focus(id)) {
+        ui.data_mut(|data| data.insert_temp(key, Typing::GoesOn));
         return false;
     }
-    let is_escape = ui.input(|input| input.key_pressed(egui::Key::Escape));
-    ui.data_mut(|data| *data.get_temp_mut_or(key, is_escape))
+    let ends_now = before == Some(Typing::GoesOn) && is_escape;
+    if ends_now {
+        ui.data_mut(|data| data.insert_temp(key, Typing::GivenUp));
+    }
+    ends_now || before == Some(Typing::GivenUp)
 }
 
 /// Returns the number, or an error with the valid range.
