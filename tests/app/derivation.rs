@@ -6,6 +6,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::concept::{Concept, HoverSource, Hovered};
+use pinhole::model::lessons::LessonArgument;
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
@@ -415,36 +416,79 @@ fn three_decimals_while_presenting() {
     assert!(!texts_with(&window, "(21, 4, 15)/√682").is_empty(), "short forms stay");
 }
 
-#[test]
-fn lines_are_revealed_one_by_one() {
+/// Presents a lesson whose second step shows the derivation; `more` belongs to that step.
+fn presented_derivation(folder: &std::path::Path, more: &str) -> Harness<'static, App> {
+    let path = folder.join("mine.toml");
+    let text = format!(
+        "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"One\"\ntext = \"Look.\"\n\
+         scene = \"canonical\"\nlayout = \"both\"\n[[step]]\ntitle = \"Two\"\ntext = \"See.\"\n\
+         layout = \"derivation\"\nderivation = [\"basis\", \"pixel-to-ray\", \"objects\"]\n{more}"
+    );
+    std::fs::write(&path, text).unwrap();
+    let (id, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();
     let mut window = derivation_window("canonical");
-    let lines = |window: &Harness<'_, App>| {
-        let derivation = window.state().derived().derivation.clone().unwrap();
-        let lines = derivation.sections.iter().flat_map(|section| &section.lines);
-        let texts: Vec<String> = lines.map(ToString::to_string).collect();
-        assert_eq!(texts.len(), derivation.line_count());
-        texts
-    };
-    let all = lines(&window);
-    let top = |window: &Harness<'_, App>, line: &str| window.get_by_label(line).rect().top();
-    let before = top(&window, "at = (0, 0, −1)");
-    for count in [0, 1, 2, 12, all.len() - 1, all.len(), all.len() + 5] {
-        window.state_mut().reveal_lines(Some(count));
+    window.state_mut().open_lesson(id, file);
+    for key in [egui::Key::F5, egui::Key::PageDown] {
+        window.key_press(key);
         window.run();
+    }
+    window
+}
+
+fn lines(window: &Harness<'_, App>) -> Vec<String> {
+    let derivation = window.state().derived().derivation.clone().unwrap();
+    let lines = derivation.sections.iter().flat_map(|section| &section.lines);
+    let texts: Vec<String> = lines.map(ToString::to_string).collect();
+    assert_eq!(texts.len(), derivation.line_count());
+    texts
+}
+
+#[test]
+fn page_down_reveals_line_by_line_before_an_audience() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = presented_derivation(folder.path(), "");
+    let all = lines(&window);
+    for count in 0..=all.len() {
         for (k, line) in all.iter().enumerate() {
             assert_eq!(says(&window, line), k < count, "{line} with {count} lines revealed");
         }
         if count < 2 {
             assert!(!fields(&window).contains(&"at x".to_owned()));
         }
-        if count == 2 {
-            assert_eq!(top(&window, "at = (0, 0, −1)"), before, "nothing jumps");
-        }
+        window.key_press(egui::Key::PageDown);
+        window.run();
     }
-    assert_eq!(lines(&window), all);
-    window.state_mut().reveal_lines(None);
+    window.key_press(egui::Key::PageUp);
     window.run();
-    assert!(all.iter().all(|line| says(&window, line)));
+    window.key_press(egui::Key::PageDown);
+    window.run();
+    assert!(!says(&window, &all[0]), "it begins again");
+    window.key_press(egui::Key::F5);
+    window.run();
+    assert!(all.iter().all(|line| says(&window, line)), "nothing is kept back from one reader");
+}
+
+#[test]
+fn a_step_reveals_the_lines_that_it_is_about_and_the_next_one_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let more =
+        "highlight = \"w\"\n[[step]]\ntitle = \"Three\"\ntext = \"On.\"\nhighlight = \"u\"\n";
+    let mut window = presented_derivation(folder.path(), more);
+    let all = lines(&window);
+    let shown = |window: &Harness<'_, App>| all.iter().filter(|line| says(window, line)).count();
+    let mut counts = Vec::new();
+    while window.state().lesson().unwrap().id().step == 1 {
+        counts.push(shown(&window));
+        window.key_press(egui::Key::PageDown);
+        window.run();
+    }
+    let through_w = *counts.last().unwrap();
+    assert_eq!(counts, (0..=through_w).collect::<Vec<_>>());
+    assert!(through_w > 0 && through_w < all.len(), "{through_w} of {all:?}");
+    assert_eq!(shown(&window), through_w, "the next step begins with what was shown");
+    window.key_press(egui::Key::PageDown);
+    window.run();
+    assert_eq!(shown(&window), through_w + 1);
 }
 
 #[test]

@@ -79,6 +79,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
 /// stay with the step's scene, which stays open.
 pub fn restore(before: &Session, session: &mut Session) {
     session.is_asking = false;
+    session.revealed_lines = None;
     session.sections = before.sections;
     session.highlighted = before.highlighted;
     session.ray_point_t = before.ray_point_t;

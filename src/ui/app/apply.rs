@@ -192,12 +192,12 @@ impl App {
     }
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
+        let derivation = self.views.derived.derivation.as_deref();
+        if action == LessonAction::Next && self.scene.reveal(derivation) {
+            return None;
+        }
         let open = self.scene.lessons.open.as_ref()?;
         let to = match action {
-            LessonAction::Next if self.scene.session.is_asking => {
-                self.scene.answer();
-                return None;
-            }
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
             LessonAction::Close => {
@@ -208,9 +208,10 @@ impl App {
         let leave = Leave::GoTo(to?);
         self.playback.give_back(&mut self.scene);
         let dialog = self.leave(ctx, leave);
-        // Who goes back has heard the answer.
+        // Who goes back has heard the answer, and seen every line.
         if action == LessonAction::Previous && dialog.is_none() {
             self.scene.answer();
+            self.scene.session.revealed_lines = None;
         }
         dialog
     }

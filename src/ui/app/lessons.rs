@@ -7,12 +7,13 @@ use egui::{Panel, Ui};
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
-use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, apply};
+use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::observer::Observer;
 use crate::model::session::pen::Pen;
-use crate::model::session::{Session, Settings};
+use crate::model::session::{Session, Settings, Workspace};
 use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;
+use crate::view::derivation::Derivation;
 
 /// The lesson that is open, and what is needed to leave it without a trace.
 #[derive(Clone, Debug, Default)]
@@ -57,9 +58,10 @@ impl OpenScene {
     /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
     /// where there is no such step.
     pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
+        self.lessons.file = file.or(self.lessons.file.take());
+        let next = OpenLesson::at(id, self.lessons.file.as_ref())?;
+        self.session.revealed_lines = self.lines_to_begin_with(next.step());
         let lessons = &mut self.lessons;
-        lessons.file = file.or(lessons.file.take());
-        let next = OpenLesson::at(id, lessons.file.as_ref())?;
         let is_step = matches!(self.open.origin(), Origin::Step(_));
         let same_scene =
             is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
@@ -90,6 +92,39 @@ impl OpenScene {
         self.open_lesson(id, None).unwrap_or_default()
     }
 
+    /// Shows what the step keeps back: the answer to its question, or, before an audience, the
+    /// derivation's next line, up to those that it is about. Returns false if all is shown.
+    pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
+        if self.session.is_asking {
+            self.answer();
+            return true;
+        }
+        let session = &mut self.session;
+        let (Some(count), Some(derivation)) = (session.revealed_lines, derivation) else {
+            return false;
+        };
+        let is_left = count < derivation.lines_through(session.highlighted);
+        if is_left {
+            session.revealed_lines = Some(count + 1);
+        }
+        is_left
+    }
+
+    /// Returns the number of the derivation's lines to begin a step with: before an audience those that
+    /// the step before has shown, if it is the same derivation.
+    fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
+        let session = &self.session;
+        session.presenting?;
+        let layout = step.view.layout.unwrap_or(session.settings.layout);
+        if layout.workspace() != Some(Workspace::Derivation) {
+            return None;
+        }
+        let is_same = self.open.document == step.document
+            && session.selection == step.selection
+            && step.view.derivation.is_none_or(|sections| sections == session.sections);
+        Some(session.revealed_lines.filter(|_| is_same).unwrap_or(0))
+    }
+
     /// Shows the answer to the step's question.
     pub(super) fn answer(&mut self) {
         if let Some(open) = &self.lessons.open {
@@ -103,8 +138,10 @@ impl OpenScene {
             return Opened::default();
         };
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.is_asking);
+        let revealed_lines = self.session.revealed_lines;
         apply::clear_answers(open.step(), &mut self.session);
         let opened = self.open_lesson(open.id(), None).unwrap_or_default();
+        self.session.revealed_lines = revealed_lines;
         if !is_asking {
             self.answer();
         }

@@ -63,6 +63,7 @@ fn present_or_end(session: &mut Session) {
             session.settings.layout = presenting.before(session.settings.layout);
             session.spotlight = presenting.spotlight_before();
             session.pen = None;
+            session.revealed_lines = None;
         }
     }
 }

@@ -163,11 +163,6 @@ impl App {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
-    /// Shows only so many of the derivation's lines, from its first one; `None` shows all.
-    pub fn reveal_lines(&mut self, count: Option<usize>) {
-        self.scene.session.revealed_lines = count;
-    }
-
     /// Has all frames timed from now on, for those who keep a log.
     pub(crate) fn time_frames(&mut self) {
         self.views.frame_work = Some(FrameWork::default());

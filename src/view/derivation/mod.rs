@@ -108,6 +108,13 @@ impl Derivation {
     pub fn line_count(&self) -> usize {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
+
+    /// Returns the number of lines up to the last one about this concept; all of them where none is.
+    pub fn lines_through(&self, concept: Option<Concept>) -> usize {
+        let lines = self.sections.iter().flat_map(|section| &section.lines);
+        let about = lines.enumerate().filter(|(_, line)| concept.is_some_and(|c| line.is_about(c)));
+        about.last().map_or(self.line_count(), |(k, _)| k + 1)
+    }
 }
 
 impl fmt::Display for Derivation {
