@@ -294,6 +294,8 @@ fn reads(text: &str, (name, reading): Reads) -> bool {
         return true;
     }
     let Some(rest) = rest.strip_prefix(" = ") else { return false };
+    // What follows is rounded, or a note.
+    let rest = rest.split("; ").next().unwrap_or_default();
     let exact = |text: &str| text.split(" ≈ ").next() == Some(reading);
     exact(rest) || rest.rsplit(" = ").next().is_some_and(exact)
 }
