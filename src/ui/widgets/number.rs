@@ -29,13 +29,24 @@ pub(crate) struct NumberField<'a> {
     width: f32,
     range: RangeInclusive<f64>,
     is_whole: bool,
+    /// True if the number is painted elsewhere while it is not being typed.
+    is_over: bool,
 }
 
 impl<'a> NumberField<'a> {
     /// Creates a field with the accessible name `name`.
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
         let range = f64::MIN..=f64::MAX;
-        NumberField { name, hint: name, value, suffix: "", width: 78.0, range, is_whole: false }
+        NumberField {
+            name,
+            hint: name,
+            value,
+            suffix: "",
+            width: 78.0,
+            range,
+            is_whole: false,
+            is_over: false,
+        }
     }
 
     /// Adds a unit after the number.
@@ -83,11 +94,10 @@ impl<'a> NumberField<'a> {
         let mut inside = ui.new_child(UiBuilder::new().scope_id(place).max_rect(rect));
         inside.spacing_mut().interact_size.y = rect.height();
         let style = inside.style_mut();
-        let font = FontId::proportional(if is_typed { size } else { 1.0 });
+        let font = FontId::proportional(size);
         style.text_styles.insert(style.drag_value_text_style.clone(), font);
         if !is_typed {
             style.spacing.button_padding = Vec2::ZERO;
-            style.visuals.override_text_color = Some(Color32::TRANSPARENT);
             let tint = style.visuals.selection.bg_fill.gamma_multiply(0.4);
             let widgets = &mut style.visuals.widgets;
             for (visuals, fill) in [
@@ -100,7 +110,8 @@ impl<'a> NumberField<'a> {
                 visuals.expansion = 1.0;
             }
         }
-        let response = self.width(rect.width()).show(&mut inside);
+        let field = NumberField { is_over: true, ..self.width(rect.width()) };
+        let response = field.show(&mut inside);
         ui.data_mut(|data| data.insert_temp(place, response.id));
         response
     }
@@ -115,10 +126,11 @@ impl<'a> NumberField<'a> {
         let exact = *self.value;
         let room = self.width - 2.0 * ui.spacing().button_padding.x;
         let font = ui.style().drag_value_text_style.resolve(ui.style());
+        let room = if self.is_over { f32::INFINITY } else { room };
         let short = |value: f64| fitting(ui.ctx(), value, self.suffix, &font, room);
         let shown_whole = short(exact).replace('−', "-").parse() == Ok(exact);
-        let (ctx, suffix) = (ui.ctx().clone(), self.suffix);
-        let field = DragValue::new(self.value)
+        let (ctx, suffix, is_over) = (ui.ctx().clone(), self.suffix, self.is_over);
+        let field = DragValue::new(&mut *self.value)
             .speed(speed)
             .range(self.range.clone())
             .clamp_existing_to_range(false)
@@ -130,6 +142,7 @@ impl<'a> NumberField<'a> {
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
             .custom_formatter(|value, _| match typing {
                 true => shortest(value),
+                false if is_over => String::new(),
                 false => fitting(&ctx, value, suffix, &font, room),
             })
             .custom_parser(|text| {
@@ -152,6 +165,10 @@ impl<'a> NumberField<'a> {
             select_all(ui, &response, &shortest(exact));
         }
         let response = response.named(self.name);
+        let response = match is_over && !typing {
+            true => response.spoken(written(*self.value, theme::installed(&ctx).digits)),
+            false => response,
+        };
         show_fault(ui, id, fault.into_inner(), &response);
         if typing || shown_whole || response.dragged() {
             response
@@ -166,8 +183,8 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// Formats the number with as many digits as the settings say and fit into `room`, in points: a field that grew with its
-/// number would push the views aside during a drag in them.
+/// Formats the number with as many digits as the settings say and fit into `room`, in points: a field
+/// that grew with its number would push the views aside during a drag in them.
 fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
     let fits = |text: &String| {
         let whole = format!("{text}{suffix}");

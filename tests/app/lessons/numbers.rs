@@ -36,7 +36,11 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     // u = 5.5/8 - 1/2 and v = 1/2 - 2.5/8.
     (1, 2, &[("pixel", "row 2, column 5"), ("(u, v)", "(0.1875, 0.1875)")]),
     // -1/800 and 201/800.
-    (1, 3, &[("row i", "100, column j = 200"), ("u", "−0.00125"), ("v", "0.25125")]),
+    (
+        1,
+        3,
+        &[("row i", "100, column j = 200; counted from 1"), ("u", "−0.00125"), ("v", "0.25125")],
+    ),
     (1, 4, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (−0.00125, 0.25125, −1)")]),
     (2, 1, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (0.2, −0.1, −1)")]),
     (2, 2, &[("(u, v)", "(0.2, −0.1)"), ("pixel", "the corner of four pixels")]),
@@ -353,7 +357,10 @@ fn a_text_reads_its_first_name_and_its_last_value() {
     let line =
         "𝐮 = normalize(up × 𝐰) = (0.57, 0)/0.98 = (5, 0, −7)/√74 ≈ (0.58, 0, −0.81)   (a, b)";
     assert!(reads(line, ("𝐮", "(5, 0, −7)/√74")));
-    assert!(reads("row i = 100, column j = 200   (from 1)", ("row i", "100, column j = 200")));
+    assert!(reads(
+        "row i = 100, column j = 200   (from 1)",
+        ("row i", "100, column j = 200; counted from 1")
+    ));
     assert!(reads("|𝐮|: 1 passes", ("|𝐮|", "1 passes")));
     for wrong in [("𝐮", "(5, 0, −7)/√7"), ("𝐯", "(5, 0, −7)/√74"), ("𝐮", "(0.57, 0)/0.98")]
     {
