@@ -325,7 +325,7 @@ fn nothing_that_is_rounded_stands_behind_an_equals_sign() {
                     let numbers = term.split(|c: char| !(c.is_ascii_digit() || c == '.'));
                     let digits = |number: &str| {
                         let digits = number.chars().filter(char::is_ascii_digit);
-                        digits.collect::<String>().trim_start_matches('0').len()
+                        digits.collect::<String>().trim_matches('0').len()
                     };
                     let longest = numbers.map(digits).max().unwrap_or(0);
                     assert!(relation != Some('=') || longest <= 12, "{scene}: {line}");

@@ -4,8 +4,9 @@
 //! formulas in a column stand below each other; later lines begin there, each with its relation. A
 //! line has one form of a vector at most: the next one begins a new line, at whatever width, so that
 //! nothing jumps while numbers change. A formula that is too wide is broken before `=` and other
-//! relations; a piece that is still too wide is broken before `+`, `×` and other operators; then
-//! vectors are written as columns; then the text gets smaller. No line is wider than the column.
+//! relations; a piece that is still too wide is broken before `+`, `×` and other operators; what is
+//! only a little too wide then gets a little smaller; then vectors are written as columns; then the
+//! text gets as small as it must. No line is wider than the column.
 
 use super::layout::{Layout, Measure, room, row};
 use super::{Direction, Formula, Operator};
@@ -83,8 +84,16 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
     cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
 }
 
-/// Sets a piece that is too wide for a line: first with vectors as columns, then also smaller.
+/// Size of a piece that is a little too wide, relative to the others.
+const TIGHT: f32 = 0.88;
+
+/// Sets a piece that is too wide for a line: a little smaller where that is enough, then with vectors
+/// as columns, then also smaller.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn Measure) -> Layout {
+    let tight = row(parts, TIGHT * size, measure);
+    if tight.width <= width {
+        return tight;
+    }
     let columns: Vec<Formula> = parts.iter().map(upright).collect();
     let single = row(&columns, size, measure);
     if single.width <= width {

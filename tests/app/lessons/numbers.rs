@@ -36,11 +36,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     // u = 5.5/8 - 1/2 and v = 1/2 - 2.5/8.
     (1, 2, &[("pixel", "row 2, column 5"), ("(u, v)", "(0.1875, 0.1875)")]),
     // -1/800 and 201/800.
-    (
-        1,
-        3,
-        &[("row i", "100, column j = 200; counted from 1"), ("u", "−0.00125"), ("v", "0.25125")],
-    ),
+    (1, 3, &[("row i", "100, column j = 200"), ("u", "−0.00125"), ("v", "0.25125")]),
     (1, 4, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (−0.00125, 0.25125, −1)")]),
     (2, 1, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (0.2, −0.1, −1)")]),
     (2, 2, &[("(u, v)", "(0.2, −0.1)"), ("pixel", "the corner of four pixels")]),
@@ -84,7 +80,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     ),
     (4, 1, &[("𝐩 + t 𝐝", "(0.5, 0.4, 1) + t (0.2, −0.1, −1)")]),
     // at - eye = (-0.5, -0.4, -6), ten times which is (-5, -4, -60): 25 + 16 + 3600 = 3641.
-    (4, 2, &[("−distance 𝐰", "(−5, −4, −60)/√3641")]),
+    (4, 2, &[("−distance 𝐰", "(−0.082863, −0.06629, −0.99435)")]),
     // 0.2, -0.1 and -1 in three bases.
     (
         5,
@@ -286,13 +282,13 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (13, 3, &[("(u, v)", "(0.00125, −0.00125)"), ("t", "23.115")]),
 ];
 
-/// What a text says of what: `𝐮 = normalize(…) = (1, 0, 0)/1 = (1, 0, 0)   (a remark)` reads
+/// What a text says of what: `𝐮 = normalize(…) = (1, 0, 0)/1 = (1, 0, 0); a remark` reads
 /// `(1, 0, 0)` for 𝐮, and so does all that stands between; `|𝐮|: 1 passes` reads `1 passes`.
 fn reads(text: &str, (name, reading): Reads) -> bool {
     if name == SAYS {
         return text == reading;
     }
-    let text = text.split("   (").next().unwrap_or_default();
+    let text = text.split("; ").next().unwrap_or_default();
     let Some(rest) = text.strip_prefix(name) else { return false };
     if rest.strip_prefix(": ") == Some(reading) {
         return true;
@@ -301,7 +297,9 @@ fn reads(text: &str, (name, reading): Reads) -> bool {
     // What follows is rounded, or a note.
     let rest = rest.split("; ").next().unwrap_or_default();
     let exact = |text: &str| text.split(" ≈ ").next() == Some(reading);
-    exact(rest) || rest.rsplit(" = ").next().is_some_and(exact)
+    exact(rest)
+        || rest.rsplit(" = ").next().is_some_and(exact)
+        || rest.rsplit(" ≈ ").next() == Some(reading)
 }
 
 /// Every text on the screen, and every value with its label.
@@ -354,13 +352,9 @@ fn no_step_is_without_a_number() {
 
 #[test]
 fn a_text_reads_its_first_name_and_its_last_value() {
-    let line =
-        "𝐮 = normalize(up × 𝐰) = (0.57, 0)/0.98 = (5, 0, −7)/√74 ≈ (0.58, 0, −0.81)   (a, b)";
+    let line = "𝐮 = normalize(up × 𝐰) = (0.57, 0)/0.98 = (5, 0, −7)/√74 ≈ (0.58, 0, −0.81); a, b";
     assert!(reads(line, ("𝐮", "(5, 0, −7)/√74")));
-    assert!(reads(
-        "row i = 100, column j = 200   (from 1)",
-        ("row i", "100, column j = 200; counted from 1")
-    ));
+    assert!(reads("row i = 100, column j = 200; from 1", ("row i", "100, column j = 200")));
     assert!(reads("|𝐮|: 1 passes", ("|𝐮|", "1 passes")));
     for wrong in [("𝐮", "(5, 0, −7)/√7"), ("𝐯", "(5, 0, −7)/√74"), ("𝐮", "(0.57, 0)/0.98")]
     {
