@@ -293,7 +293,8 @@ fn reads(text: &str, (name, reading): Reads) -> bool {
     if rest.strip_prefix(": ") == Some(reading) {
         return true;
     }
-    let Some(rest) = rest.strip_prefix(" = ") else { return false };
+    let related = rest.strip_prefix(" = ").or_else(|| rest.strip_prefix(" ≈ "));
+    let Some(rest) = related else { return false };
     // What follows is rounded, or a note.
     let rest = rest.split("; ").next().unwrap_or_default();
     let exact = |text: &str| text.split(" ≈ ").next() == Some(reading);
