@@ -101,7 +101,7 @@ case ":${XDG_DATA_HOME:-${HOME-}/.local/share}:${XDG_DATA_DIRS:-/usr/local/share
 esac
 
 if [ "$assets" = "$here" ]; then put "$here/pinhole" bin/pinhole 755; fi
-icon_file=share/icons/hicolor/128x128/apps/pinhole.png
+icon_file=share/icons/hicolor/256x256/apps/pinhole.png
 put "$assets/icon.png" "$icon_file" 644
 put_desktop_entry
 for page in "$assets"/man/*.1; do

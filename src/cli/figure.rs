@@ -15,7 +15,7 @@ use crate::cli::arguments::FigureArguments;
 use crate::figures::{
     self, Animation, Content, Frames, Order, Recorder, Reel, Subject, check_name,
 };
-use crate::model::observer::Observer;
+use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
 use crate::model::session::{Selection, Session};
@@ -96,7 +96,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
 fn start_of(document: &Document, session: &Session) -> Start {
     // The ray is asked about wherever the derivation is open.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
-    Start::new(document, session, derived.inspection.as_deref())
+    Start::new(document, session, derived.inspection.as_deref(), derived.scene.as_deref())
 }
 
 fn frames_of(arguments: &FigureArguments, kind: Kind) -> Frames {
@@ -174,8 +174,8 @@ fn session_of(
     }
     if sees {
         let objects = document.scene().map_err(|error| scene_fault(scene, error))?;
-        let aspect = f64::from(width) / f64::from(height);
-        session.observer = Some(Observer::frame_all(&document.camera, &objects, aspect));
+        let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
+        session.observer = Some(Observer::frame_all(&document.camera, &objects, size));
     }
     // What goes along a ray is nothing without one.
     let sends_rays = arguments.play.is_some_and(|kind| !kind.moves_camera());

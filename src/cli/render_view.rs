@@ -7,7 +7,7 @@ use super::error::CommandError;
 use crate::cli::arguments::View;
 use crate::figures::{self, Look};
 use crate::model::fault::Fault;
-use crate::model::observer::Observer;
+use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Session, Settings};
 use crate::view::overlay::Style;
@@ -90,7 +90,11 @@ fn with_overlay(
         OverlayItems::NONE.with(Item::Planes, true)
     };
     let session = Session {
-        observer: Some(Observer::frame_all(&document.camera, scene, size.aspect())),
+        observer: Some(Observer::frame_all(
+            &document.camera,
+            scene,
+            ViewSize::of_aspect(size.aspect()),
+        )),
         settings: Settings { shade: options.shade, items, ..Settings::default() },
         ..Session::default()
     };

@@ -80,7 +80,7 @@ fn what_is_installed_is_found_by_its_path_and_goes_without_a_trace() {
         assert_eq!(value(&prefix, "Exec"), format!("{start} %f"));
         let plain = prefix.display().to_string().replace('\\', "\\\\");
         assert_eq!(value(&prefix, "TryExec"), format!("{plain}/bin/pinhole"));
-        let icon = format!("{plain}/share/icons/hicolor/128x128/apps/pinhole.png");
+        let icon = format!("{plain}/share/icons/hicolor/256x256/apps/pinhole.png");
         assert_eq!(value(&prefix, "Icon"), icon);
         let started = Command::new(prefix.join("bin/pinhole")).output().unwrap();
         assert_eq!(started.stdout, b"started\n");

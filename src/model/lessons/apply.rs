@@ -4,6 +4,7 @@
 use pinhole_exchange::document::Document;
 
 use super::lesson::Step;
+use crate::model::concept::Concept;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::practice::exercises::Exercises;
@@ -12,7 +13,8 @@ use crate::model::session::Session;
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
 ///
-/// `seen_from` is the observer from which the step was first seen, for a step that specifies none.
+/// `seen_from` is the observer from which the step was first seen, if it was: the one that the step
+/// specifies, fitted to the view.
 pub fn apply(
     step: &Step,
     seen_from: Option<Observer>,
@@ -47,10 +49,11 @@ pub fn clear_answers(step: &Step, session: &mut Session) {
 fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
     let view = &step.view;
-    session.observer = view.observer.or(seen_from).or(session.observer);
+    session.observer = seen_from.or(view.observer).or(session.observer);
     set(&mut session.sections, view.derivation);
     set(&mut session.highlighted, view.highlighted);
     session.ray_point_t = view.t;
+    session.spoken = Some(dragged(&step.text));
     set(&mut session.lines, view.lines.clone());
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
@@ -82,6 +85,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.revealed_lines = None;
     session.sections = before.sections;
     session.highlighted = before.highlighted;
+    session.spoken = before.spoken.clone();
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
     session.mistakes_view = before.mistakes_view;
@@ -107,6 +111,25 @@ pub fn differs(
     set_view(step, seen_from, &mut as_step);
     clear_answers(step, &mut as_step);
     step.document != *document || as_step != *session
+}
+
+/// Returns the concepts whose names stand in a sentence that asks to drag something.
+fn dragged(text: &str) -> Vec<Concept> {
+    const NAMES: [(&str, Concept); 7] = [
+        ("*width*", Concept::Viewport),
+        ("*height*", Concept::Viewport),
+        ("viewport", Concept::Viewport),
+        ("*distance*", Concept::Distance),
+        ("pixel", Concept::Pixel),
+        ("**v**", Concept::V),
+        ("**w**", Concept::W),
+    ];
+    let asks = |sentence: &&str| sentence.contains("Drag") || sentence.contains("drag");
+    let sentences = text.split(". ").filter(asks);
+    sentences
+        .flat_map(|sentence| NAMES.into_iter().filter(|(name, _)| sentence.contains(name)))
+        .map(|(_, concept)| concept)
+        .collect()
 }
 
 fn set<T>(value: &mut T, chosen: Option<T>) {

@@ -16,6 +16,7 @@ const SPECK: f64 = 2e-3;
 
 /// Margin around what must be in sight, as a share of half the picture.
 const MARGIN: f64 = 0.1;
+const MARGIN_AT_TIPS: f64 = 0.02;
 
 /// Maximum number of objects that are considered.
 const ASKED_SPHERES: usize = 2048;
@@ -37,14 +38,50 @@ const LARGE_ENOUGH: f64 = 0.22;
 /// the observer would lose the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// Length of the arrows from the eye, as a share of the near size.
-const ARROWS: f64 = 1.15;
+/// Length of the basis arrows on the screen, in points: at least and at most. Between the two it is
+/// one world unit.
+pub const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
-/// Length of the arrows for a distant observer: they keep their size on the screen and so reach
-/// farther in the world. This share of the way to the farthest sphere, and at most this many near
-/// sizes.
-const ARROWS_FROM_AFAR: f64 = 0.12;
-const LONGEST_ARROWS: f64 = 3.5;
+/// Length of the up arrow, as a multiple of the basis arrows' length.
+pub const UP_LENGTH: f64 = 1.35;
+
+/// Length of the arrows of the world's axes, likewise.
+pub const AXIS_LENGTH: f64 = 1.75;
+
+/// Room beyond an arrow's tip for its handle and its label, in points.
+const TIP_ROOM: f64 = 26.0;
+
+/// Number of times that the arrows, which keep their size on the screen, are measured for a fit.
+const ROUNDS: usize = 3;
+
+/// Maximum ratio of a kept observer's distances after and before it steps back.
+const LONGEST_STEP_BACK: f64 = 1.8;
+
+/// The size of the world view on the screen, in points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewSize {
+    /// The width.
+    pub width: f64,
+    /// The height.
+    pub height: f64,
+}
+
+impl ViewSize {
+    /// Returns a view of ordinary height with this ratio of width to height.
+    pub fn of_aspect(aspect: f64) -> ViewSize {
+        ViewSize { width: 480.0 * tame_aspect(aspect), height: 480.0 }
+    }
+
+    /// Returns the ratio of width to height, within reason.
+    pub fn aspect(self) -> f64 {
+        tame_aspect(self.width / self.height)
+    }
+
+    /// Returns the world length that covers a point on the screen at this depth.
+    fn world_per_point(self, depth: f64) -> f64 {
+        extent_of_fov(FOV, depth) / self.height.max(1.0)
+    }
+}
 
 /// A ball that must be in sight.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +93,7 @@ struct Ball {
 /// Everything that must be in sight, including the camera.
 struct Subject {
     balls: Vec<Ball>,
+    arrows: Arrows,
     eye: DVec3,
     /// Direction from the scene to the camera: w, or +z for an invalid camera.
     back: DVec3,
@@ -72,12 +110,11 @@ struct Subject {
 impl Observer {
     /// Returns an observer behind the camera's shoulder that has in sight the eye, the viewport,
     /// the basis arrows, at, and all spheres that are not out of scale. It stands as far to the
-    /// side as the camera's size in the picture allows. `aspect` is the picture's width by height.
+    /// side as the camera's size in the picture allows.
     ///
     /// Perspective makes this possible: an observer close behind a small camera also sees what the
     /// camera looks at from afar, small, in the distance, as on a whiteboard.
-    pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
-        let aspect = tame_aspect(aspect);
+    pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         let subject = Subject::new(camera, scene);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
@@ -90,7 +127,7 @@ impl Observer {
             for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
                 let azimuth = behind + side * beside.to_radians();
                 let from = Observer::new(DVec3::ZERO, azimuth, above.to_radians(), 1.0);
-                let observer = subject.fit(&from, aspect);
+                let observer = subject.fit(&from, size);
                 let score = subject.score(&observer) + 0.1 * side;
                 if best.is_none_or(|(most, _)| score > most) {
                     best = Some((score, observer));
@@ -100,16 +137,40 @@ impl Observer {
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
 
+    /// Returns an observer in the same direction that has everything in sight, in a view of another
+    /// size.
+    pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
+        Subject::new(camera, scene).fit(self, size)
+    }
+
+    /// Returns the observer, moved straight back until the camera is in sight with all its arrows and
+    /// their labels. It stays if it is so near that eye or viewport are meant to be out of sight.
+    pub fn keeping_in_sight(&self, camera: &Camera, size: ViewSize) -> Observer {
+        if self.distance_for(camera, 1.25) > self.distance {
+            return *self;
+        }
+        let arrows = Arrows::new(camera);
+        let mut distance = self.distance_for(camera, size.aspect()).max(self.distance);
+        for _ in 0..ROUNDS {
+            let stand = self.target + distance * self.back();
+            let tips = arrows.tips(camera.eye, (stand - camera.eye).dot(self.back()), size);
+            let needed = tips.map(|tip| self.distance_for_ball(&tip, size.aspect(), MARGIN_AT_TIPS));
+            distance = needed.filter(|d| d.is_finite()).fold(self.distance, f64::max);
+        }
+        let distance = distance.max(self.distance_for(camera, size.aspect()));
+        Observer { distance: distance.min(LONGEST_STEP_BACK * self.distance), ..*self }.in_range()
+    }
+
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the
     /// picture.
-    pub fn framing_camera(&self, camera: &Camera, aspect: f64) -> Observer {
+    pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {
         let orientation = match camera.orientation {
             // The point that the camera looks at need not be in the picture.
             Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::new(&alone, &Scene::default()).fit(self, tame_aspect(aspect))
+        Subject::new(&alone, &Scene::default()).fit(self, size)
     }
 
     /// Moves the observer straight back until the eyes and viewports of all these cameras are in
@@ -124,20 +185,58 @@ impl Observer {
     }
 
     /// Returns the distance from which a camera's eye and viewport are in sight, with a small
-    /// margin. With the target in the middle, (x, y, z) is in sight from `z + |x| / k`, and
-    /// similarly for y.
+    /// margin.
     fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
-        let back = self.back();
-        let (right, up) = self.right_and_up();
-        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - 0.5 * MARGIN);
         let corners =
             camera.resolve().map_or(Vec::new(), |resolved| frustum_corners(&resolved, 1.0).into());
-        let points = corners.iter().map(|ball: &Ball| ball.center).chain([camera.eye]);
-        let distances = points.map(|point| {
-            let q = point - self.target();
-            q.dot(back) + (q.dot(right).abs() / (slope * aspect)).max(q.dot(up).abs() / slope)
-        });
+        let balls = corners.into_iter().chain([Ball { center: camera.eye, radius: 0.0 }]);
+        let distances = balls.map(|ball| self.distance_for_ball(&ball, aspect, 0.5 * MARGIN));
         distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Returns the distance from which a ball is in sight. With the target in the middle, a point
+    /// (x, y, z) is in sight from `z + |x| / k`, and similarly for y.
+    fn distance_for_ball(&self, ball: &Ball, aspect: f64, margin: f64) -> f64 {
+        let (back, (right, up)) = (self.back(), self.right_and_up());
+        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - margin);
+        let q = ball.center - self.target();
+        let reach = |axis: DVec3| q.dot(axis).abs() + ball.radius;
+        q.dot(back) + (reach(right) / (slope * aspect)).max(reach(up) / slope)
+    }
+}
+
+/// The unit vectors of the arrows at the eye, with their lengths as multiples of the basis arrows',
+/// and the axes at the origin, if they are beside the camera.
+struct Arrows {
+    at_eye: Vec<(DVec3, f64)>,
+    has_axes: bool,
+}
+
+impl Arrows {
+    fn new(camera: &Camera) -> Arrows {
+        let mut at_eye = Vec::new();
+        let mut has_axes = false;
+        if let Ok(resolved) = camera.resolve() {
+            let (basis, viewport) = (resolved.basis(), resolved.viewport());
+            at_eye.extend([basis.u, basis.v, basis.w].map(|axis| (axis, 1.0)));
+            let near = viewport.width.max(viewport.height).max(viewport.distance);
+            has_axes = camera.eye.length() <= near;
+        }
+        if !matches!(camera.orientation, Orientation::Basis(_)) {
+            let up = camera.up() / camera.up().abs().max_element();
+            at_eye.extend(up.is_finite().then(|| (up.normalize(), UP_LENGTH)));
+        }
+        Arrows { at_eye, has_axes }
+    }
+
+    /// Returns the tips, with room for their labels, for an observer at this depth from the eye.
+    fn tips(&self, eye: DVec3, depth: f64, size: ViewSize) -> impl Iterator<Item = Ball> + '_ {
+        let per_point = size.world_per_point(depth.max(1e-12));
+        let length = 1.0_f64.clamp(ARROW_POINTS.0 * per_point, ARROW_POINTS.1 * per_point);
+        let axes = DVec3::AXES.map(|axis| AXIS_LENGTH * length * axis);
+        let axes = axes.into_iter().filter(|_| self.has_axes);
+        let tips = self.at_eye.iter().map(move |(axis, times)| eye + times * length * *axis);
+        tips.chain(axes).map(move |center| Ball { center, radius: TIP_ROOM * per_point })
     }
 }
 
@@ -172,8 +271,7 @@ impl Subject {
             walls = walls_seen(&resolved, scene, 2.0 * farthest.max(10.0 * near_size));
             balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
-        let arrows = ARROWS.max((ARROWS_FROM_AFAR * farthest / near_size).min(LONGEST_ARROWS));
-        balls.push(Ball { center: eye, radius: arrows * near_size });
+        balls.push(Ball { center: eye, radius: 0.0 });
         balls.retain(|ball| tame(ball.center));
         let camera_balls = balls.len();
         balls.extend(spheres);
@@ -181,24 +279,38 @@ impl Subject {
         let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
         let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
         let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
-        Subject { balls, eye, back, right, near_size, walls, middle }
+        Subject { balls, arrows: Arrows::new(camera), eye, back, right, near_size, walls, middle }
     }
 
-    /// Returns the nearest observer in this direction that has every ball in sight.
+    /// Returns the nearest observer in this direction that has every ball and the tips of all arrows
+    /// in sight.
+    fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {
+        let mut observer = self.fit_around(direction, size.aspect(), &[]);
+        for _ in 0..ROUNDS {
+            let stand = observer.target() + observer.distance() * observer.back();
+            let depth = (stand - self.eye).dot(observer.back());
+            let tips: Vec<Ball> = self.arrows.tips(self.eye, depth, size).collect();
+            observer = self.fit_around(direction, size.aspect(), &tips);
+        }
+        observer
+    }
+
+    /// Returns the nearest observer in this direction that has every ball and these tips in sight.
     ///
     /// A ball (x, z, r) in the observer's own coordinates is right of the left border if
     /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and similarly for the other borders: with
     /// `A = max(x + k z + r')` and `B = max(-x + k z + r')`, the nearest eye is
     /// `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
-    fn fit(&self, direction: &Observer, aspect: f64) -> Observer {
+    fn fit_around(&self, direction: &Observer, aspect: f64, tips: &[Ball]) -> Observer {
         let back = direction.back();
         let (right, up) = direction.right_and_up();
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - MARGIN);
         let reach = |axis: DVec3, k: f64| {
             let widen = (1.0 + k * k).sqrt();
             let most = |sign: f64| {
-                self.balls
-                    .iter()
+                let balls = self.balls.iter().chain(tips);
+                balls
+                    .filter(|ball| ball.center.is_finite() && ball.radius.is_finite())
                     .map(|ball| {
                         let q = ball.center - self.eye;
                         sign * q.dot(axis) + k * q.dot(back) + ball.radius * widen

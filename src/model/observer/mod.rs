@@ -6,6 +6,7 @@ mod traced;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
 
+pub use fit::{ARROW_POINTS, AXIS_LENGTH, UP_LENGTH, ViewSize};
 pub use traced::{enclosing, hidden, traced_scene};
 
 /// The observer as an orbit around a target; world y is up.
@@ -37,7 +38,7 @@ const FARTHEST_TARGET: f64 = 1e12;
 impl Default for Observer {
     /// Returns an observer of the canonical camera.
     fn default() -> Self {
-        Observer::frame_all(&Camera::CANONICAL, &Scene::default(), 1.25)
+        Observer::frame_all(&Camera::CANONICAL, &Scene::default(), ViewSize::of_aspect(1.25))
     }
 }
 

@@ -69,7 +69,7 @@ fn everything_is_in_sight() {
     ];
     for (camera, spheres, planes) in cases {
         let scene = Scene::new(spheres.clone(), planes).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, 4.0 / 3.0);
+        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0));
         for point in must_be_seen(&camera, &spheres) {
             assert!(is_in_sight(&observer, point), "{point} by {observer:?}");
         }
@@ -80,7 +80,7 @@ fn everything_is_in_sight() {
 fn a_planet_is_not_framed() {
     let with = |spheres: Vec<Sphere>| {
         let scene = Scene::new(spheres, vec![]).expect("a scene");
-        Observer::frame_all(&Camera::CANONICAL, &scene, 1.0)
+        Observer::frame_all(&Camera::CANONICAL, &scene, ViewSize::of_aspect(1.0))
     };
     let small = ball(0.0, 0.0, -5.0, 1.0);
     assert_eq!(with(vec![small]), with(vec![ball(0.0, -5001.0, 0.0, 5000.0), small]));
@@ -91,7 +91,7 @@ fn the_camera_is_never_lost_from_afar() {
     for far in [5.0, 100.0, 1e4, 1e7] {
         let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -far));
         let scene = Scene::new(vec![ball(0.0, 0.0, -far, 1.0)], vec![]).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, 1.25);
+        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25));
         let own = camera.resolve().expect("a camera");
         let top = seen_at(&observer, own.viewport_point(DVec2::new(0.0, 0.5)));
         let bottom = seen_at(&observer, own.viewport_point(DVec2::new(0.0, -0.5)));
@@ -110,14 +110,15 @@ fn every_scale_is_framed_alike() {
         camera.viewport.distance *= scale;
         let center = shift + DVec3::new(0.0, 0.0, -5.0 * scale);
         let scene = Scene::new(vec![Sphere { center, radius: scale }], vec![]).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, 1.25);
+        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25));
         seen_at(&observer, camera.eye)
     };
     let ordinary = framed(1.0, DVec3::ZERO);
     for scale in [1e-6, 1e-3, 1e3, 1e9] {
-        assert!(framed(scale, DVec3::ZERO).distance(ordinary) < 1e-6, "{scale}");
+        // The arrows, one unit long, keep to a range of lengths on the screen.
+        assert!(framed(scale, DVec3::ZERO).distance(ordinary) < 0.3, "{scale}");
     }
-    assert!(framed(1.0, DVec3::new(1e9, -1e9, 1e9)).distance(ordinary) < 1e-4);
+    assert!(framed(1.0, DVec3::new(1e9, -1e9, 1e9)).distance(ordinary) < 0.3);
 }
 
 #[test]
@@ -209,7 +210,7 @@ fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
     for (azimuth, elevation) in [(0.3, 0.2), (-2.0, 0.9), (3.0, -0.4)] {
         let before = Observer::new(DVec3::new(5.0, 0.0, 0.0), azimuth, elevation, 400.0);
-        let framed = before.framing_camera(&camera, 4.0 / 3.0);
+        let framed = before.framing_camera(&camera, ViewSize::of_aspect(4.0 / 3.0));
         let [old, new] = [before, framed].map(|observer| resolve(&observer).basis().w);
         assert!(old.distance(new) < 1e-12);
         for point in own_points(&camera) {
@@ -229,7 +230,7 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
     let turn = |k: u32| camera.orbited(std::f64::consts::TAU * f64::from(k) / 24.0, 0.0);
     let way: Vec<Camera> = (0..24).map(|k| turn(k).expect("an orbit")).collect();
-    let before = Observer::frame_all(&camera, &Scene::default(), 4.0 / 3.0);
+    let before = Observer::frame_all(&camera, &Scene::default(), ViewSize::of_aspect(4.0 / 3.0));
     let is_lost = |observer: &Observer| {
         let points = way.iter().flat_map(own_points);
         let behind = |point: &DVec3| !resolve(observer).project(*point).is_in_front();
@@ -246,4 +247,44 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     // An observer that does not look at the camera stays where it is.
     let elsewhere = Observer::new(DVec3::new(-1.0, 0.0, -5.0), 0.5, 0.3, 5.0);
     assert_eq!(elsewhere.following(&camera, &way, 4.0 / 3.0), elsewhere);
+}
+
+/// Returns the tips of the basis arrows and of up, as the world view draws them.
+fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
+    let resolved = observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
+    let length = crate::view::overlay::arrow_length(&resolved, camera.eye, 1.0);
+    let own = camera.resolve().expect("a camera");
+    let basis = own.basis();
+    let up = UP_LENGTH * camera.up().normalize();
+    [basis.u, basis.v, basis.w, up].map(|axis| camera.eye + length * axis).to_vec()
+}
+
+#[test]
+fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
+    let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
+    let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
+    let wide = ViewSize { width: 900.0, height: 500.0 };
+    let framed = Observer::frame_all(&camera, &scene, wide);
+    let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
+    for (width, height) in [(900.0, 500.0), (340.0, 560.0), (300.0, 300.0), (1200.0, 700.0)] {
+        let size = ViewSize { width, height };
+        let refitted = framed.refitted(&camera, &scene, size);
+        assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
+        let kept = named.keeping_in_sight(&camera, size);
+        assert_eq!(kept.target(), named.target());
+        assert!(kept.distance() >= named.distance());
+        for observer in [refitted, kept] {
+            let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
+            let half = 0.5 * DVec2::new(seen.viewport().width, seen.viewport().height);
+            for tip in tips(&observer, &camera, size) {
+                // A label's width from the border.
+                let room = 1.0 - 30.0 / DVec2::new(width, height);
+                let at = seen.project(tip).uv / half;
+                assert!(at.abs().cmplt(room).all(), "{at} in {size:?} by {observer:?}");
+            }
+        }
+    }
+    // One that looks closely at something else stays.
+    let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
+    assert_eq!(close.keeping_in_sight(&camera, wide), close);
 }

@@ -6,7 +6,7 @@ mod player;
 use std::f64::consts::{PI, TAU};
 
 use pinhole_core::steering::SteerError;
-use pinhole_core::{Camera, Orientation, Pixel};
+use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Viewport};
 
 pub use player::Player;
 
@@ -103,6 +103,9 @@ pub struct Start {
     pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
+    /// The distance of the point that a camera not given by `at` orbits; `None` for that of
+    /// [`Camera::pivot`].
+    pub orbit: Option<f64>,
 }
 
 /// The state at a phase.
@@ -136,12 +139,18 @@ impl Still {
 
 impl Start {
     /// Creates the start from the present state. `inspection` is that of the selected ray.
-    pub fn new(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
+    pub fn new(
+        document: &Document,
+        session: &Session,
+        inspection: Option<&Inspection>,
+        scene: Option<&Scene>,
+    ) -> Start {
         Start {
             camera: document.camera,
             selection: session.selection,
             ray_point_t: session.ray_point_t,
             end: ray_point_end(inspection),
+            orbit: scene.and_then(|scene| distance_ahead(&document.camera, scene)),
         }
     }
 
@@ -176,7 +185,7 @@ impl Start {
             Kind::SwingUp => Still { camera: self.camera.swung(360.0 * turn)?, ..still },
             Kind::Orbit => {
                 let yaw = std::f64::consts::TAU * turn;
-                Still { camera: self.camera.orbited(yaw, 0.0)?, ..still }
+                Still { camera: self.orbited(yaw)?, ..still }
             }
             Kind::OverTheTop => Still { camera: over_the_top(&self.camera, turn)?, ..still },
             Kind::Walk => Still { ray_point_t: Some(phase * self.end), ..still },
@@ -236,6 +245,49 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
         }
         Orientation::Basis(_) => *camera,
     })
+
+impl Start {
+    /// Returns the camera after it has orbited by an angle, in radians. What it is given by keeps its
+    /// length.
+    fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
+        let camera = self.camera;
+        match (camera.orientation, self.orbit) {
+            (Orientation::View { view, up }, Some(distance)) if yaw != 0.0 => {
+                let times = distance / view.length();
+                let ahead = Orientation::View { view: times * view, up };
+                let orbited = Camera { orientation: ahead, ..camera }.orbited(yaw, 0.0)?;
+                let view = orbited.view() / times;
+                Ok(Camera { orientation: Orientation::View { view, up }, ..orbited })
+            }
+            (Orientation::Basis(_), Some(distance)) => {
+                let viewport = Viewport { distance, ..camera.viewport };
+                let orbited = Camera { viewport, ..camera }.orbited(yaw, 0.0)?;
+                Ok(Camera { viewport: camera.viewport, ..orbited })
+            }
+            _ => camera.orbited(yaw, 0.0),
+        }
+    }
+}
+
+/// Returns the distance along view of what a camera looks at: the first hit in the middle of its
+/// picture, or else the middle of the spheres ahead. `None` for a camera given by `at`, which says so
+/// itself, and where nothing is ahead.
+fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
+    const ASKED_SPHERES: usize = 4096;
+    if matches!(camera.orientation, Orientation::At { .. }) {
+        return None;
+    }
+    let resolved = camera.resolve().ok()?;
+    let middle = resolved.exact_ray_at(DVec2::ZERO).ok()?;
+    let hit = scene.first_hit_of(&middle).map(|hit| hit.t * camera.viewport.distance);
+    let spheres = || {
+        let depths = scene.spheres().iter().take(ASKED_SPHERES);
+        let depths = depths.map(|sphere| resolved.project(sphere.center).depth);
+        let ahead: Vec<f64> = depths.filter(|depth| *depth > 0.0).collect();
+        ahead.iter().sum::<f64>() / ahead.len() as f64
+    };
+    let distance = hit.unwrap_or_else(spheres);
+    (distance.is_finite() && distance > 0.0).then_some(distance)
 }
 
 /// Returns the t at which a walk along a ray ends: that of its first hit.

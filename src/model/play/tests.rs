@@ -2,14 +2,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 
-use pinhole_core::{DVec2, DVec3, ImageSize, Orientation};
+use pinhole_core::{DVec2, DVec3, ImageSize, Orientation, Scene, Sphere};
 
 use super::*;
 
 fn start() -> Start {
     let camera = Camera { image: ImageSize::new(4, 3).unwrap(), ..Camera::CANONICAL };
     let selection = Selection::Uv(DVec2::new(0.2, -0.1));
-    Start { camera, selection, ray_point_t: None, end: 6.0 }
+    Start { camera, selection, ray_point_t: None, end: 6.0, orbit: None }
 }
 
 #[test]
@@ -154,4 +154,32 @@ fn what_cannot_move_says_why() {
     assert_eq!(player.still(), player.start.still());
     assert!(!player.running);
     assert!(player.fault.unwrap().to_string().contains("parallel"));
+}
+
+#[test]
+fn a_camera_given_by_view_orbits_what_it_looks_at() {
+    let ball = |x, z| Sphere { center: DVec3::new(x, 0.0, z), radius: 1.0 };
+    let view = Orientation::View { view: 0.5 * DVec3::NEG_Z, up: DVec3::Y };
+    let basis = Orientation::Basis(Camera::CANONICAL.resolve().unwrap().basis().to_owned());
+    // The first hit in the middle; where there is none, the middle of what is ahead.
+    let scenes = [(vec![ball(0.0, -5.0), ball(3.0, -9.0)], 4.0), (vec![ball(3.0, -6.0)], 6.0)];
+    for (spheres, away) in scenes {
+        let scene = Scene::new(spheres, vec![]).unwrap();
+        let pivot = DVec3::new(0.0, 0.0, -away);
+        for orientation in [view, basis] {
+            let camera = Camera { orientation, ..start().camera };
+            let orbit = distance_ahead(&camera, &scene);
+            let start = Start { camera, orbit, ..start() };
+            for phase in [0.25, 0.5, 0.8] {
+                let orbited = start.at(Kind::Orbit, phase).unwrap().camera;
+                assert!((orbited.eye.distance(pivot) - away).abs() < 1e-12, "{}", orbited.eye);
+                let ahead = orbited.eye - away * orbited.resolve().unwrap().basis().w;
+                assert!(ahead.distance(pivot) < 1e-12, "{ahead}");
+                assert!((orbited.view().length() - camera.view().length()).abs() < 1e-12);
+                assert_eq!(orbited.viewport, camera.viewport);
+            }
+            assert_eq!(start.at(Kind::Orbit, 1.0).unwrap(), start.still());
+        }
+    }
+    assert_eq!(distance_ahead(&start().camera, &Scene::default()), None);
 }

@@ -61,6 +61,8 @@ pub struct Session {
     pub alt_dims: bool,
     /// True while the question of a lesson's step waits for its answer: no number is shown.
     pub is_asking: bool,
+    /// The concepts that the lesson's step asks to drag; `None` while no lesson is open.
+    pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
     /// The number of the derivation's lines that are shown, from its first one; `None` shows all. The
@@ -240,6 +242,12 @@ impl Session {
     /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
+    }
+
+    /// Returns the concepts that are spoken of or pointed at.
+    pub fn spoken_of(&self) -> Vec<Concept> {
+        let spoken = self.spoken.iter().flatten().copied();
+        spoken.chain(self.highlighted()).chain(self.highlighted).collect()
     }
 
     /// Returns true if everything but the highlighted concept is dimmed: what the derivation or a

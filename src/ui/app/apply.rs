@@ -64,7 +64,7 @@ impl App {
                 let time = ctx.input(|i| i.time);
                 self.hand.navigation.steer(steer, &mut self.scene.open.document.camera, time);
             }
-            Action::Observe(observe) => self.scene.observe(observe, self.views.world_aspect()),
+            Action::Observe(observe) => self.scene.observe(observe, self.views.world_size()),
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => look::apply(&mut self.scene.session, action),
@@ -269,8 +269,10 @@ impl App {
     }
 
     fn play(&mut self, ctx: &Context, action: PlayAction) {
-        let aspect = self.views.world_aspect();
-        let seen = Seen { inspection: self.views.derived.inspection.as_deref(), aspect };
+        let aspect = self.views.world_size().aspect();
+        let (inspection, scene) =
+            (self.views.derived.inspection.as_deref(), self.views.derived.scene.as_deref());
+        let seen = Seen { inspection, scene, aspect };
         self.playback.apply(ctx, action, &mut self.scene, &mut self.history, &seen);
     }
 }

@@ -238,7 +238,7 @@ impl App {
         let page = self.page();
         let (scene, shown) = (&mut self.scene, &self.views.derived);
         if let Some(rect) = rects.world {
-            scene.frame(rect.aspect_ratio());
+            scene.frame(views::size_of(rect));
         }
         let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;
@@ -270,7 +270,7 @@ impl App {
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) -> Changed {
         let page = self.page();
         let actions = &mut self.waiting;
-        let mut changed = self.views.show(ui, rects, &mut self.scene, &mut self.hand, actions);
+        let mut changed = self.views.show(ui, rects, &mut self.scene, &mut self.hand);
         let style = NumberStyle::new(&self.scene.session.settings);
         let mut desk = Desk {
             open: &self.scene.open,

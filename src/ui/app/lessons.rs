@@ -21,7 +21,7 @@ pub(super) struct Lessons {
     pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
-    /// The first observer of the step, if it does not name one itself.
+    /// The first observer of the step, fitted to the world view.
     seen_from: Option<Observer>,
     /// The session before the first step.
     before: Option<Session>,
@@ -30,9 +30,11 @@ pub(super) struct Lessons {
 }
 
 impl Lessons {
-    /// Takes note that the world view was framed anew.
-    pub(super) fn framed(&mut self, observer: Observer) {
-        self.seen_from = self.seen_from.or(Some(observer));
+    /// Takes note that the world view, seen `before` by another observer or by none, was framed anew.
+    pub(super) fn framed(&mut self, before: Option<Observer>, observer: Observer) {
+        if self.seen_from.is_none() || self.seen_from == before {
+            self.seen_from = Some(observer);
+        }
     }
 
     /// The settings without what lessons have set.
@@ -145,7 +147,7 @@ impl OpenScene {
         if !is_asking {
             self.answer();
         }
-        self.session.observer = open.step().view.observer.or(seen_from);
+        self.session.observer = seen_from.or(open.step().view.observer);
         self.lessons.seen_from = seen_from;
         opened
     }

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use egui::{Context, Panel, Ui};
+use pinhole_core::Scene;
 
 use super::history::SceneHistory;
 use super::scene::OpenScene;
@@ -27,6 +28,7 @@ pub(super) struct Playback {
 pub(super) struct Seen<'a> {
     /// The selected ray.
     pub(super) inspection: Option<&'a Inspection>,
+    pub(super) scene: Option<&'a Scene>,
     /// Width by height of the world view.
     pub(super) aspect: f64,
 }
@@ -211,7 +213,7 @@ impl Playback {
 
 /// An animation at its start.
 fn opened(kind: Kind, scene: &mut OpenScene, seen: &Seen<'_>) -> Player {
-    let start = Start::new(&scene.open.document, &scene.session, seen.inspection);
+    let start = Start::new(&scene.open.document, &scene.session, seen.inspection, seen.scene);
     let mut player = Player::new(kind, start);
     player.stepped_back = step_back(kind, &start, scene, seen.aspect);
     player

@@ -11,7 +11,7 @@ use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
 use crate::model::given::{self, Given};
 use crate::model::lessons::{self, StepId, Which};
-use crate::model::observer::Observer;
+use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
 use crate::model::session::ghost::{Beside, Ghost};
 use crate::model::session::hand::Hand;
@@ -34,6 +34,17 @@ pub(super) struct OpenScene {
     pub(super) lessons: Lessons,
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
+    /// The observer as it was last framed; another one was moved by hand.
+    framed: Option<Framed>,
+}
+
+/// An observer that was fitted to the world view's size.
+#[derive(Clone, Copy, Debug)]
+struct Framed {
+    observer: Observer,
+    size: ViewSize,
+    /// The observer that a lesson's step names, from which this one steps back if it must.
+    named: Option<Observer>,
 }
 
 /// The work that showing a scene asks of the other parts.
@@ -47,7 +58,7 @@ pub(super) struct Opened {
 
 impl OpenScene {
     pub(super) fn new(open: OpenDocument, session: Session) -> OpenScene {
-        OpenScene { open, session, lessons: Lessons::default(), chosen_object: None }
+        OpenScene { open, session, lessons: Lessons::default(), chosen_object: None, framed: None }
     }
 
     /// Opens a scene, or a lesson from a file.
@@ -96,20 +107,37 @@ impl OpenScene {
         [self.open.has_changes(), self.differs_from_step()]
     }
 
-    /// Lets the observer, if there is none yet, see everything in a view of this proportion.
-    pub(super) fn frame(&mut self, aspect: f32) {
-        if self.session.observer.is_none() {
-            let document = &self.open.document;
-            // An object at fault is not there yet; the camera is.
-            let scene = document.scene().unwrap_or_default();
-            let framed = Observer::frame_all(&document.camera, &scene, f64::from(aspect));
-            self.session.observer = Some(framed);
-            self.lessons.framed(framed);
+    /// Lets the observer, if there is none yet, see everything in a world view of this size. In a view
+    /// of another size it is fitted anew, unless it was moved by hand.
+    pub(super) fn frame(&mut self, size: ViewSize) {
+        let shown = self.session.observer;
+        let own = self.framed.filter(|framed| shown == Some(framed.observer));
+        if own.is_some_and(|framed| framed.size == size) {
+            return;
         }
+        let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
+        let named = match (own, shown) {
+            (Some(framed), _) => framed.named,
+            (None, None) => None,
+            (None, Some(_)) if of_step == shown => shown,
+            (None, Some(_)) => return,
+        };
+        let document = &self.open.document;
+        let camera = &document.camera;
+        // An object at fault is not there yet; the camera is.
+        let scene = || document.scene().unwrap_or_default();
+        let observer = match (named, own) {
+            (Some(named), _) => named.keeping_in_sight(camera, size),
+            (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
+            (None, None) => Observer::frame_all(camera, &scene(), size),
+        };
+        self.framed = Some(Framed { observer, size, named });
+        self.session.observer = Some(observer);
+        self.lessons.framed(shown, observer);
     }
 
-    /// Moves the observer; `aspect` is width by height of the world view.
-    pub(super) fn observe(&mut self, observe: Observe, aspect: f64) {
+    /// Moves the observer of a world view of this size.
+    pub(super) fn observe(&mut self, observe: Observe, size: ViewSize) {
         let Some(observer) = &mut self.session.observer else { return };
         match observe {
             Observe::Orbit(right, up) => {
@@ -118,7 +146,7 @@ impl OpenScene {
             Observe::Pan(right, up) => observer.pan(-PAN * f64::from(right), PAN * f64::from(up)),
             Observe::Zoom(steps) => observer.zoom(ZOOM.powi(steps)),
             Observe::FrameCamera => {
-                *observer = observer.framing_camera(&self.open.document.camera, aspect);
+                *observer = observer.framing_camera(&self.open.document.camera, size);
             }
             // The next pass, which knows the view's proportions, frames everything.
             Observe::FrameAll => self.session.observer = None,

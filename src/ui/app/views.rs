@@ -8,13 +8,13 @@ use egui::{Context, Event, Key, Ui, Vec2};
 use super::hand::InHand;
 use super::scene::OpenScene;
 use crate::model::fault::Fault;
+use crate::model::observer::ViewSize;
 use crate::model::letters::typeset_message;
-use crate::ui::action::{Action, Observe};
 use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::ViewRects;
-use crate::ui::scene::{framing, views};
+use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
 use crate::ui::view_texture::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
@@ -39,15 +39,15 @@ pub(super) struct Views {
     pub(super) adaptive_resolution: AdaptiveResolution,
     /// The work for the last frame, for those who keep a log.
     pub(super) frame_work: Option<FrameWork>,
+    world_size: Option<ViewSize>,
     world: ViewTexture,
     camera: ViewTexture,
 }
 
 impl Views {
-    /// Width by height of the world view as it was seen last.
-    pub(super) fn world_aspect(&self) -> f64 {
-        let seen = self.derived.world_view.as_ref().map(|shown| shown.image.size);
-        seen.map_or(1.25, |[width, height]| width as f64 / height.max(1) as f64)
+    /// The size of the world view as it was seen last.
+    pub(super) fn world_size(&self) -> ViewSize {
+        self.world_size.unwrap_or(ViewSize::of_aspect(1.25))
     }
 
     /// Derives everything that is shown; `plays`: an animation moves the camera.
@@ -90,8 +90,8 @@ impl Views {
         rects: &ViewRects,
         scene: &mut OpenScene,
         hand: &mut InHand,
-        actions: &mut Vec<Action>,
     ) -> Changed {
+        self.world_size = rects.world.map(views::size_of).or(self.world_size);
         let derived = &self.derived;
         let mut changed = Changed::NOTHING;
         if scene.session.presenting.is_none() {
@@ -131,11 +131,6 @@ impl Views {
             }
         }
         hand.tell(ui, rects, scene, derived);
-        let is_wanted = |rect| framing::hint(ui, rect, derived, document, session);
-        if rects.world.is_some_and(is_wanted) {
-            actions.push(Observe::FrameCamera.into());
-            ui.ctx().request_repaint();
-        }
         changed
     }
 }

@@ -2,7 +2,6 @@
 //! below.
 
 pub mod compare;
-pub mod framing;
 pub mod handles;
 pub mod navigation;
 pub mod number_strip;

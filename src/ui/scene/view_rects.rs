@@ -112,9 +112,17 @@ impl Divider<'_> {
         let height = self.splits.get(split).clamp(80.0, most);
         let boundary = area.bottom() - height;
         let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
-        self.splits.set(split, height - drag(self.ui, handle, "readouts handle").y);
+        self.move_by(split, height, -drag(self.ui, handle, "readouts handle").y);
         let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
         (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
+    }
+
+    /// Moves a boundary that is shown at `shown`. Where it is not dragged it stays as it was last
+    /// dragged to: a window that is too small for it for a while is no choice of the user's.
+    fn move_by(&mut self, split: Split, shown: f32, by: f32) {
+        if by != 0.0 {
+            self.splits.set(split, shown + by);
+        }
     }
 
     /// Left and right, with a handle between them.
@@ -122,7 +130,7 @@ impl Divider<'_> {
         let share = within(self.splits.get(split), area.width());
         let x = area.left() + share * area.width();
         let handle = Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, area.y_range());
-        self.splits.set(split, share + drag(self.ui, handle, name).x / area.width().max(1.0));
+        self.move_by(split, share, drag(self.ui, handle, name).x / area.width().max(1.0));
         let left = Rect::from_min_max(area.min, pos2(handle.left(), area.bottom()));
         (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
     }
@@ -133,7 +141,7 @@ impl Divider<'_> {
         let y = area.top() + share * area.height();
         let handle = Rect::from_x_y_ranges(area.x_range(), y - HANDLE / 2.0..=y + HANDLE / 2.0);
         let dragged = drag(self.ui, handle, "stack handle").y;
-        self.splits.set(split, share + dragged / area.height().max(1.0));
+        self.move_by(split, share, dragged / area.height().max(1.0));
         let top = Rect::from_min_max(area.min, pos2(area.right(), handle.top()));
         (top, Rect::from_min_max(pos2(area.left(), handle.bottom()), area.max))
     }

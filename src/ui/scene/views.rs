@@ -11,6 +11,7 @@ use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::observer::ViewSize;
 use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
@@ -52,6 +53,11 @@ pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
         style: theme::style(ui),
         ..ViewSizes::default()
     }
+}
+
+/// The size of the world view, in points.
+pub(crate) fn size_of(rect: Rect) -> ViewSize {
+    ViewSize { width: rect.width().into(), height: rect.height().into() }
 }
 
 /// The size of an area in physical pixels.
@@ -326,24 +332,29 @@ pub(crate) fn tell_pointed(
         });
 }
 
-/// Width of a view, in points, below which its title leaves out the image's size.
+/// Width of a view, in points, below which its title leaves out the image's size, and what a moved
+/// eye keeps.
 const NARROW: f32 = 310.0;
 
 /// Titles above the views, with a button that gives one all the room.
 pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
-            ui.strong(text).on_hover_text(hint);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let alone = settings.layout == own;
-                let (text, to) =
+                let (label, to) =
                     if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
-                if ui.small_button(text).clicked() {
+                if ui.small_button(label).clicked() {
                     settings.layout = to;
                 }
-                if own == ViewLayout::World {
+                if own == ViewLayout::World && rect.width() >= NARROW {
                     eye_keeps(ui, &mut settings.eye_keeps);
                 }
+                // The title has the room that the buttons leave.
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let title = egui::Label::new(RichText::new(text).strong());
+                    ui.add(title.truncate()).on_hover_text(hint);
+                });
             });
         });
     };

@@ -98,6 +98,7 @@ struct WorldViewKey {
     scale: f32,
     style: Style,
     purpose: Purpose,
+    names_all: bool,
 }
 
 impl Deriver {
@@ -266,11 +267,12 @@ impl Deriver {
             items: session.settings.items,
             highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
-            handles: handles::drawn(&stage, &session.hand),
+            handles: handles::drawn(&stage, &session.hand, &session.spoken_of()),
             ghost: derived.ghost,
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
+            names_all: session.spoken.is_some() || sizes.purpose != Purpose::Window,
         };
         let (resolved, inspection) = (derived.resolved, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
@@ -298,6 +300,7 @@ impl Deriver {
                 handles: &key.handles,
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
+                names_all: key.names_all,
             };
             let backdrop = Backdrop::new(&view);
             let before = pictures.before(&world, &backdrop, watch);

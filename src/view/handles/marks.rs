@@ -3,6 +3,7 @@
 use pinhole_core::DVec3;
 
 use super::{Grip, Stage, grips};
+use crate::model::concept::Concept;
 use crate::model::session::hand::{Along, Axis, Hand, Handle};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
@@ -12,9 +13,17 @@ const STUB_POINTS: f64 = 46.0;
 /// Length of an axis during a drag along it, as a multiple of the observer's distance.
 const LONG: f64 = 100.0;
 
-/// Returns what the overlay draws for the handles.
-pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
-    let grips = grips(stage, hand);
+/// Returns what the overlay draws for the handles: eye, at and the tip of up, and of the others those
+/// that are needed, which belong to what is under the hand, chosen, or `spoken` of.
+pub fn drawn(stage: &Stage, hand: &Hand, spoken: &[Concept]) -> Handles {
+    let mut grips = grips(stage, hand);
+    let in_hand = [hand.over, hand.held.map(|grasp| grasp.handle)];
+    grips.retain(|grip| {
+        let handle = grip.handle;
+        is_always_drawn(handle)
+            || in_hand.into_iter().flatten().any(|other| belong_together(handle, other))
+            || spoken.iter().any(|concept| is_about(handle, *concept))
+    });
     let is_marked = |grip: &&Grip| hand.held.is_some_and(|held| held.handle == grip.handle);
     let held = grips.iter().find(is_marked);
     let over = held.or_else(|| grips.iter().find(|grip| hand.over == Some(grip.handle)));
@@ -44,6 +53,30 @@ pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
         up: grasp
             .filter(|g| g.handle == Handle::Up)
             .map(|g| g.length * stage.document.camera.up().length() - beyond),
+    }
+}
+
+/// Returns true for the handles of what a camera is given by, and for those of the objects that are
+/// chosen or pointed at: others have none.
+fn is_always_drawn(handle: Handle) -> bool {
+    matches!(handle, Handle::Eye | Handle::At | Handle::Up) || handle.object().is_some()
+}
+
+/// Returns true for a handle itself, and for the handles of one viewport.
+fn belong_together(handle: Handle, other: Handle) -> bool {
+    let is_of_viewport = |handle| matches!(handle, Handle::Corner(_) | Handle::Distance);
+    handle == other || (is_of_viewport(handle) && is_of_viewport(other))
+}
+
+/// Returns true if a handle changes what the concept names.
+fn is_about(handle: Handle, concept: Concept) -> bool {
+    match handle {
+        Handle::Roll => concept == Concept::V,
+        Handle::Dolly => concept == Concept::W,
+        Handle::Corner(_) => concept == Concept::Viewport,
+        Handle::Distance => matches!(concept, Concept::Viewport | Concept::Distance),
+        Handle::Pixel => matches!(concept, Concept::Pixel | Concept::Ray | Concept::Direction),
+        _ => false,
     }
 }
 

@@ -4,13 +4,11 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
+use crate::model::observer::UP_LENGTH;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::Selection;
 use crate::model::session::hand::{Grasp, Hand, Handle};
 use crate::view::overlay;
-
-/// Least size of the viewport on the screen, in points; on a smaller one handles would overlap.
-const LEAST_VIEWPORT: f64 = 52.0;
 
 /// Distance from an arrow's tip to its handle, in points.
 const BEYOND: f64 = 10.0;
@@ -43,7 +41,7 @@ pub struct Grip {
     pub spot: DVec2,
 }
 
-/// Returns all handles that the observer sees. If several are at the same position, the first one
+/// Returns all handles that the observer sees, drawn or not. If several are at the same position, the first one
 /// is preferred.
 pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
     if !stage.items.shows(Item::Handles) {
@@ -80,7 +78,7 @@ impl Stage<'_> {
     }
 
     /// Returns true if there is no room for handles on the viewport.
-    pub fn is_viewport_small(&self) -> bool {
+    fn is_viewport_small(&self) -> bool {
         let Some(resolved) = self.resolved else { return false };
         let corner = |corner: ViewportCorner| {
             let uv = corner.uv(resolved.viewport());
@@ -89,7 +87,7 @@ impl Stage<'_> {
         let [Some(a), Some(b), Some(c), Some(d)] = ViewportCorner::ALL.map(corner) else {
             return false;
         };
-        a.distance(d).max(b.distance(c)) < LEAST_VIEWPORT * f64::from(self.scale)
+        a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
     }
 
     /// Returns the length of the arrows at the eye; `None` if it is not seen.
@@ -114,7 +112,7 @@ impl Stage<'_> {
         let eye = self.camera().eye;
         let length = match handle {
             Handle::Up => {
-                per_length(overlay::UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?
+                per_length(UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?
             }
             Handle::Roll | Handle::Dolly => self.arrow()? + beyond(eye),
             Handle::Normal(k) => {

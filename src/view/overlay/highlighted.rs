@@ -70,7 +70,8 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
 
 /// Puts the concept's own labels first, so that they get the best places, and removes repeated
 /// names.
-pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+pub(super) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    own.iter_mut().for_each(|request| request.rank = 0);
     others.retain(|other| own.iter().all(|request| request.label.text != other.label.text));
     own.into_iter().chain(others).collect()
 }

@@ -3,9 +3,11 @@
 mod by_keys;
 mod compare;
 mod covered;
+mod framing;
 mod handles;
 mod labels;
 mod magnet;
+mod overlaps;
 use egui_kittest::Harness;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};

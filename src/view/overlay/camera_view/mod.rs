@@ -137,10 +137,9 @@ impl CameraView<'_> {
             overlay.highlight(highlighted);
         }
         let requests = std::mem::take(&mut overlay.requests);
-        let placed = labels::place(requests, &overlay.drawing, self.extent());
+        labels::place(requests, &mut overlay.drawing, self.extent());
         overlay.loupe();
         let mut drawing = overlay.drawing;
-        drawing.labels = placed;
         loupe::label(self, &mut drawing);
         drawing
     }

@@ -1,5 +1,6 @@
 //! Label placement. Each label is put inside the picture, beside its anchor, over no other label
-//! and no handle, and over as few lines as possible.
+//! and no handle, and over as few lines as possible. One that has to stand off gets a leader line;
+//! one that finds no room gives way to those before it.
 
 use egui::Color32;
 use pinhole_core::DVec2;
@@ -19,6 +20,8 @@ pub(crate) struct Request {
     pub(crate) anchor: DVec2,
     /// The preferred direction from the anchor; of any length, zero for no preference.
     pub(crate) toward: DVec2,
+    /// Lower ranks are placed first.
+    pub(crate) rank: u8,
 }
 
 impl Request {
@@ -31,7 +34,21 @@ impl Request {
         halo: Color32,
     ) -> Request {
         let label = Label { item: pen.item, position: [0.0; 2], text, color, halo, size, bold };
-        Request { label, concept: pen.concept, anchor, toward }
+        Request { label, concept: pen.concept, anchor, toward, rank: rank(pen.item) }
+    }
+}
+
+/// Returns the rank of an item's label: the names of the camera's parts come before those of the
+/// ray, the world's axes and the marks.
+fn rank(item: Item) -> u8 {
+    match item {
+        Item::Handles => 1,
+        Item::Eye | Item::Basis => 2,
+        Item::ViewAndUp | Item::At => 3,
+        Item::Ray | Item::Hit => 4,
+        Item::Axes => 6,
+        Item::Marks => 7,
+        _ => 5,
     }
 }
 
@@ -40,7 +57,10 @@ const GAP: f64 = 7.0;
 
 /// Number of directions tried around the anchor, and of distances in each.
 const DIRECTIONS: usize = 16;
-const RINGS: usize = 6;
+const RINGS: usize = 9;
+
+/// Distance from the anchor to the edge of a label, in points, beyond which it gets a leader line.
+const LEADER_FROM: f64 = 20.0;
 
 /// Distance, in points, between the sampled points of a line.
 const OBSTACLE_SPACING: f64 = 5.0;
@@ -48,33 +68,51 @@ const OBSTACLE_SPACING: f64 = 5.0;
 /// A rectangle: its centre, and half of its width and height.
 type Area = (DVec2, DVec2);
 
-/// Places the requests in order, so that the first ones get the best places. A label that fits
-/// nowhere near its anchor is left out; one that fits only over a handle is put there.
-pub(crate) fn place(requests: Vec<Request>, drawing: &Drawing, size: DVec2) -> Vec<Label> {
+/// Places the requests by rank, so that the first ones get the best positions, and adds the labels and
+/// their leader lines to the drawing. A label that fits nowhere near its anchor is left out.
+pub(crate) fn place(mut requests: Vec<Request>, drawing: &mut Drawing, size: DVec2) {
+    requests.sort_by_key(|request| request.rank);
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
-    let handles = handles(drawing);
-    let mut labels: Vec<Label> = Vec::with_capacity(requests.len());
+    let mut taken = handles(drawing);
     for mut request in requests {
         let half = half_extent(&request.label, scale);
-        let taken: Vec<Area> =
-            labels.iter().map(|l| (wide(l.position), half_extent(l, scale))).collect();
         let free = |center: DVec2| {
             let margin = half + 1.0;
-            center.cmpge(margin).all()
-                && center.cmple(size - margin).all()
+            let is_inside =
+                center.cmpge(margin).all() && center.cmple((size - margin).max(margin)).all();
+            is_inside
                 && are_apart(&taken, center, half)
+                && leader(&request, center, half, scale)
+                    .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
         };
-        let find = |free: &dyn Fn(DVec2) -> bool| {
-            best_position(&request, half, f64::from(scale), &obstacles, free)
+        let Some(center) = best_position(&request, half, f64::from(scale), &obstacles, &free)
+        else {
+            continue;
         };
-        let beside_handles = |center| free(center) && are_apart(&handles, center, half);
-        if let Some(center) = find(&beside_handles).or_else(|| find(&free)) {
-            request.label.position = dot(center);
-            labels.push(request.label);
+        if let Some(ends) = leader(&request, center, half, scale) {
+            let shape = Shape::Line { points: ends.map(dot).to_vec(), width: scale };
+            let pen = Pen::new(request.label.item, request.label.color, 1.0);
+            drawing.marks.push(pen.mark(shape, request.label.halo));
         }
+        taken.push((center, half));
+        request.label.position = dot(center);
+        drawing.labels.push(request.label);
     }
-    labels
+}
+
+/// Returns the line from an anchor to the label that names it, if that stands off.
+fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[DVec2; 2]> {
+    let end = request.anchor.clamp(center - half, center + half);
+    let from = request.anchor.move_towards(end, 0.5 * GAP * f64::from(scale));
+    (end.distance(request.anchor) > LEADER_FROM * f64::from(scale)).then_some([from, end])
+}
+
+/// Returns true if a line runs through an area that it does not begin in.
+fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
+    const SAMPLES: usize = 16;
+    let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
+    !is_in(from) && (1..=SAMPLES).any(|k| is_in(from.lerp(to, k as f64 / SAMPLES as f64)))
 }
 
 /// Returns true if a rectangle overlaps none of the areas.

@@ -5,11 +5,12 @@
 use std::ops::Range;
 
 use egui::Color32;
-use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
+use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
 use rayon::prelude::*;
 
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::flat::{Flat, FlatRow, FlatSpot, Grid};
+use crate::view::overlay::space::screen::PixelRays;
 
 /// All flat layers of one world view, and the t-buffer that they are compared with.
 pub(crate) struct Layers<'a> {
@@ -19,6 +20,41 @@ pub(crate) struct Layers<'a> {
     pub(crate) background: Color32,
     pub(crate) viewport: Option<ViewportLayer<'a>>,
     pub(crate) patches: Vec<Patch>,
+    pub(crate) bowls: Vec<Bowl>,
+}
+
+/// A sphere around the camera, cut away: of its surface, what a ray leaves it by is painted, and the
+/// half towards the observer is not.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Bowl {
+    pub(crate) sphere: Sphere,
+    pub(crate) color: Rgb,
+    /// The observer's rays.
+    pub(crate) rays: PixelRays,
+}
+
+/// Opacity of a bowl.
+const BOWL: f32 = 0.45;
+
+impl Bowl {
+    /// Returns the colour of a dot over `below`, where something is traced at `traced_t`.
+    fn paint(&self, [x, y]: [f64; 2], traced_t: f32, below: Color32) -> Color32 {
+        let PixelRays { eye, across, down, corner } = self.rays;
+        let (q, radius) = (eye - self.sphere.center, self.sphere.radius);
+        let direction = x * across + y * down + corner;
+        // In units of the radius, and per length of the direction: neither overflows.
+        let (q, length) = (q / radius, direction.length());
+        let along = q.dot(direction) / length;
+        let discriminant = along * along - (q.length_squared() - 1.0);
+        let far = discriminant.sqrt() - along;
+        let t = far * radius / length;
+        if !(t > 0.0 && t < f64::from(traced_t)) {
+            return below;
+        }
+        let cosine = (q + far / length * direction).dot(direction).abs() / length;
+        let [r, g, b] = lambert(self.color, cosine.min(1.0));
+        mix(below, Color32::from_rgb(r, g, b), BOWL)
+    }
 }
 
 /// The viewport's rectangle: the picture, and the edges between its pixels.
@@ -143,6 +179,7 @@ impl<'a> Layers<'a> {
             background,
             viewport: None,
             patches: Vec::new(),
+            bowls: Vec::new(),
         }
     }
 
@@ -237,6 +274,12 @@ impl<'a> Layers<'a> {
         for (dot, object) in dots[part.clone()].iter_mut().zip(&objects[part.clone()]) {
             if *object == NO_OBJECT {
                 *dot = self.background;
+            }
+        }
+        for bowl in &self.bowls {
+            let y = row as f64 + 0.5;
+            for (column, dot) in part.clone().zip(&mut dots[part.clone()]) {
+                *dot = bowl.paint([column as f64 + 0.5, y], t[column], *dot);
             }
         }
         // The set of layers is constant between two ends of spans.
@@ -342,10 +385,32 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns black on a light colour and white on a dark one (luma of ITU-R BT.601); a transparent
-/// colour counts as the colour `behind` it.
+/// Returns black on a light colour and white on a very dark one (luma of ITU-R BT.601), and greys
+/// between the two in between: over a shaded surface, a line in these colours has no seam. A
+/// transparent colour counts as the colour `behind` it.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
+    const FROM: u32 = 40_000;
+    const TO: u32 = 95_000;
     let color = if color.a() < 128 { behind } else { color };
     let luma = 299 * u32::from(color.r()) + 587 * u32::from(color.g()) + 114 * u32::from(color.b());
-    if luma > 110_000 { Color32::BLACK } else { Color32::WHITE }
+    Color32::from_gray(((TO - luma.clamp(FROM, TO)) * 255 / (TO - FROM)) as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_over_a_shaded_surface_have_no_seam() {
+        let line = |grey: u8| {
+            let base = Color32::from_gray(grey);
+            i32::from(mix(base, contrast(base, Color32::BLACK), 0.45).r())
+        };
+        for grey in 1..=255 {
+            assert!((line(grey) - line(grey - 1)).abs() <= 4, "{grey}");
+        }
+        for grey in (0..=55).chain(90..=255) {
+            assert!((line(grey) - i32::from(grey)).abs() >= 12, "{grey} is told apart");
+        }
+    }
 }

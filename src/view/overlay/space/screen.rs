@@ -190,7 +190,7 @@ pub(crate) struct CutLine {
 }
 
 /// The observer's rays; see [`Screen::pixel_rays`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PixelRays {
     pub(crate) eye: DVec3,
     pub(crate) across: DVec3,

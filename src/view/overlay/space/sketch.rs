@@ -47,6 +47,8 @@ pub(crate) struct Sketch<'a> {
     pub(crate) screen: Screen,
     pub(crate) layers: &'a Layers<'a>,
     pub(crate) items: OverlayItems,
+    /// True if everything has its name: see [`WorldView::names_all`](crate::view::overlay::WorldView).
+    pub(crate) names_all: bool,
     pub(crate) colors: &'static Colors,
     pub(crate) drawing: Drawing,
     pub(crate) requests: Vec<Request>,

@@ -16,7 +16,7 @@ use pinhole_core::{
 
 pub(super) use super::*;
 use crate::model::inspection::Inspection;
-use crate::model::observer::{Observer, enclosing, traced_scene};
+use crate::model::observer::{Observer, ViewSize, enclosing, traced_scene};
 pub(super) use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::Selection;
 
@@ -53,7 +53,7 @@ fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
 impl Stage {
     fn new(camera: Camera, spheres: Vec<Sphere>, planes: Vec<Plane>) -> Stage {
         let scene = Scene::new(spheres, planes).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, 4.0 / 3.0);
+        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0));
         Stage::seen_by(camera, scene, observer)
     }
 
@@ -96,6 +96,7 @@ impl Stage {
             handles: &NO_HANDLES,
             ghost: None,
             is_clear: false,
+            names_all: true,
         }
     }
 

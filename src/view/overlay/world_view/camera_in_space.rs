@@ -7,22 +7,23 @@ use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::number::written;
+use crate::model::observer::{ARROW_POINTS, AXIS_LENGTH, UP_LENGTH};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::space::screen::unit;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch, Tip};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
 
-/// Least and greatest length of a basis arrow on the screen, in points. Between the two it is one
-/// world unit long.
-pub(crate) const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
-
-/// Lengths of the other arrows, as multiples of the basis arrows' length. They differ so that
-/// arrows in one direction do not hide each other.
+/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the others'
+/// so that arrows in one direction do not hide each other.
 pub(crate) const VIEW_LENGTH: f64 = 1.6;
-/// Length of the up arrow, as a multiple of the basis arrows' length.
-pub const UP_LENGTH: f64 = 1.35;
-const AXIS_LENGTH: f64 = 1.75;
+
+/// Size of the viewport on the screen, in points, below which the camera has a body: its handles
+/// would lie over each other, and its frustum could hardly be seen.
+pub const SMALL_VIEWPORT: f64 = 52.0;
+
+/// Width or height, whichever is larger, and depth of the camera's body, in points.
+const BODY: (f64, f64) = (30.0, 34.0);
 
 /// Significant digits of t at the point that moves along the ray.
 const T_DIGITS: usize = 4;
@@ -39,6 +40,7 @@ impl Sketch<'_> {
         self.axes();
         if let Some(resolved) = view.resolved {
             self.frustum(resolved, view);
+            self.body(resolved);
             self.outline(resolved);
             self.marks(resolved);
             if let Some(inspection) = view.inspection {
@@ -102,6 +104,42 @@ impl Sketch<'_> {
         }
     }
 
+    /// Draws the camera's body where its viewport is too small to be seen: a box of fixed size on the
+    /// screen, with the eye as the hole in its front.
+    ///
+    /// The box stands behind the eye, where no viewport can be. Frustum, viewport, picture and ray are
+    /// drawn to scale at any size: an enlarged frustum would show the viewport where it is not.
+    fn body(&mut self, resolved: &ResolvedCamera) {
+        let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
+        let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
+        let diagonal = a.at.distance(c.at).max(b.at.distance(d.at));
+        if diagonal >= SMALL_VIEWPORT * self.scale() {
+            return;
+        }
+        let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
+        let point = self.length_of_points(eye, (1.0, 1.0));
+        let larger = viewport.width.max(viewport.height);
+        let half = 0.5 * BODY.0 * point / larger;
+        let (u, v) = (half * viewport.width * basis.u, half * viewport.height * basis.v);
+        let depth = BODY.1 * point * basis.w;
+        let front = [eye - u + v, eye + u + v, eye + u - v, eye - u - v];
+        let back = front.map(|corner| corner + depth);
+        let pen = Pen::new(Item::Eye, self.colors.ink, 1.8).about(Concept::Eye);
+        let fill = Pen { color: self.colors.ink.gamma_multiply(0.12), ..pen }.without_halo();
+        for side in [front, back] {
+            self.polygon(&side, fill);
+            self.sides(side, pen);
+        }
+        for (from, to) in front.into_iter().zip(back) {
+            self.line(from, to, pen);
+        }
+        // The mark of the image's top edge, as on the viewport.
+        let rise = 0.4 * BODY.0 * point * basis.v;
+        let top = eye + v;
+        let mark = Pen { color: self.colors.mark, ..pen };
+        self.polygon(&[top - 0.5 * u, top + 0.5 * u, top + rise], mark);
+    }
+
     fn outline(&mut self, resolved: &ResolvedCamera) {
         let pen =
             Pen::new(Item::Viewport, self.colors.ink, 2.2).about(Concept::Viewport).on_viewport();
@@ -138,6 +176,7 @@ impl Sketch<'_> {
         for (text, uv) in named {
             if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
                 && points > 90.0
+                && self.names_all
             {
                 self.label(pen, text, spot, spot - center, font);
             }
@@ -171,7 +210,9 @@ impl Sketch<'_> {
         let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
         let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
-        self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
+        if self.names_all {
+            self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
+        }
         let pen = Pen { color, ..pen }.about(inspection.concept_of(hit));
         if let Some(spot) = self.point(hit.point, 5.0, pen) {
             self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
@@ -224,7 +265,9 @@ impl Sketch<'_> {
             if let Some(direction) = unit(vector) {
                 let pen = Pen::new(Item::ViewAndUp, color, 1.9).about(concept);
                 let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
-                self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
+                if self.names_all || concept == Concept::Up {
+                    self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
+                }
             }
         }
     }

@@ -3,10 +3,11 @@
 
 use pinhole_core::{DVec2, ResolvedCamera};
 
+use crate::model::observer::ARROW_POINTS;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::space::sketch::{Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, basis_arrows, corners};
+use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;

@@ -3,12 +3,13 @@
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
+use crate::model::observer::ARROW_POINTS;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::space::screen::Screen;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, NORMAL_POINTS};
+use crate::view::overlay::world_view::camera_in_space::NORMAL_POINTS;
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -56,6 +57,13 @@ pub enum KnobState {
     Over,
     /// Held: large and full, with a ring around it.
     Held,
+}
+
+impl KnobState {
+    /// Distance from the middle to the edge, in points.
+    fn radius(self) -> f64 {
+        if self == KnobState::Plain { PLAIN } else { LARGE }
+    }
 }
 
 /// The line or ring along which a handle moves.
@@ -127,29 +135,44 @@ impl Sketch<'_> {
         for guide in &handles.guides {
             self.guide(*guide);
         }
-        let (plain, others): (Vec<_>, Vec<_>) =
-            handles.marks.iter().rev().partition(|mark| mark.state == KnobState::Plain);
-        for mark in plain.into_iter().chain(others) {
-            self.knob(mark);
+        for (mark, spot) in self.apart(&handles.marks).into_iter().rev() {
+            self.knob(mark, spot);
         }
     }
 
-    fn knob(&mut self, mark: &HandleMark) {
-        let Some(spot) = self.screen.spot(mark.at) else { return };
+    /// Returns the handles that cover no other one, those under the hand first: of two that lie
+    /// together, the second comes when it is reached for.
+    fn apart<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
+        let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
+            marks.iter().partition(|mark| mark.state == KnobState::Plain);
+        let mut shown: Vec<(&HandleMark, DVec2)> = Vec::new();
+        for mark in others.into_iter().chain(plain) {
+            let Some(spot) = self.screen.spot(mark.at) else { continue };
+            let is_free = shown.iter().all(|(other, at)| {
+                at.distance(spot.at) >= self.scale() * (mark.state.radius() + other.state.radius())
+            });
+            if is_free {
+                shown.push((mark, spot.at));
+            }
+        }
+        shown
+    }
+
+    fn knob(&mut self, mark: &HandleMark, at: DVec2) {
         let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.scale());
-        let radius = scale * if mark.state == KnobState::Plain { PLAIN } else { LARGE };
+        let radius = scale * mark.state.radius();
         let mut add = |shape: Shape, color, cased: bool| {
             let pen = Pen { halo: cased, ..Pen::new(Item::Handles, color, 0.0) };
             self.drawing.marks.push(pen.mark(shape, halo));
         };
         if mark.state == KnobState::Held {
-            let ring = circle(48).map(|point| dot(spot.at + 1.7 * radius * point));
+            let ring = circle(48).map(|point| dot(at + 1.7 * radius * point));
             let width = 2.4 * scale as f32;
             add(Shape::Line { points: ring.collect(), width }, ink, true);
         }
-        add(filled(mark.knob, spot.at, radius), ink, true);
+        add(filled(mark.knob, at, radius), ink, true);
         if mark.state != KnobState::Held {
-            add(filled(mark.knob, spot.at, radius - RIM * scale), halo, false);
+            add(filled(mark.knob, at, radius - RIM * scale), halo, false);
         }
     }
 

@@ -5,6 +5,7 @@ use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera};
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::model::concept::Concept;
+use crate::model::observer::{ARROW_POINTS, UP_LENGTH};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
@@ -14,7 +15,7 @@ use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::camera_in_space::{
-    ARROW_POINTS, NORMAL_POINTS, UP_LENGTH, VIEW_LENGTH, basis_arrows, corners,
+    NORMAL_POINTS, VIEW_LENGTH, basis_arrows, corners,
 };
 
 impl Sketch<'_> {

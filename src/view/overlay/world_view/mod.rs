@@ -18,7 +18,7 @@ use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::flat::{Flat, Grid};
 use crate::view::overlay::space::labels;
-use crate::view::overlay::space::layers::{Layers, Patch, PictureLookup, ViewportLayer};
+use crate::view::overlay::space::layers::{Bowl, Layers, Patch, PictureLookup, ViewportLayer};
 use crate::view::overlay::space::screen::Screen;
 use crate::view::overlay::space::sketch::Sketch;
 use crate::view::overlay::style::Style;
@@ -39,7 +39,7 @@ pub struct WorldView<'a> {
     /// The whole scene.
     pub scene: &'a Scene,
     /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
-    /// drawn as circles.
+    /// drawn cut away.
     pub enclosing: &'a [u32],
     /// The colour of each object of the scene.
     pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
@@ -64,20 +64,24 @@ pub struct WorldView<'a> {
     pub handles: &'a Handles,
     /// True if the picture is transparent where the observer sees nothing.
     pub is_clear: bool,
+    /// True if everything drawn has its name, as in lessons and figures; else only the camera's parts
+    /// and what is highlighted.
+    pub names_all: bool,
 }
 
-/// The picture behind the camera and its marks: the observer's picture with the planes' patches
-/// painted over it. It stays the same while only the camera moves.
+/// The picture behind the camera and its marks: the observer's picture with the spheres around the
+/// camera, cut away, and the planes' patches painted over it. It stays the same while only the camera moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
     patches: Vec<Patch>,
+    bowls: Vec<Bowl>,
     background: Color32,
 }
 
 impl Backdrop {
     /// Returns the backdrop of a world view.
     pub fn new(view: &WorldView) -> Backdrop {
-        Backdrop { patches: view.patches(), background: view.background() }
+        Backdrop { patches: view.patches(), bowls: view.bowls(), background: view.background() }
     }
 
     /// Paints it over the observer's traced and shaded picture.
@@ -88,6 +92,7 @@ impl Backdrop {
     fn layers<'a>(&self, frame: &'a Frame<f32>) -> Layers<'a> {
         let mut layers = Layers::new(frame, self.background);
         layers.patches.clone_from(&self.patches);
+        layers.bowls.clone_from(&self.bowls);
         layers
     }
 }
@@ -198,6 +203,16 @@ impl<'a> WorldView<'a> {
         objects::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
     }
 
+    fn bowls(&self) -> Vec<Bowl> {
+        let rays = self.screen().pixel_rays();
+        let spheres = self.scene.spheres();
+        let around = self.enclosing.iter().filter_map(|index| {
+            let sphere = *spheres.get(*index as usize)?;
+            Some(Bowl { sphere, color: (self.color_of)(*index), rays })
+        });
+        around.collect()
+    }
+
     fn layers(&self, backdrop: &Backdrop) -> Layers<'a> {
         let mut layers = backdrop.layers(self.frame);
         if let Some(resolved) = self.resolved {
@@ -221,13 +236,14 @@ impl<'a> WorldView<'a> {
             screen,
             layers,
             items: self.items,
+            names_all: self.names_all,
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
         };
         for index in self.enclosing {
             if let Some(sphere) = self.scene.spheres().get(*index as usize) {
-                sketch.circles(*index, sphere, (self.color_of)(*index));
+                sketch.cut_away(*index, sphere, (self.color_of)(*index), screen.pixel_rays().eye);
             }
         }
         if let Some(ghost) = self.ghost {
@@ -242,7 +258,7 @@ impl<'a> WorldView<'a> {
         }
         sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;
-        drawing.labels = labels::place(requests, &drawing, screen.size);
+        labels::place(requests, &mut drawing, screen.size);
         drawing
     }
 }

@@ -1,5 +1,5 @@
 //! Objects that the world view does not trace: a plane is shown as a patch near the observer's
-//! target, with a grid; a sphere around the camera is shown as three circles.
+//! target, with a grid; a sphere around the camera is shown cut away.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
@@ -7,6 +7,7 @@ use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::circle;
+use crate::view::overlay::highlighted::silhouette;
 use crate::view::overlay::space::flat::{Flat, Grid};
 use crate::view::overlay::space::layers::{Patch, mix};
 use crate::view::overlay::space::screen::{PixelRays, tangents, unit};
@@ -16,7 +17,7 @@ use crate::view::overlay::style::Colors;
 /// Radius of a patch, as a share of the observer's distance to the target plus the target's to the
 /// plane; and the greatest distance of the plane from the target, as a multiple of the observer's
 /// distance to it.
-const PATCH_RADIUS: f64 = 0.75;
+const PATCH_RADIUS: f64 = 0.5;
 const PATCH_REACH: f64 = 3.0;
 
 /// Opacity of a patch in its middle; and its opacity there if it is between the observer and the
@@ -90,15 +91,25 @@ fn grid_step(distance: f64) -> f64 {
 }
 
 impl Sketch<'_> {
-    /// Draws three circles on a sphere, orthogonal to x, y and z.
-    pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
+    /// Draws the rim of a sphere that is cut away, and three circles on what is left of it, orthogonal
+    /// to x, y and z.
+    pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, observer: DVec3) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen = Pen::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
             let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
             let ring: Vec<DVec3> = circle(72).map(at).collect();
-            ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
+            let is_left = |p: DVec3| {
+                let out = p - sphere.center;
+                out.dot(observer - sphere.center) <= sphere.radius * sphere.radius
+            };
+            for ends in ring.windows(2).filter(|ends| is_left(ends[0].midpoint(ends[1]))) {
+                self.line(ends[0], ends[1], pen);
+            }
         }
+        let rim = silhouette(sphere, observer).unwrap_or_default();
+        let pen = Pen { width: 2.0, ..pen };
+        rim.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
     }
 }
 

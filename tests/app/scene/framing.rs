@@ -1,0 +1,155 @@
+//! From where the world view is seen: fitted to its size, unless a hand has moved the observer.
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::model::lessons::{StepId, Which};
+use pinhole::model::observer::Observer;
+use pinhole::model::session::ViewLayout;
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
+use pinhole::view::overlay::{UP_LENGTH, arrow_length};
+
+use super::camera;
+use crate::harness::{click_at, show, window_with};
+
+/// Sizes of the window: wide, high, ordinary.
+const SIZES: [egui::Vec2; 3] = [vec2(1920.0, 1080.0), vec2(900.0, 1000.0), vec2(1024.0, 768.0)];
+
+fn observer(harness: &Harness<'_, App>) -> Observer {
+    harness.state().session().observer.unwrap()
+}
+
+/// Fails unless the tips of u, v, w and up are in the world view.
+#[track_caller]
+fn assert_tips_in_sight(harness: &Harness<'_, App>, what: &str) {
+    let frame = harness.state().derived().world_frame.clone().unwrap();
+    let seen = frame.camera();
+    let camera = camera(harness);
+    let resolved = camera.resolve().unwrap();
+    let scale = harness.ctx.pixels_per_point();
+    let length = arrow_length(seen, camera.eye, scale);
+    let basis = resolved.basis();
+    let up = UP_LENGTH * camera.up().normalize();
+    for (name, axis) in [("u", basis.u), ("v", basis.v), ("w", basis.w), ("up", up)] {
+        let uv = seen.project(camera.eye + length * axis).uv;
+        let share = [uv.x / seen.viewport().width, uv.y / seen.viewport().height];
+        assert!(share.iter().all(|s| s.abs() < 0.5), "{what}: the tip of {name} is cut off");
+    }
+}
+
+#[test]
+fn no_arrow_is_cut_off_when_the_window_or_the_layout_changes() {
+    for scene in ["canonical", "look-at", "roll"] {
+        let mut harness = window_with(scene, Remembered::default(), None);
+        for size in SIZES {
+            harness.set_size(size);
+            harness.run();
+            assert_tips_in_sight(&harness, &format!("{scene} at {size}"));
+            harness.key_press(Key::F5);
+            harness.run();
+            assert_tips_in_sight(&harness, &format!("{scene} at {size}, presented"));
+            harness.key_press(Key::F5);
+            harness.run();
+        }
+        show(&mut harness, ViewLayout::World);
+        assert_tips_in_sight(&harness, &format!("{scene}, the world view alone"));
+    }
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    for (lesson, step) in [(0, 0), (5, 1), (6, 2), (7, 0)] {
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
+        for size in SIZES {
+            harness.set_size(size);
+            harness.run();
+            assert_tips_in_sight(&harness, &format!("lesson {}.{} at {size}", lesson + 1, step + 1));
+        }
+        let is_enabled = |harness: &Harness<'_, App>| {
+            let back = harness.query_all_by_role(Role::Button);
+            back.into_iter().count() > 0
+        };
+        assert!(is_enabled(&harness));
+    }
+}
+
+#[test]
+fn an_observer_that_a_hand_has_moved_stays() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    let framed = observer(&harness);
+    harness.set_size(vec2(900.0, 1000.0));
+    harness.run();
+    assert_ne!(observer(&harness), framed, "it is fitted to another size");
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    click_at(&mut harness, view.left_bottom() + vec2(8.0, -8.0));
+    harness.key_press_modifiers(Modifiers::ALT, Key::ArrowLeft);
+    harness.run();
+    let moved = observer(&harness);
+    assert_ne!(moved, framed);
+    for size in SIZES {
+        harness.set_size(size);
+        harness.run();
+        assert_eq!(observer(&harness), moved);
+    }
+}
+
+#[test]
+fn a_step_seen_in_a_view_of_another_size_counts_as_unchanged() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 0 }, None);
+    for size in SIZES {
+        harness.set_size(size);
+        harness.run();
+        let back = harness.get_by_role_and_label(Role::Button, "Back to the step (R)");
+        assert!(egui_kittest::kittest::NodeT::accesskit_node(&back).is_disabled(), "{size}");
+    }
+}
+
+#[test]
+fn the_first_scene_is_seen_from_the_side_and_above_with_at_on_the_ball() {
+    let harness = window_with("canonical", Remembered::default(), None);
+    let ball = harness.state().document().spheres[0].shape.center;
+    assert_eq!(super::at_of(&camera(&harness)), ball);
+    let frame = harness.state().derived().world_frame.clone().unwrap();
+    let back = frame.camera().basis().w;
+    let along = back.dot(camera(&harness).resolve().unwrap().basis().w);
+    assert!((0.45..0.85).contains(&along), "beside the camera, not behind it: {along}");
+    assert!((0.2..0.5).contains(&back.y), "a little above: {}", back.y);
+}
+
+#[test]
+fn readouts_are_as_high_as_before_once_a_small_window_is_large_again() {
+    let mut settings = pinhole::model::session::Settings::default();
+    settings.unfolded.numbers = true;
+    let mut harness = window_with("canonical", Remembered { settings, ..Remembered::default() }, None);
+    let before = harness.state().session().settings.splits;
+    let view = |harness: &Harness<'_, App>| {
+        harness.get_by_role_and_label(Role::Image, "World view").rect()
+    };
+    let large = view(&harness);
+    harness.set_size(vec2(640.0, 300.0));
+    harness.run();
+    harness.set_size(crate::harness::SIZE);
+    harness.run();
+    assert_eq!(harness.state().session().settings.splits, before);
+    assert_eq!(view(&harness), large);
+}
+
+#[test]
+fn titles_and_buttons_above_the_views_do_not_overlap_in_a_small_window() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.set_size(vec2(640.0, 480.0));
+    harness.run();
+    let rects = |role: Role, names: &[&str]| -> Vec<egui::Rect> {
+        let named = names.iter().flat_map(|name| harness.query_all_by_role_and_label(role, name));
+        named.map(|node| node.rect()).collect()
+    };
+    let mut all = rects(Role::Label, &["World view", "Camera view"]);
+    assert_eq!(all.len(), 2);
+    all.extend(rects(Role::Button, &["Maximise", "Eye orbits at"]));
+    assert!(all.len() >= 4);
+    for (k, one) in all.iter().enumerate() {
+        for other in &all[..k] {
+            assert!(!one.shrink(0.5).intersects(*other), "{one} and {other}");
+        }
+    }
+}
