@@ -59,9 +59,9 @@ fn every_line_can_be_read() {
     let window = derivation_window("canonical");
     for line in [
         "eye = (0, 0, 0)",
-        "view = at − eye = (0, 0, −1) − (0, 0, 0) = (0, 0, −1)",
-        "−view = (0, 0, 1)",
-        "𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)",
+        "view = at − eye = (0, 0, −5) − (0, 0, 0) = (0, 0, −5)",
+        "−view = (0, 0, 5)",
+        "𝐰 = normalize(−view) = (0, 0, 5)/5 = (0, 0, 1)",
         "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
         "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
         "(u, v) = (0.2, −0.1); the corner of four pixels, no pixel's centre",
@@ -105,7 +105,7 @@ fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
 #[test]
 fn a_line_that_has_the_focus_lights_its_thing() {
     let mut window = derivation_window("canonical");
-    window.get_by_label("−view = (0, 0, 1)").focus();
+    window.get_by_label("−view = (0, 0, 5)").focus();
     window.run();
     assert_eq!(pointed(&window).map(|pointed| pointed.concept), Some(Concept::Backwards));
 }
@@ -190,10 +190,10 @@ fn sections_are_folded_and_left_out() {
     let mut window = derivation_window("canonical");
     window.get_by_label("Fold: Basis").click();
     window.run();
-    assert!(!says(&window, "−view = (0, 0, 1)"));
+    assert!(!says(&window, "−view = (0, 0, 5)"));
     window.get_by_label("Unfold: Basis").click();
     window.run();
-    assert_says(&window, "−view = (0, 0, 1)");
+    assert_says(&window, "−view = (0, 0, 5)");
     window.get_by_label("Derivation: Objects").click();
     window.run();
     assert!(texts_with(&window, "D = b²").is_empty());
@@ -513,7 +513,7 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
     };
     let has = |texts: &[String], words: &str| texts.iter().any(|text| text.starts_with(words));
     let (w, u) = ("𝐰: backwards, the opposite of the view", "𝐮: to the right in the image");
-    let texts = said("𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)", [63.0, 22.0]);
+    let texts = said("𝐰 = normalize(−view) = (0, 0, 5)/5 = (0, 0, 1)", [63.0, 22.0]);
     assert!(has(&texts, w), "{texts:?}");
     let scalar = "𝑢: how far right of the viewport's middle";
     let line = "u 𝐮 = 0.2 (1, 0, 0) = (0.2, 0, 0)";

@@ -51,7 +51,7 @@ fn up_along_the_view_is_a_fault_and_nearly_along_it_is_not() {
     type_into(&mut window, "up z", "1");
     assert_says(
         &window,
-        "up (0, 0, 1) is parallel to the view direction (0, 0, −1): turn one of them",
+        "up (0, 0, 1) is parallel to the view direction (0, 0, −5): turn one of them",
     );
     type_into(&mut window, "up y", "1e-9");
     assert!(window.state().derived().fault.is_none());

@@ -24,7 +24,7 @@ const ASKED_PLANES: usize = 64;
 
 /// Angles, in degrees, of the observer beside the line behind the camera, and above it.
 const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
-const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
+const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 
 /// Length of the frustum that should be in sight: this share of the way to the farthest sphere, and
 /// at most this multiple of the viewport's distance.
@@ -32,7 +32,7 @@ const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
 /// Size of the camera, as a share of the picture's height, above which larger is no better.
-const LARGE_ENOUGH: f64 = 0.22;
+const LARGE_ENOUGH: f64 = 0.15;
 
 /// Maximum distance of the observer's target from the eye, in near sizes: around something far away
 /// the observer would lose the camera.
@@ -46,7 +46,7 @@ pub const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 pub const UP_LENGTH: f64 = 1.35;
 
 /// Length of the arrows of the world's axes, likewise.
-pub const AXIS_LENGTH: f64 = 1.75;
+pub const AXIS_LENGTH: f64 = 1.6;
 
 /// Room beyond an arrow's tip for its handle and its label, in points.
 const TIP_ROOM: f64 = 26.0;
@@ -55,7 +55,7 @@ const TIP_ROOM: f64 = 26.0;
 const ROUNDS: usize = 3;
 
 /// Maximum ratio of a kept observer's distances after and before it steps back.
-const LONGEST_STEP_BACK: f64 = 1.8;
+const LONGEST_STEP_BACK: f64 = 3.0;
 
 /// The size of the world view on the screen, in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,7 +154,8 @@ impl Observer {
         for _ in 0..ROUNDS {
             let stand = self.target + distance * self.back();
             let tips = arrows.tips(camera.eye, (stand - camera.eye).dot(self.back()), size);
-            let needed = tips.map(|tip| self.distance_for_ball(&tip, size.aspect(), MARGIN_AT_TIPS));
+            let needed =
+                tips.map(|tip| self.distance_for_ball(&tip, size.aspect(), MARGIN_AT_TIPS));
             distance = needed.filter(|d| d.is_finite()).fold(self.distance, f64::max);
         }
         let distance = distance.max(self.distance_for(camera, size.aspect()));
@@ -343,7 +344,7 @@ impl Subject {
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
         let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
         let facing = facing / self.walls.len().max(1) as f64;
-        (size / LARGE_ENOUGH).min(1.0) + 0.95 * sideways + from_front + 0.2 * facing
+        (size / LARGE_ENOUGH).min(1.0) + 1.2 * sideways + from_front + 0.2 * facing
             - if hidden { 0.6 } else { 0.0 }
     }
 }

@@ -251,7 +251,8 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
 
 /// Returns the tips of the basis arrows and of up, as the world view draws them.
 fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
-    let resolved = observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
+    let resolved =
+        observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
     let length = crate::view::overlay::arrow_length(&resolved, camera.eye, 1.0);
     let own = camera.resolve().expect("a camera");
     let basis = own.basis();

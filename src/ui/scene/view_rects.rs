@@ -162,7 +162,7 @@ impl ViewRects {
         };
         let [world, camera_area, beside_area] =
             [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
-        let fitted = |area| fitted(area, image, per_point);
+        let fitted = |area| fitted(area, image, per_point, !presenting);
         let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
         ViewRects { world, camera_area, camera, beside_area, beside, rest: areas.rest }
     }
@@ -221,15 +221,17 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     )
 }
 
-/// Returns the largest centred rectangle with the image's aspect ratio. If pixels are large, each
+/// Returns the largest rectangle with the image's aspect ratio: in the middle of the area, or right
+/// below its title. If pixels are large, each
 /// gets a whole number of physical pixels, so that all are alike.
-fn fitted(area: Rect, image: ImageSize, per_point: f32) -> Rect {
+fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);
     let scale = (available.x / pixels.x).min(available.y / pixels.y);
     let scale = if scale >= 3.0 { scale.floor() } else { scale };
     let size = vec2((pixels.x * scale).round().max(1.0), (pixels.y * scale).round().max(1.0));
     let min = area.center() - 0.5 * size / per_point;
+    let min = if at_top { pos2(min.x, area.top()) } else { min };
     let min = pos2((min.x * per_point).round(), (min.y * per_point).round()) / per_point;
     Rect::from_min_size(min, size / per_point)
 }

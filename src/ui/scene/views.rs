@@ -11,9 +11,9 @@ use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::observer::ViewSize;
 use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
+use crate::model::observer::ViewSize;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;

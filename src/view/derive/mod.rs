@@ -6,6 +6,7 @@ mod derivations;
 mod derived;
 mod ghost;
 mod grading;
+mod key_light;
 mod memo;
 mod objects;
 mod picture;

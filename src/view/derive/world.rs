@@ -6,6 +6,7 @@ use egui::Color32;
 use pinhole_core::{DVec3, Frame, Outputs, ResolvedCamera, Shade};
 
 use super::derived::Inputs;
+use super::key_light;
 use super::memo::{Fineness, Memo, Same};
 use super::objects::{Enclosing, Objects};
 use super::watch::{Watch, Work, picture, repainted, watched};
@@ -55,7 +56,8 @@ impl WorldPictures {
             Arc::new(enclosing(&good.scene, eye, observer.eye()))
         });
         let scene = objects.observed(&enclosing)?;
-        let colors = (Shade::Lambert, |i: u32| good.colors[i as usize]);
+        let color_of = |i: u32| good.colors[i as usize];
+        let colors = (Shade::Object, color_of);
         let (frame, traced) = (&mut self.frame, &mut self.traced);
         let seen = (observer, good.generation, enclosing);
         let subsampling = self.fineness.at_most(seen.clone(), sizes.subsampling);
@@ -65,7 +67,11 @@ impl WorldPictures {
                 *traced += 1;
                 let image = observer.image();
                 let raster = subsampling.raster(image, [image.width(), image.height()]);
-                let traced = picture(&scene, &observer, &raster, Outputs::default(), colors, watch);
+                let mut traced =
+                    picture(&scene, &observer, &raster, Outputs::default(), colors, watch);
+                watched(watch, Work::Trace, || {
+                    key_light::paint(&traced.0, &scene, color_of, &mut traced.1);
+                });
                 if subsampling == Subsampling::NONE {
                     fresh = Some(traced.1);
                     return Arc::new(traced.0);
@@ -74,7 +80,11 @@ impl WorldPictures {
                 fresh = Some(raster.spread(image, &traced.1));
                 Arc::new(traced.0.spread())
             });
-            let pixels = fresh.unwrap_or_else(|| repainted(&frame, &scene, colors, watch));
+            let pixels = fresh.unwrap_or_else(|| {
+                let mut pixels = repainted(&frame, &scene, colors, watch);
+                key_light::paint(&frame, &scene, color_of, &mut pixels);
+                pixels
+            });
             let enclosing = Arc::clone(&seen.2);
             Arc::new(WorldPicture { frame, pixels, enclosing, subsampling })
         }))

@@ -49,15 +49,17 @@ pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
     }
     let of_camera = [Handle::Eye, Handle::At, Handle::Up, Handle::Roll, Handle::Dolly];
     let corners = ViewportCorner::ALL.map(Handle::Corner);
-    let of_objects = hand.objects.into_iter().flatten().flat_map(|k| {
+    let of_object = |k: usize| {
         if k < stage.document.sphere_count() {
             [Handle::Center(k), Handle::Radius(k)]
         } else {
             [Handle::Point(k), Handle::Normal(k)]
         }
-    });
-    let handles = of_camera.into_iter().chain(corners).chain([Handle::Distance]);
-    let handles = handles.chain(of_objects).chain([Handle::Pixel]);
+    };
+    // Who has chosen an object wants to move it, even where at is its centre.
+    let [chosen, pointed_at] = hand.objects.map(|k| k.into_iter().flat_map(of_object));
+    let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
+    let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
     let is_held = |handle| hand.held.is_some_and(|grasp| grasp.handle == handle);
     let is_small = stage.is_viewport_small();
     let shown = handles.filter(|handle| {
@@ -111,9 +113,7 @@ impl Stage<'_> {
         let beyond = |at: DVec3| self.beyond(at);
         let eye = self.camera().eye;
         let length = match handle {
-            Handle::Up => {
-                per_length(UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?
-            }
+            Handle::Up => per_length(UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?,
             Handle::Roll | Handle::Dolly => self.arrow()? + beyond(eye),
             Handle::Normal(k) => {
                 let plane = self.plane(k)?;

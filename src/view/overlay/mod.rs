@@ -21,6 +21,7 @@ mod space;
 mod style;
 mod world_view;
 
+pub use crate::model::observer::UP_LENGTH;
 pub use camera_view::loupe::{Loupe, loupe_window};
 pub use camera_view::{CameraView, camera, camera_apart, camera_position_of_uv, camera_uv_at};
 pub use drawing::{Drawing, Label, Mark, Shape, Target, concept_at};
@@ -29,7 +30,6 @@ pub use paint::paint_paths;
 pub use paint::path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Style};
-pub use crate::model::observer::UP_LENGTH;
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,

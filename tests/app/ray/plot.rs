@@ -39,6 +39,7 @@ fn every_object_s_curve_says_what_it_does() {
     select(&mut window, "0", "0");
     assert_reads(&window, "D > 0: in at t = 4, out at t = 6");
     assert_says(&window, "the first hit");
+    type_into(&mut window, "at z", "-9");
     type_into(&mut window, "eye z", "-5");
     assert_reads(
         &window,

@@ -5,8 +5,10 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::concept::Concept;
 use pinhole::model::session::EyeKeeps;
 use pinhole::ui::app::App;
+use pinhole::view::overlay::{Mark, Shape};
 use pinhole_core::DVec3;
 
 use super::{at_of, camera};
@@ -126,29 +128,35 @@ fn nothing_is_steered_while_a_field_or_the_other_view_has_the_focus() {
     assert_eq!(camera(&harness), before);
 }
 
+/// Whether the camera has a body, whose edges are named eye as its point is.
+fn has_body(harness: &Harness<'_, App>) -> bool {
+    let marks = harness.state().derived().world_view.clone().unwrap().marks;
+    let is_edge = |mark: &&Mark| {
+        mark.concept == Some(Concept::Eye) && matches!(mark.shape, Shape::Line { .. })
+    };
+    marks.iter().filter(is_edge).count() >= 8
+}
+
 #[test]
-fn the_camera_is_framed_where_it_is_too_small_to_be_taken() {
+fn a_far_camera_has_a_body_and_a_near_one_has_handles_on_its_viewport() {
     let corner = "viewport, top right corner handle";
     let has_corner = |harness: &Harness<'_, App>| {
         harness.query_by_role_and_label(Role::Slider, corner).is_some()
     };
-    let hint = |harness: &Harness<'_, App>| {
-        harness.query_by_role_and_label(Role::Button, "Frame the camera").is_some()
-    };
     let mut harness = window("look-at");
-    assert!(!has_corner(&harness) && hint(&harness));
-    harness.get_by_role_and_label(Role::Button, "Frame the camera").click();
-    harness.run();
-    assert!(has_corner(&harness) && !hint(&harness));
-    press(&mut harness, Modifiers::NONE, Key::F);
-    assert!(!has_corner(&harness) && hint(&harness));
+    assert!(!has_corner(&harness) && has_body(&harness));
     press(&mut harness, Modifiers::SHIFT, Key::F);
-    assert!(has_corner(&harness) && !hint(&harness));
-    // Where its handles have room, or are not wanted, nothing is said.
-    assert!(!hint(&window("canonical")));
+    assert!(has_corner(&harness) && !has_body(&harness));
     press(&mut harness, Modifiers::NONE, Key::F);
-    command(&mut harness, "overlay handles");
-    assert!(!hint(&harness));
+    assert!(!has_corner(&harness) && has_body(&harness));
+    assert!(!has_body(&window("canonical")));
+    // However far away: the body keeps its size, and no note says that it is too small.
+    focus(&mut harness, Role::Image, "World view");
+    for _ in 0..12 {
+        press(&mut harness, Modifiers::NONE, Key::Minus);
+    }
+    assert!(has_body(&harness));
+    assert!(harness.query_by_role_and_label(Role::Button, "Frame the camera").is_none());
 }
 
 #[test]

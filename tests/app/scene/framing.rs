@@ -62,13 +62,11 @@ fn no_arrow_is_cut_off_when_the_window_or_the_layout_changes() {
         for size in SIZES {
             harness.set_size(size);
             harness.run();
-            assert_tips_in_sight(&harness, &format!("lesson {}.{} at {size}", lesson + 1, step + 1));
+            assert_tips_in_sight(
+                &harness,
+                &format!("lesson {}.{} at {size}", lesson + 1, step + 1),
+            );
         }
-        let is_enabled = |harness: &Harness<'_, App>| {
-            let back = harness.query_all_by_role(Role::Button);
-            back.into_iter().count() > 0
-        };
-        assert!(is_enabled(&harness));
     }
 }
 
@@ -99,7 +97,7 @@ fn a_step_seen_in_a_view_of_another_size_counts_as_unchanged() {
     for size in SIZES {
         harness.set_size(size);
         harness.run();
-        let back = harness.get_by_role_and_label(Role::Button, "Back to the step (R)");
+        let back = harness.get_by_role_and_label(Role::Button, "Back to the step");
         assert!(egui_kittest::kittest::NodeT::accesskit_node(&back).is_disabled(), "{size}");
     }
 }
@@ -120,7 +118,8 @@ fn the_first_scene_is_seen_from_the_side_and_above_with_at_on_the_ball() {
 fn readouts_are_as_high_as_before_once_a_small_window_is_large_again() {
     let mut settings = pinhole::model::session::Settings::default();
     settings.unfolded.numbers = true;
-    let mut harness = window_with("canonical", Remembered { settings, ..Remembered::default() }, None);
+    let mut harness =
+        window_with("canonical", Remembered { settings, ..Remembered::default() }, None);
     let before = harness.state().session().settings.splits;
     let view = |harness: &Harness<'_, App>| {
         harness.get_by_role_and_label(Role::Image, "World view").rect()
@@ -152,4 +151,19 @@ fn titles_and_buttons_above_the_views_do_not_overlap_in_a_small_window() {
             assert!(!one.shrink(0.5).intersects(*other), "{one} and {other}");
         }
     }
+}
+
+#[test]
+fn the_lesson_on_the_viewport_compares_like_with_like() {
+    let lessons = pinhole::model::lessons::builtin::all();
+    let warm_up = &lessons[1].steps[0].document;
+    for step in &lessons[2].steps[..3] {
+        let document = &step.document;
+        assert_eq!(document.spheres, lessons[2].steps[0].document.spheres, "{}", step.title);
+        assert_eq!(document.planes, warm_up.planes, "{}", step.title);
+        assert_eq!(document.camera.orientation, warm_up.camera.orientation, "{}", step.title);
+        assert_eq!(step.view.observer, lessons[2].steps[0].view.observer, "{}", step.title);
+    }
+    assert_eq!(lessons[2].steps[1].document.camera.viewport.distance, 2.0);
+    assert_eq!(lessons[2].steps[1].selection, lessons[1].steps[0].selection);
 }

@@ -1,73 +1,83 @@
-//! Labels in the world view: beside what they name, and over no handle.
+//! Handles and labels in the world view: only those that are needed.
 
-use egui::{Key, Pos2, Rect, Vec2, vec2};
+use egui::Key;
+use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
+use pinhole::model::overlay_items::Item;
+use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
+use pinhole::view::overlay::Shape;
 
-use crate::harness::window;
+use crate::harness::window_with;
 
-/// Where the handles' middles are.
-fn handles(harness: &Harness<'_, App>) -> Vec<(String, Pos2)> {
-    let nodes = harness.root().children_recursive();
-    let handles = nodes.filter_map(|node| {
-        let name = node.accesskit_node().label().filter(|label| label.ends_with(" handle"))?;
-        // Not those between two views.
-        let is_splitter = node.accesskit_node().role() == egui::accesskit::Role::Splitter;
-        (!is_splitter).then(|| (name, node.rect().center()))
-    });
-    handles.collect()
+/// The number of handles that are drawn: each is a filled shape with a smaller one in its middle.
+fn drawn_handles(harness: &Harness<'_, App>) -> usize {
+    let marks = harness.state().derived().world_view.clone().unwrap().marks;
+    let handles = marks.iter().filter(|mark| mark.item == Item::Handles);
+    handles.filter(|mark| !matches!(mark.shape, Shape::Line { .. })).count() / 2
 }
 
-/// What each label covers.
-fn labels(harness: &Harness<'_, App>) -> Vec<(String, Rect)> {
-    let rect = harness.get_by_role_and_label(egui::accesskit::Role::Image, "World view").rect();
-    let scale = harness.ctx.pixels_per_point();
+/// The labels of the world view, sorted.
+fn labels(harness: &Harness<'_, App>) -> Vec<String> {
     let shown = harness.state().derived().world_view.clone().unwrap();
-    let area = |label: &pinhole::view::overlay::Label| {
-        let center = rect.min + Vec2::from(label.position) / scale;
-        let size = 2.0 * Vec2::from(label.half_extent(scale)) / scale;
-        (label.text.clone(), Rect::from_center_size(center, size))
-    };
-    shown.labels.iter().map(area).collect()
+    let mut texts: Vec<String> = shown.labels.iter().map(|label| label.text.clone()).collect();
+    texts.sort();
+    texts
 }
 
-#[track_caller]
-fn assert_apart(harness: &Harness<'_, App>, what: &str) {
-    let labels = labels(harness);
-    assert!(labels.len() >= 3, "{what}: {labels:?}");
-    for (text, area) in &labels {
-        for (name, spot) in handles(harness) {
-            assert!(!area.contains(spot), "{what}: “{text}” lies over the {name}");
-        }
-        for (other, beside) in labels.iter().filter(|other| other.0 != *text) {
-            assert!(!area.shrink(1.0).intersects(*beside), "{what}: “{text}” and “{other}”");
-        }
-    }
+fn focus(harness: &mut Harness<'_, App>, handle: &str) {
+    harness.get_by_role_and_label(Role::Slider, handle).focus();
+    harness.run();
 }
 
 #[test]
-fn no_label_lies_over_a_handle_or_another_label() {
-    for scene in ["canonical", "look-at"] {
-        let mut harness = window(scene);
-        assert_apart(&harness, scene);
-        harness.key_press(Key::F5);
+fn only_eye_at_and_up_have_handles_until_another_is_reached_for() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    assert_eq!(drawn_handles(&harness), 3, "eye, at and the tip of up");
+    // Those that are not drawn can be reached by Tab, and are drawn then.
+    for (handle, count) in [
+        ("roll round w handle", 4),
+        ("dolly along w handle", 4),
+        ("viewport, top right corner handle", 8),
+        ("viewport's distance handle", 8),
+        ("selected pixel handle", 4),
+    ] {
+        focus(&mut harness, handle);
+        // A handle under the hand is large, and may cover another one.
+        let drawn = drawn_handles(&harness);
+        assert!((count - 1..=count).contains(&drawn), "{handle}: {drawn}");
+        harness.key_press(Key::Escape);
         harness.run();
-        assert_apart(&harness, scene);
     }
-    let mut harness = window("canonical");
-    // As many points as a projector's window of 1024 x 768 has while presenting.
-    harness.set_size(vec2(683.0, 512.0));
-    harness.key_press(Key::F5);
-    for (lesson, step) in [(6, 1), (6, 2), (6, 4), (8, 0)] {
+    assert_eq!(drawn_handles(&harness), 3);
+}
+
+#[test]
+fn handles_that_a_step_asks_to_drag_are_drawn() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    let mut open = |lesson, step| {
         harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
         harness.run();
-        if harness.state().session().is_asking {
-            // All labels are shown with the answer.
-            harness.key_press(Key::PageDown);
-            harness.run();
-        }
-        assert_apart(&harness, &format!("lesson {}.{}", lesson + 1, step + 1));
+        drawn_handles(&harness)
+    };
+    assert_eq!(open(0, 0), 1, "the camera in its world: its eye");
+    assert_eq!(open(2, 0), 6, "drag width: eye, corners and distance");
+    assert_eq!(open(2, 1), 2, "drag distance");
+}
+
+#[test]
+fn only_what_the_camera_is_made_of_has_a_name_until_a_lesson_is_open() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    let named = labels(&harness);
+    for name in ["at", "eye", "up", "u", "v", "w", "hit"] {
+        assert!(named.iter().any(|text| text == name), "{name} in {named:?}");
     }
+    for name in ["top", "(0, 0)", "n", "view"] {
+        assert!(!named.iter().any(|text| text == name), "{name} in {named:?}");
+    }
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 3 }, None);
+    harness.run();
+    assert!(labels(&harness).iter().any(|text| text == "n"), "{:?}", labels(&harness));
 }

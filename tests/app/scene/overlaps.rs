@@ -68,7 +68,12 @@ fn hints(harness: &Harness<'_, App>, rect: Rect) -> Vec<Drawn> {
     let over = nodes.filter_map(|node| {
         let role = node.accesskit_node().role();
         let is_text = matches!(role, Role::Label | Role::Button);
-        let area = node.rect().intersect(rect);
+        let bounds = node.accesskit_node().bounding_box()?;
+        let area = Rect::from_min_max(
+            Pos2::new(bounds.x0 as f32, bounds.y0 as f32),
+            Pos2::new(bounds.x1 as f32, bounds.y1 as f32),
+        );
+        let area = area.intersect(rect);
         let name = node.accesskit_node().label().or_else(|| node.accesskit_node().value())?;
         (is_text && area.is_positive()).then_some(Drawn { name, area, is_label: false })
     });
@@ -79,10 +84,7 @@ fn hints(harness: &Harness<'_, App>, rect: Rect) -> Vec<Drawn> {
 fn offences(harness: &Harness<'_, App>) -> Vec<String> {
     let scale = harness.ctx.pixels_per_point();
     let derived = harness.state().derived();
-    let views = [
-        ("World view", &derived.world_view),
-        ("Camera view", &derived.camera_view),
-    ];
+    let views = [("World view", &derived.world_view), ("Camera view", &derived.camera_view)];
     let mut found = Vec::new();
     for (view, shown) in views {
         let node = harness.query_by_role_and_label(Role::Image, view);

@@ -106,3 +106,29 @@ fn seen_from_behind_the_picture_is_mirrored() {
     let (l, r) = seen(&stage);
     assert!(l > r);
 }
+
+#[test]
+fn a_sphere_around_the_camera_is_painted_cut_away() {
+    let around = sphere(0.0, 0.0, -1.0, 4.0);
+    let scene = Scene::new(vec![around], vec![]).expect("a scene");
+    let observer = from_the_right(around.center, 16.0);
+    let stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    assert_eq!(stage.enclosing, [0]);
+    let mut dots = stage.dots();
+    let background = Style::Light.colors().background;
+    painted(&stage.view(), &mut dots);
+    let at = |y: f64| {
+        let spot = stage.to_screen(DVec3::new(0.0, y, -2.3));
+        dots[spot.y as usize * SIZE.0 as usize + spot.x as usize]
+    };
+    let [r, g, b] = color_of(0).map(i32::from);
+    let nearness = |dot: Color32| {
+        (i32::from(dot.r()) - r).abs()
+            + (i32::from(dot.g()) - g).abs()
+            + (i32::from(dot.b()) - b).abs()
+    };
+    assert!(nearness(at(2.9)) < nearness(background) - 60, "{:?}", at(2.9));
+    assert_eq!(at(5.0), background, "beside it");
+    // Nothing of it hides the camera.
+    assert!(!stage.view().drawing().marks.iter().any(|mark| mark.item == Item::Eye && mark.hidden));
+}

@@ -288,7 +288,7 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<
     let step = (0..5)
         .flat_map(|power| [1, 2, 5].map(|m| m * 10u32.pow(power)))
         .find(|step| f64::from(*step) >= wanted)?;
-    let opacity = if step == 1 { 0.45 } else { 0.28 };
+    let opacity = if step == 1 { 0.4 } else { 0.18 };
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     // In units of (u / width, v / height), from the corner of pixel (0, 0).
     let step = f64::from(step) / DVec2::new(w, h);

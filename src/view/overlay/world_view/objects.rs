@@ -66,8 +66,8 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     Some(Patch {
         flat: Flat::new(&onlooker.rays, center, axis_a, axis_b)?,
         radius: PATCH_RADIUS * (onlooker.distance + away.abs()),
-        color: mix(color, colors.background, 0.35),
-        grid_color: mix(color, colors.ink, 0.45),
+        color: mix(color, colors.background, 0.45),
+        grid_color: mix(color, colors.ink, 0.25),
         opacity: if between { OPACITY_BETWEEN } else { OPACITY },
         grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
     })
@@ -93,7 +93,13 @@ fn grid_step(distance: f64) -> f64 {
 impl Sketch<'_> {
     /// Draws the rim of a sphere that is cut away, and three circles on what is left of it, orthogonal
     /// to x, y and z.
-    pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, observer: DVec3) {
+    pub(crate) fn cut_away(
+        &mut self,
+        index: u32,
+        sphere: &Sphere,
+        [r, g, b]: Rgb,
+        observer: DVec3,
+    ) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen = Pen::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
