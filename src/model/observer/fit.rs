@@ -31,7 +31,7 @@ const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// Size of the camera, as a share of the picture's height, above which larger is no better.
+/// Size of the camera, as a share of the picture's height or width, above which larger is no better.
 const LARGE_ENOUGH: f64 = 0.15;
 
 /// Maximum distance of the observer's target from the eye, in near sizes: around something far away
@@ -128,7 +128,7 @@ impl Observer {
                 let azimuth = behind + side * beside.to_radians();
                 let from = Observer::new(DVec3::ZERO, azimuth, above.to_radians(), 1.0);
                 let observer = subject.fit(&from, size);
-                let score = subject.score(&observer) + 0.1 * side;
+                let score = subject.score(&observer, size.aspect()) + 0.1 * side;
                 if best.is_none_or(|(most, _)| score > most) {
                     best = Some((score, observer));
                 }
@@ -331,12 +331,12 @@ impl Subject {
 
     /// Returns the score of an observer. It is better if the camera is large enough, its view is
     /// seen from the side, its picture and the walls are seen from the front, and nothing hides it.
-    fn score(&self, observer: &Observer) -> f64 {
+    fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
         let to_eye = stand - self.eye;
         let depth = to_eye.dot(back).max(1e-12);
-        let size = self.near_size / extent_of_fov(FOV, depth);
+        let size = self.near_size / (aspect.min(1.0) * extent_of_fov(FOV, depth));
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
         // The picture on the viewport is hard to read if foreshortened to less than half its width.
