@@ -72,9 +72,9 @@ fn the_difference_is_told_in_numbers() {
     type_into(&mut harness, "eye z", "4");
     assert_reads(&harness, "eye: ghost (0, 0, 0), now (3, 0, 4), difference 5");
     assert_reads(&harness, "at: ghost (0, 0, −5), now (0, 0, −5), difference 0");
-    // atan(3 / 5)
+    // atan(3 / 9)
     assert_reads(&harness, "v: ghost (0, 1, 0), now (0, 1, 0), difference 0°");
-    assert_says(&harness, "turned by 30.96°, rolled by 0°");
+    assert_says(&harness, "turned by 18.43°, rolled by 0°");
     type_into(&mut harness, "up y", "0");
     type_into(&mut harness, "up x", "1");
     assert_reads(&harness, "up: ghost (0, 1, 0), now (1, 0, 0), difference 90°");

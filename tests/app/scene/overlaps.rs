@@ -109,7 +109,7 @@ fn offences(harness: &Harness<'_, App>) -> Vec<String> {
 
 /// Lets the window settle, without the animations of a whole second.
 fn settle(harness: &mut Harness<'_, App>) {
-    harness.run_steps(3);
+    harness.run_steps(5);
 }
 
 /// Looks at what is open in the window and before an audience.

@@ -200,7 +200,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     rows.dedup();
     let name = |row: &u32| {
         // Two names need more room than two small pixels have.
-        let least = 0.55 * f64::from(TEXT) * scale;
+        let least = 0.64 * f64::from(TEXT) * scale;
         let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
         let row = row + u32::from(loupe.count_from_one);
