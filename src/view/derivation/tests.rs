@@ -61,11 +61,11 @@ fn the_canonical_camera() {
         expect![[r#"
             Basis
               eye = (0, 0, 0)
-              at = (0, 0, −1)
+              at = (0, 0, −5)
               up = (0, 1, 0)
-              view = at − eye = (0, 0, −1) − (0, 0, 0) = (0, 0, −1)
-              −view = (0, 0, 1)
-              𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)
+              view = at − eye = (0, 0, −5) − (0, 0, 0) = (0, 0, −5)
+              −view = (0, 0, 5)
+              𝐰 = normalize(−view) = (0, 0, 5)/5 = (0, 0, 1)
               up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)
               |up × 𝐰| = |up| sin(angle) = 1 · sin(90°) = 1
               𝐮 = normalize(up × 𝐰) = (1, 0, 0)/1 = (1, 0, 0)

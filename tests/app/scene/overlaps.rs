@@ -68,12 +68,8 @@ fn hints(harness: &Harness<'_, App>, rect: Rect) -> Vec<Drawn> {
     let over = nodes.filter_map(|node| {
         let role = node.accesskit_node().role();
         let is_text = matches!(role, Role::Label | Role::Button);
-        let bounds = node.accesskit_node().bounding_box()?;
-        let area = Rect::from_min_max(
-            Pos2::new(bounds.x0 as f32, bounds.y0 as f32),
-            Pos2::new(bounds.x1 as f32, bounds.y1 as f32),
-        );
-        let area = area.intersect(rect);
+        node.accesskit_node().bounding_box()?;
+        let area = node.rect().intersect(rect);
         let name = node.accesskit_node().label().or_else(|| node.accesskit_node().value())?;
         (is_text && area.is_positive()).then_some(Drawn { name, area, is_label: false })
     });
@@ -109,7 +105,7 @@ fn offences(harness: &Harness<'_, App>) -> Vec<String> {
 
 /// Lets the window settle, without the animations of a whole second.
 fn settle(harness: &mut Harness<'_, App>) {
-    harness.run_steps(5);
+    harness.run_steps(3);
 }
 
 /// Looks at what is open in the window and before an audience.

@@ -85,7 +85,7 @@ fn a_wall_between_observer_and_camera_does_not_hide_the_camera() {
     let drawing = stage.view().drawing();
     let basis: Vec<_> = drawing.marks.iter().filter(|m| m.item == Item::Basis).collect();
     assert!(!basis.is_empty() && basis.iter().all(|mark| !mark.hidden));
-    let eye = drawing.marks.iter().find(|m| m.item == Item::Eye).map(|m| &m.shape);
+    let eye = drawing.marks.iter().rfind(|m| m.item == Item::Eye).map(|m| &m.shape);
     assert!(matches!(eye, Some(Shape::Disc { .. })), "{eye:?}");
 }
 

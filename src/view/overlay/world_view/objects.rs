@@ -73,9 +73,9 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     })
 }
 
-/// Returns a grid step of 1, 2 or 5 times a power of ten: about fourteen cells across a patch.
+/// Returns a grid step of 1, 2 or 5 times a power of ten: about nine cells across a patch.
 fn grid_step(distance: f64) -> f64 {
-    let about = 2.0 * PATCH_RADIUS * distance / 14.0;
+    let about = 2.0 * PATCH_RADIUS * distance / 9.0;
     let power = 10f64.powf(about.log10().floor());
     let mantissa = about / power;
     power
@@ -128,7 +128,7 @@ mod tests {
         for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
             let step = grid_step(distance);
             let cells = 2.0 * PATCH_RADIUS * distance / step;
-            assert!((9.0..25.0).contains(&cells), "{distance}: {cells}");
+            assert!((5.5..16.0).contains(&cells), "{distance}: {cells}");
         }
         assert_eq!(grid_step(10.0), 1.0);
     }
