@@ -253,7 +253,9 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
 fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
     let resolved =
         observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
-    let length = crate::view::overlay::arrow_length(&resolved, camera.eye, 1.0);
+    let depth = (resolved.eye() - camera.eye).dot(observer.back());
+    let per_point = extent_of_fov(FOV, depth) / size.height;
+    let length = 1.0_f64.clamp(ARROW_POINTS.0 * per_point, ARROW_POINTS.1 * per_point);
     let own = camera.resolve().expect("a camera");
     let basis = own.basis();
     let up = UP_LENGTH * camera.up().normalize();
