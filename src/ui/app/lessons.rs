@@ -147,8 +147,9 @@ impl OpenScene {
         if !is_asking {
             self.answer();
         }
-        self.session.observer = seen_from.or(open.step().view.observer);
-        self.lessons.seen_from = seen_from;
+        // The step's own observer is fitted anew where the world view is shown.
+        let observer = open.step().view.observer.or(seen_from);
+        (self.session.observer, self.lessons.seen_from) = (observer, observer);
         opened
     }
 
