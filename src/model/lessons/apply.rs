@@ -53,7 +53,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut session.sections, view.derivation);
     set(&mut session.highlighted, view.highlighted);
     session.ray_point_t = view.t;
-    session.spoken = Some(dragged(&step.text));
+    session.spoken = Some(spoken_of(step));
     set(&mut session.lines, view.lines.clone());
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
@@ -113,23 +113,16 @@ pub fn differs(
     step.document != *document || as_step != *session
 }
 
-/// Returns the concepts whose names stand in a sentence that asks to drag something.
-fn dragged(text: &str) -> Vec<Concept> {
-    const NAMES: [(&str, Concept); 7] = [
-        ("*width*", Concept::Viewport),
-        ("*height*", Concept::Viewport),
-        ("viewport", Concept::Viewport),
-        ("*distance*", Concept::Distance),
-        ("pixel", Concept::Pixel),
-        ("**v**", Concept::V),
-        ("**w**", Concept::W),
+/// Returns the concepts of the viewport that the step's title or text names.
+fn spoken_of(step: &Step) -> Vec<Concept> {
+    const NAMES: [(&str, Concept); 3] = [
+        ("width", Concept::Viewport),
+        ("height", Concept::Viewport),
+        ("distance", Concept::Distance),
     ];
-    let asks = |sentence: &&str| sentence.contains("Drag") || sentence.contains("drag");
-    let sentences = text.split(". ").filter(asks);
-    sentences
-        .flat_map(|sentence| NAMES.into_iter().filter(|(name, _)| sentence.contains(name)))
-        .map(|(_, concept)| concept)
-        .collect()
+    let text = format!("{} {}", step.title, step.text).to_lowercase();
+    let named = NAMES.into_iter().filter(|(name, _)| text.contains(name));
+    named.map(|(_, concept)| concept).collect()
 }
 
 fn set<T>(value: &mut T, chosen: Option<T>) {

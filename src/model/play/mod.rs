@@ -245,6 +245,7 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
         }
         Orientation::Basis(_) => *camera,
     })
+}
 
 impl Start {
     /// Returns the camera after it has orbited by an angle, in radians. What it is given by keeps its

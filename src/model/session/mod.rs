@@ -61,7 +61,7 @@ pub struct Session {
     pub alt_dims: bool,
     /// True while the question of a lesson's step waits for its answer: no number is shown.
     pub is_asking: bool,
-    /// The concepts that the lesson's step asks to drag; `None` while no lesson is open.
+    /// The concepts that the lesson's step speaks of, as far as they have handles; `None` while no lesson is open.
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,

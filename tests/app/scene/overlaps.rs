@@ -110,6 +110,11 @@ fn settle(harness: &mut Harness<'_, App>) {
 
 /// Looks at what is open in the window and before an audience.
 fn look(harness: &mut Harness<'_, App>, what: &str, found: &mut Vec<String>) {
+    settle(harness);
+    if harness.state().session().is_asking {
+        // All labels are shown with the answer.
+        harness.key_press(Key::PageDown);
+    }
     for mode in ["", ", presented"] {
         settle(harness);
         let offences = offences(harness);
