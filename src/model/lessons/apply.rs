@@ -6,7 +6,6 @@ use pinhole_exchange::document::Document;
 use super::lesson::Step;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
-use crate::model::practice::exercises::Exercises;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::Session;
 
@@ -39,7 +38,8 @@ pub fn answer(step: &Step, session: &mut Session) {
 /// Clears the answers to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.view.exercise {
-        session.exercises = Exercises::open(asked.exercise, asked.seed);
+        session.exercises.show(asked.exercise, asked.seed);
+        session.exercises.clear();
     }
 }
 

@@ -164,7 +164,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     let text = RichText::new(format!("Mistake: {}", graded.mistakes())).size(17.0).strong();
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
-        ui.label(typeset_message(mistake.advice()));
+        ui.label(typeset_message(graded.advice_on(*mistake)));
         if mistake.is_in_gallery() {
             let see = ui.button(format!("See it: {}", mistake.name()));
             see.asks(LookAction::Mistake(*mistake), actions);
