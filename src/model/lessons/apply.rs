@@ -84,7 +84,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.highlighted = before.highlighted;
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
-    session.mistakes_view = before.mistakes_view;
+    session.mistakes_view = before.mistakes_view.clone();
     session.exercises = before.exercises.clone();
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;

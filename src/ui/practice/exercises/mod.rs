@@ -57,7 +57,8 @@ pub(crate) fn ui(
     let is_narrow = whole.width() < NARROW;
     let list = if is_narrow { 0.0 } else { LIST + GAP };
     let from = whole.left() + list;
-    let middle = from + 0.49 * (whole.right() - from);
+    let share = if is_narrow { 0.58 } else { 0.49 };
+    let middle = from + share * (whole.right() - from);
     let column = |left: f32, right: f32| {
         Rect::from_min_max(pos2(left, whole.top()), pos2(right, whole.bottom()))
     };

@@ -2,13 +2,14 @@
 //! explanation of the mistake, and the checks that find it.
 
 mod checks;
-mod guess;
+pub(crate) mod vote;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::session::ghost::Beside;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -31,17 +32,29 @@ const CHECKS: f32 = 420.0;
 /// Width of a vector's letter, in points.
 const LETTER: f32 = 16.0;
 
-/// Shows the title above the wrong picture.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &MistakesView) {
+/// Shows the title above the wrong picture, and the choice between it and the map of differences.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
-        ui.strong(RichText::new(title(mistakes_view)).color(error_color(ui)));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if mistakes_view.is_revealed() {
+                let beside = &mut mistakes_view.beside;
+                let hint = "Dark where the pixel sees another object than in the right picture";
+                let response = ui.selectable_value(beside, Beside::Differences, "Differences");
+                response.on_hover_text(hint);
+                ui.selectable_value(beside, Beside::Picture, "Picture");
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let title = RichText::new(title(mistakes_view)).strong().color(error_color(ui));
+                ui.add(Label::new(title).truncate());
+            });
+        });
     });
 }
 
 fn title(mistakes_view: &MistakesView) -> String {
     match mistakes_view.is_revealed() {
         true => format!("{}: {}", views::WRONG, mistakes_view.shown().name()),
-        false => format!("{}: which mistake is it?", views::WRONG),
+        false => "Wrong picture".to_owned(),
     }
 }
 
@@ -62,7 +75,7 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
         true => why,
-        false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
+        false => "This mistake shows nothing with this camera: press Another one.".to_owned(),
     })
 }
 
@@ -87,7 +100,7 @@ pub(crate) fn no_picture(
     fault::no_picture(ui, rect, &why_not(wrong, mistakes_view).unwrap_or_default());
 }
 
-/// Shows the gallery, the explanation, and the checks, side by side.
+/// Shows the gallery, the explanation, and the checks, side by side; or the vote in their place.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -95,6 +108,11 @@ pub(crate) fn ui(
     mistakes_view: &mut MistakesView,
     style: NumberStyle,
 ) {
+    let seen = derived.resolved.as_ref().zip(derived.scene.as_deref());
+    let seen = seen.map(|(resolved, scene)| (&document.camera, resolved, scene));
+    if mistakes_view.open_vote.is_some() {
+        return vote::ui(ui, mistakes_view, derived.wrong.as_deref(), seen);
+    }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
     let part = |from: f32, to: f32| {
@@ -103,23 +121,12 @@ pub(crate) fn ui(
     let checks = CHECKS.min(0.46 * whole.width());
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-        let (camera, resolved) = (&document.camera, derived.resolved.as_ref());
-        let scene = derived.scene.as_deref();
-        guess::buttons(ui, mistakes_view, camera, resolved.zip(scene));
+        vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
     });
     let Some(wrong) = derived.wrong.as_deref() else { return };
-    column(ui, part(left, right - 8.0), "mistake", |ui| {
-        if mistakes_view.guess.is_some() {
-            guess::verdict(ui, mistakes_view, wrong, &document.camera);
-        }
-        if mistakes_view.is_revealed() {
-            explanation(ui, wrong, style);
-        }
-    });
-    if mistakes_view.is_revealed() {
-        column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
-    }
+    column(ui, part(left, right - 8.0), "mistake", |ui| explanation(ui, wrong, style));
+    column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
 }
 
 fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
@@ -129,22 +136,12 @@ fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Shows one button per mistake, which chooses it, or answers with it.
+/// Shows one button per mistake, which chooses it.
 fn list(ui: &mut Ui, mistakes_view: &mut MistakesView) {
-    let chosen = match mistakes_view.guess {
-        Some(guess) => guess.answer,
-        None => Some(mistakes_view.chosen),
-    };
     ui.spacing_mut().item_spacing.y = 1.0;
     for &mistake in Mistake::GALLERY {
         let text = RichText::new(mistake.name()).size(TEXT);
-        let response = ui.selectable_label(chosen == Some(mistake), text);
-        if response.clicked() {
-            match &mut mistakes_view.guess {
-                Some(guess) => guess.answer = Some(mistake),
-                None => mistakes_view.chosen = mistake,
-            }
-        }
+        ui.selectable_value(&mut mistakes_view.chosen, mistake, text);
     }
 }
 
