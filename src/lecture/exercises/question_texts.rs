@@ -3,7 +3,7 @@
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
 use super::question::{Asked, Given, QuestionPart};
-use super::solution::number;
+use super::short_numbers::number;
 
 /// The question, a paragraph each.
 pub fn question(given: &Given) -> Vec<String> {

@@ -87,7 +87,7 @@ impl Divider<'_> {
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         if self.presenting {
             let third = self.whole.width() / 3.0;
-            let height = (THIRD * third + STRIP).min(0.56 * self.whole.height());
+            let height = (THIRD * third + STRIP).min(0.5 * self.whole.height());
             let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);
             let (left, both) = views.split_left_right_at_x(views.left() + third - HANDLE);
             let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));
@@ -166,6 +166,10 @@ impl ViewRects {
         };
         let [world, camera_area, beside_area] =
             [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
+        // Two pictures that are compared have the same size, whatever the rounding of their areas.
+        let both = camera_area.zip(beside_area).map(|(a, b)| a.size().min(b.size()));
+        let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
+        let [camera_area, beside_area] = [camera_area, beside_area].map(|area| area.map(of_both));
         let fitted = |area| fitted(area, image, per_point);
         let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
         ViewRects { world, camera_area, camera, beside_area, beside, rest: areas.rest }

@@ -194,19 +194,9 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
-    ui.horizontal_wrapped(|ui| {
-        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-        let wide = egui::vec2(INDENT - 6.0, 30.0);
-        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
-        let text = if part.count() == 0 {
-            RichText::new(exercises::asked(part)).size(TEXT)
-        } else {
-            text.color(color)
-        };
-        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
-            ui.label(text);
-        });
+    ui.horizontal(|ui| {
         if part.count() == 0 {
+            ui.label(RichText::new(exercises::asked(part)).size(TEXT));
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
                     (typed.yes, typed.feedback) = (Some(yes), None);
@@ -214,9 +204,16 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             }
             return;
         }
+        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
+        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
+        let wide = egui::vec2(INDENT - 6.0, 30.0);
+        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
+            ui.label(text.color(color));
+        });
         // Side by side with what is between them and round the text.
         let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
-        let width = (ui.available_width() / part.count() as f32 - between).clamp(60.0, FIELD);
+        let width = ui.available_width() / part.count() as f32 - between;
+        let width = width.clamp(44.0, FIELD);
         let (mut changed, mut left) = (false, false);
         for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
             let label = if part.count() == 1 {

@@ -29,6 +29,9 @@ const GALLERY: f32 = 200.0;
 /// Width of the table of checks, in points.
 const CHECKS: f32 = 420.0;
 
+/// Width of the page, in points, below which the checks are below the explanation.
+const NARROW: f32 = 760.0;
+
 /// Width of a vector's letter, in points.
 const LETTER: f32 = 16.0;
 
@@ -37,11 +40,10 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if mistakes_view.is_revealed() {
-                let beside = &mut mistakes_view.beside;
                 let hint = "Dark where the pixel sees another object than in the right picture";
-                let response = ui.selectable_value(beside, Beside::Differences, "Differences");
-                response.on_hover_text(hint);
-                ui.selectable_value(beside, Beside::Picture, "Picture");
+                let mut shows = mistakes_view.beside == Beside::Differences;
+                ui.toggle_value(&mut shows, "Differences").on_hover_text(hint);
+                mistakes_view.beside = if shows { Beside::Differences } else { Beside::Picture };
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let title = RichText::new(title(mistakes_view)).strong().color(error_color(ui));
@@ -118,15 +120,24 @@ pub(crate) fn ui(
     let part = |from: f32, to: f32| {
         Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
     };
-    let checks = CHECKS.min(0.46 * whole.width());
+    let is_narrow = whole.width() < NARROW;
+    let checks = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
         vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
     });
     let Some(wrong) = derived.wrong.as_deref() else { return };
-    column(ui, part(left, right - 8.0), "mistake", |ui| explanation(ui, wrong, style));
-    column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
+    column(ui, part(left, right - 8.0), "mistake", |ui| {
+        explanation(ui, wrong, style);
+        if is_narrow {
+            ui.add_space(6.0);
+            checks::ui(ui, wrong, style);
+        }
+    });
+    if !is_narrow {
+        column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
+    }
 }
 
 fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {

@@ -27,14 +27,18 @@ const REASON: f32 = 16.0;
 
 /// Heights of the question, of the reason, and of the buttons, in points.
 const HEAD: f32 = 32.0;
-const WHY: f32 = 74.0;
+const WHY: f32 = 90.0;
 const BAR: f32 = 32.0;
 
 /// Space between the options, in points.
 const GAP: f32 = 8.0;
 
-/// Width of a letter's column, in points.
+/// Widths of a letter's column, and of the sign's, in points.
 const LETTER_WIDTH: f32 = 46.0;
+const SIGN_WIDTH: f32 = 44.0;
+
+/// Height of an option, in points, from which it shows its formula, too.
+const WITH_FORMULA: f32 = 54.0;
 
 /// The camera and the objects of which a vote is made.
 pub(super) type Seen<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
@@ -141,10 +145,11 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let letter = pos2(rect.left() + 0.5 * LETTER_WIDTH, rect.center().y);
     let font = FontId::proportional(LETTER);
     painter.text(letter, Align2::CENTER_CENTER, LETTERS[index], font, ink);
-    let text = Rect::from_min_max(pos2(rect.left() + LETTER_WIDTH, rect.top()), rect.max);
-    names(ui, text.shrink2(vec2(2.0, 2.0)), mistake, ink);
+    let right = rect.right() - SIGN_WIDTH;
+    let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
+    names(ui, text, mistake, ink);
     if open.is_revealed && (is_right || is_chosen) {
-        let sign = Rect::from_center_size(rect.right_center() - vec2(26.0, 0.0), vec2(26.0, 26.0));
+        let sign = Rect::from_center_size(rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0), vec2(26.0, 26.0));
         if is_right { tick(&painter, sign, strong) } else { cross(&painter, sign, error_color(ui)) }
     }
     response.clicked()
@@ -161,9 +166,7 @@ fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     };
     let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
     let lines = [line(mistake.name(), NAME), line(formula, FORMULA)];
-    let heights = lines.iter().map(|galley| galley.size().y).sum::<f32>();
-    let has_room = heights <= rect.height();
-    let shown = if has_room { &lines[..] } else { &lines[..1] };
+    let shown = if rect.height() >= WITH_FORMULA { &lines[..] } else { &lines[..1] };
     let height = shown.iter().map(|galley| galley.size().y).sum::<f32>();
     let mut at = pos2(rect.left(), rect.center().y - 0.5 * height);
     let painter = ui.painter_at(rect);
