@@ -19,6 +19,8 @@ pub struct MistakesView {
     pub seed: u64,
     /// True if a vote was asked for, but no two mistakes can be told apart in the picture.
     pub nothing_shows: bool,
+    /// True if a vote is to be opened as soon as there is a picture.
+    pub wants_vote: bool,
     /// The picture of the wrong camera, or where it differs.
     pub beside: Beside,
 }
@@ -41,6 +43,7 @@ impl Default for MistakesView {
             open_vote: None,
             seed: 1,
             nothing_shows: false,
+            wants_vote: false,
             beside: Beside::Picture,
         }
     }
@@ -66,6 +69,7 @@ impl MistakesView {
     pub fn ask(&mut self, camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) {
         let vote = Vote::new(camera, resolved, scene, self.seed);
         self.nothing_shows = vote.is_none();
+        self.wants_vote = false;
         self.beside = Beside::Picture;
         self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
     }

@@ -110,7 +110,7 @@ fn the_grade_follows_the_camera() {
     // Without a camera, nothing is.
     type_into(&mut window, "at z", "0");
     assert_eq!(texts_with(&window, "vectors agree"), Vec::<String>::new());
-    assert_says(&window, "The scene has a fault: there is nothing to grade by.");
+    assert_says(&window, "The scene has a fault: nothing can be checked against it.");
     // While another layout is shown, nothing is graded.
     type_into(&mut window, "at z", "-1");
     show(&mut window, ViewLayout::Camera);

@@ -63,7 +63,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
                 assert!(wrong_says(&window).starts_with(mistake.name()), "{}", wrong_says(&window));
                 let finds = wrong.checks.iter().filter(|check| !check.passes).count();
                 assert!(finds > 0);
-                assert_eq!(values(&window, " finds it").len(), finds);
+                assert_eq!(values(&window, " catches it").len(), finds);
             }
             Err(why) => {
                 assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
@@ -79,9 +79,9 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
 fn as_printed_is_found_by_one_check_alone() {
     let mut window = open("look-at");
     click(&mut window, Mistake::WAsPrinted.name());
-    assert_eq!(values(&window, " finds it"), ["𝐰 · view / |view|: 1 finds it"]);
-    assert_says(&window, "1 of 14 checks finds it");
-    assert_eq!(values(&window, "passes").len(), 13);
+    assert_eq!(values(&window, " catches it"), ["𝐰 · view / |view|: 1 catches it"]);
+    assert_says(&window, "1 of 14 checks catches it");
+    assert_eq!(values(&window, "misses it").len(), 13);
     assert_eq!(values(&window, "wrong w = "), ["wrong w = (−0.80413, −0.15317, −0.57438)"]);
     assert_eq!(values(&window, "wrong v = "), Vec::<String>::new(), "it is right");
 }
@@ -209,7 +209,7 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     assert_eq!(open.vote.options.len(), 4);
     let mistake = open.vote.mistake();
     let is_secret = |window: &Harness<'_, App>| {
-        let checks = values(window, " finds it").is_empty();
+        let checks = values(window, " catches it").is_empty();
         let told = texts_with(window, mistake.shows()).is_empty()
             && texts_with(window, mistake.formula()).is_empty();
         checks && told && !wrong_says(window).contains(mistake.name())
@@ -247,9 +247,10 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
 #[test]
 fn a_key_reveals_before_a_lesson_goes_on() {
     let mut window = window("look-at");
-    command(&mut window, "As printed, 1. One sign");
+    command(&mut window, "From eye, at and up, 1. One line more");
+    show(&mut window, ViewLayout::Mistakes);
     assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
-    let step = |window: &Harness<'_, App>| texts_with(window, "One sign");
+    let step = |window: &Harness<'_, App>| texts_with(window, "One line more");
     click(&mut window, "Guess which");
     let before = step(&window);
     window.key_press(egui::Key::PageDown);
@@ -281,4 +282,13 @@ fn a_vote_fits_a_projector() {
         assert!(whole.contains_rect(reveal), "{reveal} in {whole}");
         assert!(rects.iter().all(|rect| !rect.intersects(reveal)));
     }
+}
+
+#[test]
+fn the_palette_opens_a_vote() {
+    let mut window = window("look-at");
+    command(&mut window, "Guess which");
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert_eq!(open_vote(&window).vote.options.len(), 4);
+    assert_says(&window, "Which mistake made the wrong picture?");
 }

@@ -11,7 +11,7 @@ use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 use self::scene::QuestionScene;
 use crate::model::practice::exercises::{Exercises, Feedback, LARGEST_SEED, TypedAnswer};
 use crate::model::session::Session;
-use crate::ui::action::{Action, Leave, MadeUp};
+use crate::ui::action::Action;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
@@ -31,7 +31,7 @@ const NARROW: f32 = 940.0;
 const GAP: f32 = 18.0;
 
 /// Indent of the fields and of the text below them, in points.
-const INDENT: f32 = 76.0;
+const INDENT: f32 = 84.0;
 
 /// Height of the bar with the buttons, in points.
 const BAR: f32 = 78.0;
@@ -88,13 +88,13 @@ pub(crate) fn ui(
     });
     ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
         ui.separator();
-        wants_check |= buttons(ui, exercises, actions);
+        wants_check |= buttons(ui, exercises);
     });
     if wants_check {
         exercises.check();
         ui.ctx().request_discard("answers were checked after they were drawn");
     }
-    scene.ui(ui, column(middle, whole.right()), session);
+    scene.ui(ui, column(middle, whole.right()), session, actions);
 }
 
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
@@ -132,23 +132,13 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool) -> bool {
 }
 
 /// Shows the buttons, and how many answers are right. Returns true if they are to be checked.
-fn buttons(ui: &mut Ui, exercises: &mut Exercises, actions: &mut Vec<Action>) -> bool {
+fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
     let mut wants_check = false;
     ui.horizontal(|ui| {
         wants_check = ui.button("Check").on_hover_text("Or Enter in a field").clicked();
         let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
         if ui.button(text).clicked() {
             exercises.is_solved = !exercises.is_solved;
-        }
-        if let Some(document) = exercises.document() {
-            let hint = "Opens this question's camera, and what its ray meets, as a scene of its own";
-            if ui.button("Show this scene").on_hover_text(hint).clicked() {
-                let question = exercises.question();
-                let title = exercises::title(question.exercise).to_owned();
-                let made_up = MadeUp { document, title, uv: question.uv() };
-                actions.push(Leave::Show(Box::new(made_up)).into());
-                ui.ctx().request_repaint();
-            }
         }
     });
     if exercises.is_right() {

@@ -2,7 +2,7 @@
 
 use egui::{Align, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::exercises::{Asked, Exercise, Given};
+use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
 use super::TEXT;
@@ -14,6 +14,7 @@ use crate::model::overlay_items::OverlayItems;
 use crate::model::practice::exercises::Exercises;
 use crate::model::practice::twin;
 use crate::model::session::{Selection, Session, Settings, ViewLayout};
+use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -38,19 +39,36 @@ pub(crate) struct QuestionScene {
     derived: Derived,
     texture: ViewTexture,
     solution: DerivationPanel,
-    /// The question that is looked at, and from where.
-    seen: Option<((Exercise, Option<u64>), Observer)>,
+    seen: Option<Seen>,
+}
+
+/// The question that is looked at, and from where.
+struct Seen {
+    question: (Exercise, Option<u64>),
+    observer: Observer,
+    /// The observer that has everything in sight in a picture of this width by height.
+    framed: (Observer, f32),
 }
 
 impl QuestionScene {
     /// Shows the scene, and the solution below it if that is asked for.
-    pub(crate) fn ui(&mut self, ui: &mut Ui, area: Rect, session: &Session) {
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        area: Rect,
+        session: &Session,
+        actions: &mut Vec<Action>,
+    ) {
         let exercises = &session.exercises;
         let height = if exercises.is_solved { SHARE * area.height() } else { area.height() };
         let (above, below) = area.split_top_bottom_at_y(area.top() + height);
         let picture = Rect::from_min_max(pos2(above.left(), above.top() + TITLE), above.max);
         match (exercises.document(), lab(exercises)) {
-            (Some(document), _) => self.world(ui, picture, session, &document),
+            (Some(document), _) => {
+                self.world(ui, picture, session, &document);
+                let has_yours = self.derived.twins.iter().any(|twin| twin.is_dashed);
+                world_title(ui, picture, has_yours, exercises, document, actions);
+            }
             (None, Some(lab)) => plane(ui, picture, session, &lab),
             (None, None) => (),
         }
@@ -98,10 +116,9 @@ impl QuestionScene {
         }
         let twins = &self.derived.twins;
         views::speak(ui, views::WORLD, &twin::spoken(twins));
-        title(ui, rect, views::WORLD, twins.iter().any(|twin| twin.is_dashed));
     }
 
-    /// The observer of this question, which sees all of it at first.
+    /// The observer of this question, which sees all of it until it is moved.
     fn observer(
         &mut self,
         exercises: &Exercises,
@@ -109,21 +126,40 @@ impl QuestionScene {
         aspect: f32,
     ) -> &mut Observer {
         let question = (exercises.question().exercise, exercises.seed());
-        let known = self.seen.take().filter(|(known, _)| *known == question);
-        let framed = || {
-            let scene = document.scene().unwrap_or_default();
-            Observer::frame_all(&document.camera, &scene, f64::from(aspect))
+        let is_valid = |seen: &Seen| {
+            let is_moved = seen.observer != seen.framed.0;
+            seen.question == question && (is_moved || seen.framed.1 == aspect)
         };
-        let observer = known.map_or_else(framed, |(_, observer)| observer);
-        &mut self.seen.insert((question, observer)).1
+        let seen = self.seen.take().filter(is_valid).unwrap_or_else(|| {
+            let scene = document.scene().unwrap_or_default();
+            let observer = Observer::frame_all(&document.camera, &scene, f64::from(aspect));
+            Seen { question, observer, framed: (observer, aspect) }
+        });
+        &mut self.seen.insert(seen).observer
     }
 }
 
-/// Shows the title above a picture, and how answers are drawn in it once there are some.
-fn title(ui: &mut Ui, rect: Rect, name: &str, has_yours: bool) {
+/// Shows the title above the world view, how answers are drawn in it once there are some, and the button
+/// that opens its scene.
+fn world_title(
+    ui: &mut Ui,
+    rect: Rect,
+    has_yours: bool,
+    open: &Exercises,
+    document: Document,
+    actions: &mut Vec<Action>,
+) {
     strip_above(ui, rect, |ui| {
-        ui.strong(name);
+        ui.strong(views::WORLD);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let hint = "Opens this camera, and what its ray meets, as a scene of its own";
+            if ui.small_button("Show this scene").on_hover_text(hint).clicked() {
+                let question = open.question();
+                let title = exercises::title(question.exercise).to_owned();
+                let made_up = MadeUp { document, title, uv: question.uv() };
+                actions.push(Leave::Show(Box::new(made_up)).into());
+                ui.ctx().request_repaint();
+            }
             if has_yours {
                 ui.label(RichText::new("dashed: yours").size(TEXT - 2.0));
             }
@@ -184,5 +220,5 @@ fn plane(ui: &mut Ui, rect: Rect, session: &Session, lab: &LinesLab) {
     drawing::draw_question(ui, rect, lab, &typed, seen);
     let names: Vec<&str> = typed.iter().map(|(name, _)| name.as_str()).collect();
     views::speak(ui, PLANE, &format!("drawn: {}", names.join(", ")));
-    title(ui, rect, PLANE, false);
+    strip_above(ui, rect, |ui| drop(ui.strong(PLANE)));
 }

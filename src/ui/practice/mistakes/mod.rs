@@ -1,5 +1,5 @@
 //! The mistakes view: a wrong camera's picture beside the right one; below, the gallery, the
-//! explanation of the mistake, and the checks that find it.
+//! explanation of the mistake, and the checks that catch it.
 
 mod checks;
 pub(crate) mod vote;
@@ -112,6 +112,12 @@ pub(crate) fn ui(
 ) {
     let seen = derived.resolved.as_ref().zip(derived.scene.as_deref());
     let seen = seen.map(|(resolved, scene)| (&document.camera, resolved, scene));
+    if mistakes_view.wants_vote
+        && let Some((camera, resolved, scene)) = seen
+    {
+        mistakes_view.ask(camera, resolved, scene);
+        ui.ctx().request_discard("a vote was opened after its picture was drawn");
+    }
     if mistakes_view.open_vote.is_some() {
         return vote::ui(ui, mistakes_view, derived.wrong.as_deref(), seen);
     }

@@ -12,7 +12,7 @@ use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::camera_in_space::{ARROW_POINTS, NORMAL_POINTS};
 
 /// Length, in unit vectors, between which an answer is drawn as long as it is.
-const LENGTHS: (f64, f64) = (0.3, 2.0);
+const LENGTHS: (f64, f64) = (0.3, 1.5);
 
 /// The pens of answers. They are switched by no checkbox, because they are what the page is about.
 const ITEM: Item = Item::Eye;
