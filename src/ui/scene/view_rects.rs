@@ -6,6 +6,7 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
+use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -85,7 +86,7 @@ impl Divider<'_> {
     /// The world view, the camera's picture and another one beside it, and what is below. Before an
     /// audience the three share the width evenly, and are no higher than they need be.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
-        if self.presenting {
+        if theme::installed(self.ui.ctx()).presenting {
             let third = self.whole.width() / 3.0;
             let height = (THIRD * third + STRIP).min(0.5 * self.whole.height());
             let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);

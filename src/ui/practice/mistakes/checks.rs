@@ -45,7 +45,7 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
 
 /// Shows the verdict, then the formula, then its value, which wraps if it is long.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
-    let said = if here.passes { "misses it" } else { "catches it" };
+    let said = if here.passes { "passes" } else { "catches it" };
     let verdict = RichText::new(said).size(TEXT);
     let verdict =
         if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };

@@ -54,9 +54,9 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
 }
 
 fn title(mistakes_view: &MistakesView) -> String {
-    match mistakes_view.is_revealed() {
-        true => format!("{}: {}", views::WRONG, mistakes_view.shown().name()),
-        false => "Wrong picture".to_owned(),
+    match mistakes_view.open_vote {
+        None => format!("{}: {}", views::WRONG, mistakes_view.chosen.name()),
+        Some(_) => "Wrong picture".to_owned(),
     }
 }
 

@@ -26,9 +26,13 @@ const FORMULA: f32 = 15.0;
 const REASON: f32 = 16.0;
 
 /// Heights of the question, of the reason, and of the buttons, in points.
-const HEAD: f32 = 32.0;
+const HEAD: f32 = 30.0;
 const WHY: f32 = 90.0;
+const WHY_IF_WIDE: f32 = 70.0;
 const BAR: f32 = 32.0;
+
+/// Width, in points, from which the reason needs fewer lines.
+const WIDE: f32 = 820.0;
 
 /// Space between the options, in points.
 const GAP: f32 = 8.0;
@@ -86,7 +90,8 @@ pub(super) fn ui(
     let Some(open) = &mut view.open_vote else { return };
     let (head, rest) = whole.split_top_bottom_at_y(whole.top() + HEAD);
     let (above, bar) = rest.split_top_bottom_at_y(rest.bottom() - BAR);
-    let (tiles, why) = above.split_top_bottom_at_y(above.bottom() - WHY);
+    let why = if whole.width() < WIDE { WHY } else { WHY_IF_WIDE };
+    let (tiles, why) = above.split_top_bottom_at_y(above.bottom() - why);
     ui.scope_builder(UiBuilder::new().max_rect(head), |ui| {
         let text = "Which mistake made the wrong picture?";
         let text = RichText::new(text).size(QUESTION).strong();
@@ -143,7 +148,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let painter = ui.painter_at(rect.expand(2.0));
     painter.rect(rect, 6.0, fill, edge, StrokeKind::Inside);
     let letter = pos2(rect.left() + 0.5 * LETTER_WIDTH, rect.center().y);
-    let font = FontId::proportional(LETTER);
+    let font = FontId::proportional(LETTER.min(0.75 * rect.height()));
     painter.text(letter, Align2::CENTER_CENTER, LETTERS[index], font, ink);
     let right = rect.right() - SIGN_WIDTH;
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
