@@ -9,10 +9,11 @@ use super::short_numbers::number;
 pub fn question(given: &Given) -> Vec<String> {
     const CANONICAL: &str =
         "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
-    let asked_of_basis = "What are **w**, **u** and **v**? Each has length 1: **w** points backwards, away \
+    let asked_of_basis =
+        "What are **w**, **u** and **v**? Each has length 1: **w** points backwards, away \
                           from what the camera looks at, **u** to the right and **v** up in the \
                           image."
-        .to_owned();
+            .to_owned();
     match *given {
         Given::Uv(uv) => {
             let asked =

@@ -84,9 +84,7 @@ impl Exercises {
         let is_secret = asked.iter().flatten().any(|answer| answer.right.is_none());
         let items = items.with(Item::Basis, false);
         let shows = |item| items.shows(item) && !is_secret;
-        items
-            .with(Item::Frustum, shows(Item::Frustum))
-            .with(Item::Viewport, shows(Item::Viewport))
+        items.with(Item::Frustum, shows(Item::Frustum)).with(Item::Viewport, shows(Item::Viewport))
     }
 
     /// Returns the answers to draw in the scene of [`Exercises::document`].

@@ -26,9 +26,8 @@ impl Derivations {
         derived: &Derived,
     ) -> Option<Arc<Derivation>> {
         let layout = session.settings.layout;
-        let is_solution = layout == ViewLayout::Exercises
-            && sizes.world.is_some()
-            && session.exercises.is_solved;
+        let is_solution =
+            layout == ViewLayout::Exercises && sizes.world.is_some() && session.exercises.is_solved;
         if !layout.shows_derivation() && !is_solution {
             return None;
         }

@@ -159,7 +159,8 @@ fn a_wrong_answer_stands_in_the_world_view_beside_the_right_one() {
     let basis = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
     drop_file(&mut window, &write(folder.path(), "basis.csv", basis));
     assert_eq!(drawn(&window), "drawn: your u (dashed), your w (dashed)");
-    let rays = "row,column,ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-0.5,-0.5,-1\n399,399,0,0,0,0.49875,-0.49875,-1\n";
+    let rays =
+        "row,column,ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-0.5,-0.5,-1\n399,399,0,0,0,0.49875,-0.49875,-1\n";
     drop_file(&mut window, &write(folder.path(), "rays.csv", rays));
     assert_eq!(drawn(&window), "drawn: your ray (dashed), right ray");
 }

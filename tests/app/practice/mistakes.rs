@@ -181,9 +181,8 @@ fn the_pixels_that_differ_are_a_map_beside_the_right_picture() {
     click(&mut window, "Differences");
     let map = window.state().derived().wrong_view.clone().unwrap().image;
     assert_eq!(map.size, picture.size);
-    let differs = [[0xc8, 0x10, 0x58], [0x00, 0x4a, 0x86]].map(|[r, g, b]| {
-        egui::Color32::from_rgb(r, g, b)
-    });
+    let differs =
+        [[0xc8, 0x10, 0x58], [0x00, 0x4a, 0x86]].map(|[r, g, b]| egui::Color32::from_rgb(r, g, b));
     let share = |image: &egui::ColorImage| {
         let dark = image.pixels.iter().filter(|color| differs.contains(color)).count();
         dark as f32 / image.pixels.len() as f32
@@ -271,9 +270,7 @@ fn a_vote_fits_a_projector() {
         let whole = window.ctx.content_rect();
         let open = open_vote(&window);
         let rects: Vec<egui::Rect> = (0..4)
-            .map(|index| {
-                window.get_by_role_and_label(Role::Button, &option(&open, index)).rect()
-            })
+            .map(|index| window.get_by_role_and_label(Role::Button, &option(&open, index)).rect())
             .collect();
         for rect in &rects {
             assert!(whole.contains_rect(*rect) && rect.height() >= 34.0, "{rect} in {whole}");

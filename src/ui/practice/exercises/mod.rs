@@ -4,7 +4,8 @@
 pub(crate) mod scene;
 
 use egui::{
-    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
+    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder,
+    pos2,
 };
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
@@ -126,7 +127,8 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool) -> bool {
         verdict(ui, part, typed);
         ui.add_space(8.0);
     }
-    let hint = "You may type numbers exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is sent anywhere.";
+    let hint =
+        "You may type numbers exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is sent anywhere.";
     ui.label(RichText::new(hint).size(15.0).weak());
     wants_check
 }
@@ -170,8 +172,9 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
                 .speed(0.1)
                 .range(0..=LARGEST_SEED)
                 .update_while_editing(false);
-            let hint =
-                format!("The same seed gives the same question; a whole number, 0 to {LARGEST_SEED}");
+            let hint = format!(
+                "The same seed gives the same question; a whole number, 0 to {LARGEST_SEED}"
+            );
             ui.add(field).on_hover_text(hint).named("exercise seed");
             if typed != seed {
                 exercises.show(exercise, Some(typed));

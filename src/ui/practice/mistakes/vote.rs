@@ -154,7 +154,10 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
     names(ui, text, mistake, ink);
     if open.is_revealed && (is_right || is_chosen) {
-        let sign = Rect::from_center_size(rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0), vec2(26.0, 26.0));
+        let sign = Rect::from_center_size(
+            rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0),
+            vec2(26.0, 26.0),
+        );
         if is_right { tick(&painter, sign, strong) } else { cross(&painter, sign, error_color(ui)) }
     }
     response.clicked()
