@@ -88,7 +88,7 @@ impl Divider<'_> {
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         if theme::installed(self.ui.ctx()).presenting {
             let third = self.whole.width() / 3.0;
-            let height = (THIRD * third + STRIP).min(0.5 * self.whole.height());
+            let height = (THIRD * third + STRIP).min(0.48 * self.whole.height());
             let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);
             let (left, both) = views.split_left_right_at_x(views.left() + third - HANDLE);
             let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));

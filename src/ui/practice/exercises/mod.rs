@@ -77,10 +77,11 @@ pub(crate) fn ui(
     let mut wants_check = false;
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
         if is_narrow {
-            ComboBox::from_id_salt("exercise menu")
+            let menu = ComboBox::from_id_salt("exercise menu")
                 .selected_text(exercises::title(exercises.question().exercise))
                 .width(ui.available_width().min(320.0))
                 .show_ui(ui, |ui| choose(ui, exercises));
+            menu.response.named("exercise");
             ui.add_space(4.0);
         }
         ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {

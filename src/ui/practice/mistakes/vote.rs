@@ -27,7 +27,7 @@ const REASON: f32 = 16.0;
 
 /// Heights of the question, of the reason, and of the buttons, in points.
 const HEAD: f32 = 30.0;
-const WHY: f32 = 90.0;
+const WHY: f32 = 78.0;
 const WHY_IF_WIDE: f32 = 70.0;
 const BAR: f32 = 32.0;
 
