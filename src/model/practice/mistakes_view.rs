@@ -3,8 +3,6 @@
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{Mistake, Vote};
 
-use crate::model::session::ghost::Beside;
-
 /// Largest seed of a vote. The seed's field calculates in `f64`, which is exact up to 2^53.
 pub(crate) const LARGEST_SEED: u64 = 1_000_000_000;
 
@@ -21,8 +19,8 @@ pub struct MistakesView {
     pub nothing_shows: bool,
     /// True if a vote is to be opened as soon as there is a picture.
     pub wants_vote: bool,
-    /// The picture of the wrong camera, or where it differs.
-    pub beside: Beside,
+    /// True if the map of the pixels that differ is wanted in place of the wrong picture.
+    pub wants_differences: bool,
 }
 
 /// A wrong picture without its name.
@@ -44,7 +42,7 @@ impl Default for MistakesView {
             seed: 1,
             nothing_shows: false,
             wants_vote: false,
-            beside: Beside::Picture,
+            wants_differences: false,
         }
     }
 }
@@ -62,7 +60,7 @@ impl MistakesView {
 
     /// Returns true if the map of differences is shown in place of the wrong picture.
     pub fn shows_differences(&self) -> bool {
-        self.beside == Beside::Differences && self.is_revealed()
+        self.wants_differences && self.is_revealed()
     }
 
     /// Opens the vote of the seed.
@@ -70,7 +68,7 @@ impl MistakesView {
         let vote = Vote::new(camera, resolved, scene, self.seed);
         self.nothing_shows = vote.is_none();
         self.wants_vote = false;
-        self.beside = Beside::Picture;
+        self.wants_differences = false;
         self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
     }
 
@@ -107,7 +105,7 @@ mod tests {
         let document = builtin::find("look-at").expect("built in").load().expect("a scene");
         let (camera, scene) = (document.camera, document.scene().expect("a scene"));
         let resolved = camera.resolve().expect("a camera");
-        let mut view = MistakesView { beside: Beside::Differences, ..MistakesView::default() };
+        let mut view = MistakesView { wants_differences: true, ..MistakesView::default() };
         view.ask(&camera, &resolved, &scene);
         assert!(!view.is_revealed() && !view.shows_differences());
         view.close_vote();

@@ -1,6 +1,5 @@
 //! The practice of a student: exercises, classic mistakes, and answers to be graded.
 
-pub(crate) mod answer_twins;
 mod exercise_twins;
 pub mod exercises;
 pub mod mistakes_view;

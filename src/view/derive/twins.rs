@@ -10,9 +10,9 @@ use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 use super::Derived;
 use super::derived::Inputs;
 use super::memo::{Memo, Same};
-use crate::model::practice::answer_twins::{of_answers, of_mistake};
 use crate::model::practice::twin::Twin;
 use crate::model::session::{Selection, ViewLayout};
+use crate::view::answer_twins::{of_answers, of_mistake};
 use crate::view::overlay::GhostCamera;
 
 /// The inputs of a wrong camera's ray: the camera, the objects by number, the mistake, and the pixel.

@@ -9,7 +9,6 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::practice::mistakes_view::MistakesView;
-use crate::model::session::ghost::Beside;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -41,9 +40,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if mistakes_view.is_revealed() {
                 let hint = "Dark where the pixel sees another object than in the right picture";
-                let mut shows = mistakes_view.beside == Beside::Differences;
-                ui.toggle_value(&mut shows, "Differences").on_hover_text(hint);
-                mistakes_view.beside = if shows { Beside::Differences } else { Beside::Picture };
+                let wanted = &mut mistakes_view.wants_differences;
+                ui.toggle_value(wanted, "Differences").on_hover_text(hint);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let title = RichText::new(title(mistakes_view)).strong().color(error_color(ui));
