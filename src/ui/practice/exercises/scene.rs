@@ -63,40 +63,33 @@ impl QuestionScene {
         let height = if exercises.is_solved { SHARE * area.height() } else { area.height() };
         let (above, below) = area.split_top_bottom_at_y(area.top() + height);
         let picture = Rect::from_min_max(pos2(above.left(), above.top() + TITLE), above.max);
-        match (exercises.document(), lab(exercises)) {
-            (Some(document), _) => {
-                self.world(ui, picture, session, &document);
-                let has_yours = self.derived.twins.iter().any(|twin| twin.is_dashed);
-                world_title(ui, picture, has_yours, exercises, document, actions);
-            }
-            (None, Some(lab)) => plane(ui, picture, session, &lab),
-            (None, None) => (),
+        if let Some(lab) = lab(exercises) {
+            plane(ui, picture, session, &lab);
+            solution(ui, exercises, below, |ui| {
+                ScrollArea::vertical().id_salt("solution").auto_shrink(false).show(ui, |ui| {
+                    substitution(ui, &lab, session.settings.digits);
+                });
+            });
         }
-        if !exercises.is_solved {
-            return;
-        }
-        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
-            ui.set_clip_rect(below.intersect(ui.clip_rect()));
-            ui.add_space(8.0);
-            ui.heading("Solution");
-            match lab(exercises) {
-                Some(lab) => {
-                    ScrollArea::vertical().id_salt("solution").auto_shrink(false).show(ui, |ui| {
-                        substitution(ui, &lab, session.settings.digits);
-                    });
-                }
-                None => {
-                    if let Some(derivation) = &self.derived.derivation {
-                        let hovered = self.solution.hovered(ui.ctx());
-                        let concept = hovered.map(|hovered| hovered.concept);
-                        self.solution.lines(ui, derivation, hovered, concept);
-                    }
-                }
+        let Some(document) = exercises.document() else { return };
+        let own = self.world(ui, picture, session, &document);
+        solution(ui, exercises, below, |ui| {
+            if let Some(derivation) = &self.derived.derivation {
+                self.solution.lines(ui, derivation, &document, &own, None);
             }
         });
+        let has_yours = self.derived.twins.iter().any(|twin| twin.is_dashed);
+        world_title(ui, picture, has_yours, exercises, document, actions);
     }
 
-    fn world(&mut self, ui: &mut Ui, rect: Rect, session: &Session, document: &Document) {
+    /// Shows the world view. Returns the session in which it was derived.
+    fn world(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        session: &Session,
+        document: &Document,
+    ) -> Session {
         let response = views::view(ui, rect, views::WORLD);
         let observer = self.observer(&session.exercises, document, rect.aspect_ratio());
         views::observe(ui, &response, observer);
@@ -116,6 +109,7 @@ impl QuestionScene {
         }
         let twins = &self.derived.twins;
         views::speak(ui, views::WORLD, &twin::spoken(twins));
+        own
     }
 
     /// The observer of this question, which sees all of it until it is moved.
@@ -167,6 +161,18 @@ fn world_title(
     });
 }
 
+/// Shows the solution, if it is asked for.
+fn solution(ui: &mut Ui, open: &Exercises, area: Rect, content: impl FnOnce(&mut Ui)) {
+    if open.is_solved {
+        ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
+            ui.set_clip_rect(area.intersect(ui.clip_rect()));
+            ui.add_space(8.0);
+            ui.heading("Solution");
+            content(ui);
+        });
+    }
+}
+
 /// The session in which the question's scene is derived.
 fn own_session(session: &Session, observer: Observer, hovered: Option<Hovered>) -> Session {
     let exercises = session.exercises.clone();
@@ -175,6 +181,7 @@ fn own_session(session: &Session, observer: Observer, hovered: Option<Hovered>) 
         selection: question.uv().map_or(Selection::default(), Selection::Uv),
         observer: Some(observer),
         hovered,
+        presenting: session.presenting,
         sections: sections(&exercises),
         settings: Settings {
             layout: ViewLayout::Exercises,
@@ -217,7 +224,7 @@ fn plane(ui: &mut Ui, rect: Rect, session: &Session, lab: &LinesLab) {
     let typed = session.exercises.points_in_plane();
     let seen = (session.exercises.shows_all(), session.settings.digits);
     let _ = views::view(ui, rect, PLANE);
-    drawing::draw_question(ui, rect, lab, &typed, seen);
+    drawing::draw_exercise(ui, rect, lab, &typed, seen);
     let names: Vec<&str> = typed.iter().map(|(name, _)| name.as_str()).collect();
     views::speak(ui, PLANE, &format!("drawn: {}", names.join(", ")));
     strip_above(ui, rect, |ui| drop(ui.strong(PLANE)));
