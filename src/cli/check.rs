@@ -105,7 +105,8 @@ fn text(graded: &Graded) -> String {
         return text;
     }
     let _ = writeln!(text, "mistake: {}", graded.mistakes());
-    let sentences = grade.diagnosis.mistakes.iter().map(|mistake| mistake.advice().to_owned());
+    let sentences =
+        grade.diagnosis.mistakes.iter().map(|mistake| graded.advice_on(*mistake).to_owned());
     for sentence in sentences.chain(graded.remarks()) {
         let _ = writeln!(text, "  {sentence}");
     }

@@ -242,6 +242,8 @@ pub enum LookAction {
     Exercise(Exercise),
     /// Show this wrong camera.
     Mistake(Mistake),
+    /// Show a wrong picture, and ask which mistake made it.
+    Vote,
     /// Begin to present, or end it.
     Present,
     /// Fill the window with this.

@@ -43,8 +43,8 @@ impl AgainstGhost {
     }
 }
 
-/// Returns the map of differences: equal pixels are pale, pixels that see another object are dark.
-pub(crate) fn difference_map(now: &Frame<f32>, ghost: &Frame<f32>) -> Vec<Color32> {
+/// Returns the map of differences between what two cameras see: equal pixels are pale, pixels that see another object are dark.
+pub(crate) fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
         (true, false) => Color32::from_gray(0xc4),
@@ -53,5 +53,5 @@ pub(crate) fn difference_map(now: &Frame<f32>, ghost: &Frame<f32>) -> Vec<Color3
         (false, true) => Color32::from_rgb(0x00, 0x4a, 0x86),
         (false, false) => Color32::from_rgb(0x3a, 0x18, 0x40),
     };
-    now.object.iter().zip(&ghost.object).map(color).collect()
+    now.iter().zip(ghost).map(color).collect()
 }

@@ -3,6 +3,7 @@
 
 pub mod accuracy;
 pub mod adaptive_resolution;
+mod answer_twins;
 pub mod derivation;
 pub mod derive;
 pub mod formula;

@@ -202,6 +202,25 @@ fn counted_from_one_is_right_when_said() {
 }
 
 #[test]
+fn counted_from_zero_but_read_from_one_is_told_the_right_way_round() {
+    // Without row 0 and column 0, nothing shows at once where they begin.
+    let is_inside = |line: &&str| !line.starts_with("0,") && !line.contains(",0,");
+    let text = hits(false, 0);
+    let inside: Vec<&str> = text.lines().filter(is_inside).collect();
+    let folder = folder(&(inside.join("\n") + "\n"));
+    assert_eq!(check(folder.path(), &[]).status, 0);
+    let run = check(folder.path(), &["--count-from", "1"]);
+    assert_eq!(run.status, 1);
+    let told = "They were read as counting from 1. They count from 0, and then all agree: leave out \
+                --count-from 1";
+    assert!(run.stdout.contains(told), "{}", run.stdout);
+    assert!(!run.stdout.contains("say --count-from 1"), "{}", run.stdout);
+    assert!(!run.stdout.contains("(j - 0.5)/W"), "{}", run.stdout);
+    let found = json_of(&check(folder.path(), &["--json", "--count-from", "1"]));
+    assert!(found["advice"].as_str().unwrap().starts_with(told), "{found}");
+}
+
+#[test]
 fn a_map_shows_where() {
     let folder = folder(&hits(true, 0));
     assert_eq!(check(folder.path(), &["--map", "map.png"]).status, 1);

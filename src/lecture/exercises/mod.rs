@@ -9,7 +9,7 @@ mod pick;
 mod question;
 mod question_texts;
 mod rays;
-mod solution;
+mod short_numbers;
 mod solve;
 mod verdict_texts;
 mod wrong_answers;
@@ -20,7 +20,6 @@ pub use conditions::Finding;
 pub use judge::Verdict;
 pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title};
 pub use question_texts::{asked, question};
-pub use solution::solution;
 pub use verdict_texts::follows;
 
 impl Question {

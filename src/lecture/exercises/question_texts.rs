@@ -3,18 +3,23 @@
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
 use super::question::{Asked, Given, QuestionPart};
-use super::solution::number;
+use super::short_numbers::number;
 
 /// The question, a paragraph each.
 pub fn question(given: &Given) -> Vec<String> {
     const CANONICAL: &str =
         "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
-    let asked_of_basis = "What are **w**, **u** and **v**?".to_owned();
+    let asked_of_basis =
+        "What are **w**, **u** and **v**? Each has length 1: **w** points backwards, away \
+                          from what the camera looks at, **u** to the right and **v** up in the \
+                          image."
+            .to_owned();
     match *given {
         Given::Uv(uv) => {
             let asked =
                 format!("What is the viewing ray **p** + *t* **d** through {}?", uv_text(uv));
-            vec![CANONICAL.to_owned(), asked]
+            let meaning = "**p** is where the ray begins, **d** the direction in which it goes.";
+            vec![CANONICAL.to_owned(), asked, meaning.to_owned()]
         }
         Given::UvAndWall { uv, z } => vec![CANONICAL.to_owned(), where_on_wall(uv, z)],
         Given::Distance { uv, distance, z } => at_distance(uv, distance, z),

@@ -4,7 +4,7 @@ use super::conditions::Finding;
 use super::judge::Verdict;
 use super::question::{Asked, QuestionPart};
 use super::question_texts::name;
-use super::solution::short;
+use super::short_numbers::short;
 use crate::mistakes::Mistake;
 
 impl Verdict {

@@ -21,6 +21,9 @@ pub struct Diagnosis {
     pub other: Option<Mistake>,
     /// All answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
+    /// All answers would be right if rows and columns began one earlier: at 0, where they were read as
+    /// beginning at 1.
+    pub counted_from_zero: bool,
     /// Objects are counted from 1.
     pub objects_from_one: bool,
     /// The step between answers held against the pipeline that is named: 1, all of them, unless
@@ -89,7 +92,13 @@ pub(super) fn diagnose(
         let objects_from_one = !counted_from_one
             && (is_found(Pipeline::count_objects_from_one)
                 || is_found(Pipeline::count_all_from_one));
-        return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::new(found) };
+        let counted_from_zero = is_found(|pipeline| pipeline.move_in_pixel(1.0, 1.0));
+        return Diagnosis {
+            counted_from_one,
+            counted_from_zero,
+            objects_from_one,
+            ..Diagnosis::new(found)
+        };
     }
     sets.clear();
     for (k, first) in known.iter().enumerate() {
@@ -127,6 +136,7 @@ impl Diagnosis {
             alternatives: sets.collect(),
             other: None,
             counted_from_one: false,
+            counted_from_zero: false,
             objects_from_one: false,
             of_every,
         }

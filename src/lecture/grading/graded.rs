@@ -46,6 +46,14 @@ impl Cell {
 /// alike.
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
+/// The advice on answers that are right if they count from 0, and were read as counting from 1.
+const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count from 0, and then all agree: leave \
+                               out --count-from 1, or clear “They count from 1”.";
+
+/// The advice on where to begin to count, for answers that were read as counting from 1.
+const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
+                             from 0, leave out --count-from 1, or clear “They count from 1”.";
+
 impl Graded {
     /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place
     /// in the image.
@@ -213,8 +221,21 @@ impl Graded {
     /// The advice, and how much of a guess it is.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
-        let advice = [self.grade.advice()].into_iter().chain(self.own_remarks()).chain(missing);
+        let counting = Mistake::CountedFromOne;
+        let advice = self.grade.advice().replace(counting.advice(), self.advice_on(counting));
+        let advice = [advice].into_iter().chain(self.own_remarks()).chain(missing);
         advice.collect::<Vec<_>>().join(" ")
+    }
+
+    /// One sentence on what to look at for this mistake of the diagnosis.
+    pub fn advice_on(&self, mistake: Mistake) -> &'static str {
+        match (mistake, self.count_from) {
+            (Mistake::CountedFromOne, 1) if self.grade.diagnosis.counted_from_zero => {
+                COUNT_FROM_ZERO
+            }
+            (Mistake::CountedFromOne, 1) => READ_FROM_ONE,
+            _ => mistake.advice(),
+        }
     }
 
     /// Remarks beside each mistake's own sentence.
@@ -223,7 +244,8 @@ impl Graded {
     }
 
     fn own_remarks(&self) -> impl Iterator<Item = String> {
-        let from_one = self.grade.diagnosis.counted_from_one.then_some(
+        let is_from_one = self.count_from == 0 && self.grade.diagnosis.counted_from_one;
+        let from_one = is_from_one.then_some(
             "If they are meant to count from 1, all agree: say --count-from 1, or “They count from 1”.",
         );
         [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)

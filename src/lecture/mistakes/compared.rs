@@ -1,4 +1,4 @@
-//! A wrong camera beside the right one, and the mistakes that one sees.
+//! A wrong camera beside the right one.
 
 use pinhole_core::{
     Camera, CameraError, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, trace_as,
@@ -9,25 +9,8 @@ use super::table::Mistake;
 use super::wrong_camera::{NoWrongCamera, WrongCamera};
 use super::wrong_picture::WrongPicture;
 
-/// Rows and columns that are looked at to see whether a mistake shows.
-const SAMPLES: u32 = 72;
-
-/// One pixel in so many has to see something else for a mistake to show.
-const SHOWS_FROM: usize = 100;
-
-/// The mistakes that one sees in the picture of this camera.
-pub fn visible(camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) -> Vec<Mistake> {
-    let raster = Raster::shown_on(camera.image, SAMPLES, SAMPLES);
-    let right = right_objects(resolved, scene, &raster);
-    let shows = |mistake: &Mistake| {
-        let wrong = WrongCamera::new(camera, *mistake).ok();
-        let picture = wrong.and_then(|wrong| WrongPicture::trace(scene, &wrong, &raster).ok());
-        picture.is_some_and(|picture| picture.differing(&right) * SHOWS_FROM >= right.len())
-    };
-    Mistake::GALLERY.iter().copied().filter(shows).collect()
-}
-
-fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
+/// Returns the objects that the right camera sees, pixel by pixel.
+pub(super) fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
     let outputs = Outputs { object: true, ..Outputs::NONE };
     trace_as::<f32>(scene, resolved, raster, outputs).object
 }
@@ -58,6 +41,17 @@ pub struct ComparedPixels {
     pub differing: usize,
 }
 
+/// A wrong camera's picture, and what both cameras see in each pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparedPicture<P> {
+    /// The colours of the wrong picture, row by row.
+    pub pixels: Vec<P>,
+    /// The objects that the wrong camera sees.
+    pub wrong: Vec<u32>,
+    /// The objects that the right camera sees.
+    pub right: Vec<u32>,
+}
+
 impl ComparedCamera {
     /// The wrong camera with its numbers, and its picture, if it has one.
     pub fn new<P: Clone + Send + Sync>(
@@ -67,7 +61,7 @@ impl ComparedCamera {
         mistake: Mistake,
         raster: &Raster,
         paint: Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
-    ) -> (ComparedCamera, Option<Vec<P>>) {
+    ) -> (ComparedCamera, Option<ComparedPicture<P>>) {
         let mut wrong = ComparedCamera {
             mistake,
             camera: WrongCamera::new(camera, mistake),
@@ -84,7 +78,8 @@ impl ComparedCamera {
                 let differing = picture.differing(&right);
                 wrong.seen = Some(ComparedPixels { pixels: right.len(), differing });
                 let Paint { shade, color_of, to_pixel } = paint;
-                (wrong, Some(picture.shaded(scene, shade, color_of, to_pixel)))
+                let pixels = picture.shaded(scene, shade, color_of, to_pixel);
+                (wrong, Some(ComparedPicture { pixels, wrong: picture.object, right }))
             }
             Err(error) => {
                 wrong.blind = Some(error);

@@ -12,13 +12,15 @@ mod compared;
 mod pipeline;
 mod pipeline_camera;
 mod table;
+mod vote;
 mod wrong_camera;
 mod wrong_picture;
 
 pub use checks::{Check, Checked, Value, Wanted};
-pub use compared::{ComparedCamera, ComparedPixels, visible};
+pub use compared::{ComparedCamera, ComparedPicture, ComparedPixels};
 pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, Way, WhichRoot};
 pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
 pub use table::Mistake;
+pub use vote::Vote;
 pub use wrong_camera::{NoWrongCamera, WrongCamera};
 pub use wrong_picture::WrongPicture;

@@ -146,6 +146,13 @@ impl WrongCamera {
         self.made.direction_at(uv)
     }
 
+    /// The directions through the image's corners, from that of pixel (0, 0) clockwise in the image.
+    pub fn corner_directions(&self) -> [DVec3; 4] {
+        let (height, width) = (f64::from(self.image().height()), f64::from(self.image().width()));
+        [(0.0, 0.0), (0.0, width), (height, width), (height, 0.0)]
+            .map(|(row, column)| self.direction_at(self.made.uv(row - 0.5, column - 0.5)))
+    }
+
     /// The ray that the wrong camera sends through a pixel.
     ///
     /// # Errors

@@ -3,7 +3,9 @@
 use std::f64::consts::FRAC_1_SQRT_2 as S;
 
 use pinhole_core::*;
-use pinhole_lecture::mistakes::{Check, Mistake, NoWrongCamera, Value, WrongCamera, WrongPicture};
+use pinhole_lecture::mistakes::{
+    Check, Mistake, NoWrongCamera, Value, Vote, WrongCamera, WrongPicture,
+};
 use proptest::prelude::*;
 
 fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
@@ -350,4 +352,45 @@ fn the_table_has_what_each_mistake_is_asked_for() {
                  single-precision b-for-half-b far-root negative-t t-for-distance";
     assert_eq!(graded, known.split_whitespace().collect::<Vec<_>>());
     assert_eq!(Mistake::from_id("upside-down"), None);
+}
+
+/// The objects seen in each pixel of the camera's image.
+fn seen_by(scene: &Scene, wrong: &WrongCamera) -> Vec<u32> {
+    let raster = Raster::shown_on(wrong.image(), 72, 72);
+    WrongPicture::trace(scene, wrong, &raster).unwrap().object
+}
+
+#[test]
+fn the_options_of_a_vote_look_different_and_its_seed_gives_them_again() {
+    let camera = general();
+    let resolved = camera.resolve().unwrap();
+    let balls = [([-1.0, 1.0, -2.0], 0.7), ([-3.5, 0.6, -4.5], 1.2), ([0.5, 1.2, -1.0], 0.4)];
+    let spheres = balls.map(|(center, radius)| Sphere::new(center, radius).unwrap());
+    let scene = Scene::new(spheres.to_vec(), Vec::new()).unwrap();
+    let (mut last, mut rights, mut letters) = (None, Vec::new(), [false; 4]);
+    for seed in 0..40 {
+        let vote = Vote::new(&camera, &resolved, &scene, seed).unwrap();
+        assert_eq!(Some(&vote), Vote::new(&camera, &resolved, &scene, seed).as_ref());
+        assert_eq!(vote.options.len(), 4);
+        assert_ne!(Some(vote.mistake()), last, "the same one twice");
+        last = Some(vote.mistake());
+        rights.extend(last);
+        letters[vote.right] = true;
+        let pictures: Vec<Vec<u32>> = vote
+            .options
+            .iter()
+            .map(|mistake| seen_by(&scene, &WrongCamera::new(&camera, *mistake).unwrap()))
+            .collect();
+        for (k, a) in pictures.iter().enumerate() {
+            for b in &pictures[k + 1..] {
+                let differing = a.iter().zip(b).filter(|(a, b)| a != b).count();
+                assert!(100 * differing >= a.len(), "{:?}: {differing}", vote.options);
+            }
+        }
+    }
+    assert_eq!(letters, [true; 4], "every letter is right at some time");
+    rights.sort_unstable();
+    rights.dedup();
+    assert!(rights.len() > 4, "{rights:?}");
+    assert_eq!(Vote::new(&camera, &resolved, &Scene::default(), 1), None);
 }

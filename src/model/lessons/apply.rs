@@ -7,7 +7,6 @@ use super::lesson::Step;
 use crate::model::concept::Concept;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
-use crate::model::practice::exercises::Exercises;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::Session;
 
@@ -41,7 +40,8 @@ pub fn answer(step: &Step, session: &mut Session) {
 /// Clears the answers to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.view.exercise {
-        session.exercises = Exercises::open(asked.exercise, asked.seed);
+        session.exercises.show(asked.exercise, asked.seed);
+        session.exercises.clear();
     }
 }
 
@@ -88,7 +88,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.spoken = before.spoken.clone();
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
-    session.mistakes_view = before.mistakes_view;
+    session.mistakes_view = before.mistakes_view.clone();
     session.exercises = before.exercises.clone();
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;

@@ -22,6 +22,17 @@ pub struct Exercises {
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
+    /// What was typed in other questions.
+    kept: Vec<Kept>,
+}
+
+/// What was typed in a question that is not open.
+#[derive(Clone, Debug, PartialEq)]
+struct Kept {
+    exercise: Exercise,
+    seed: Option<u64>,
+    answers: Vec<TypedAnswer>,
+    is_solved: bool,
 }
 
 /// The typed answer to one part, and the feedback on it.
@@ -33,6 +44,8 @@ pub(crate) struct TypedAnswer {
     pub(crate) yes: Option<bool>,
     /// The feedback of the last check, if nothing was changed since.
     pub(crate) feedback: Option<Feedback>,
+    /// True once an answer was judged: the right one is no secret any more.
+    pub(crate) is_judged: bool,
 }
 
 /// The feedback on a part.
@@ -81,14 +94,46 @@ impl Exercises {
         let typed =
             |count| TypedAnswer { fields: vec![String::new(); count], ..TypedAnswer::default() };
         let answers = question.parts.iter().map(|part| typed(part.count())).collect();
-        Exercises { question, seed, answers, is_solved: false }
+        Exercises { question, seed, answers, is_solved: false, kept: Vec::new() }
     }
 
-    /// Opens this question unless it is open already, so that typed answers stay.
+    /// Opens this question, with what was typed in it before. What was typed in the open one is kept.
     pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
-        if (self.question.exercise, self.seed) != (exercise, seed) {
-            *self = Exercises::open(exercise, seed);
+        if (self.question.exercise, self.seed) == (exercise, seed) {
+            return;
         }
+        let mut kept = std::mem::take(&mut self.kept);
+        if *self != Exercises::open(self.question.exercise, self.seed) {
+            let answers = std::mem::take(&mut self.answers);
+            let (exercise, is_solved) = (self.question.exercise, self.is_solved);
+            kept.push(Kept { exercise, seed: self.seed, answers, is_solved });
+        }
+        *self = Exercises::open(exercise, seed);
+        let known = kept.iter().position(|kept| (kept.exercise, kept.seed) == (exercise, seed));
+        if let Some(index) = known {
+            let Kept { answers, is_solved, .. } = kept.remove(index);
+            (self.answers, self.is_solved) = (answers, is_solved);
+        }
+        self.kept = kept;
+    }
+
+    /// Opens the question from this seed without answers; those in other exercises are kept.
+    pub(crate) fn renew(&mut self, seed: u64) {
+        let exercise = self.question.exercise;
+        let mut kept = std::mem::take(&mut self.kept);
+        kept.retain(|kept| kept.exercise != exercise);
+        *self = Exercises { kept, ..Exercises::open(exercise, Some(seed)) };
+    }
+
+    /// Clears the answers to the open question.
+    pub(crate) fn clear(&mut self) {
+        let kept = std::mem::take(&mut self.kept);
+        *self = Exercises { kept, ..Exercises::open(self.question.exercise, self.seed) };
+    }
+
+    /// Clears the answers to all questions.
+    pub(crate) fn clear_all(&mut self) {
+        *self = Exercises::open(self.question.exercise, self.seed);
     }
 
     /// Returns the question.
@@ -115,6 +160,7 @@ impl Exercises {
                 (None, Some(verdict)) => Feedback::Judged(verdict.clone()),
                 (None, None) => answer.err().unwrap_or(Feedback::NotAnswered),
             });
+            typed.is_judged |= verdicts[k].is_some();
         }
     }
 
@@ -137,6 +183,14 @@ impl Exercises {
 }
 
 impl TypedAnswer {
+    /// Returns the numbers, if all are given and can be calculated.
+    pub(crate) fn numbers(&self) -> Option<Vec<f64>> {
+        match self.answer() {
+            Ok(Answer::Numbers(numbers)) => Some(numbers),
+            _ => None,
+        }
+    }
+
     fn answer(&self) -> Result<Answer, Feedback> {
         if self.fields.is_empty() {
             return self.yes.map(Answer::Yes).ok_or(Feedback::NotAnswered);
@@ -168,7 +222,7 @@ impl TypedAnswer {
 
 #[cfg(test)]
 mod tests {
-    use pinhole_lecture::exercises::{asked, solution};
+    use pinhole_lecture::exercises::asked;
 
     use super::*;
 
@@ -190,16 +244,26 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_stays_until_another_question_is_shown() {
+    fn what_was_typed_is_kept_until_new_numbers_are_asked_for() {
         let mut exercises = Exercises::open(Exercise::Sphere, Some(3));
         exercises.answers[0].fields[0] = "4".to_owned();
+        let typed = exercises.clone();
         exercises.show(Exercise::Sphere, Some(3));
-        assert_eq!(exercises.answers[0].fields[0], "4");
+        assert_eq!(exercises, typed);
         for (exercise, seed) in [(Exercise::Sphere, None), (Exercise::Lines, None)] {
-            exercises.answers[0].fields[0] = "4".to_owned();
             exercises.show(exercise, seed);
-            assert_eq!(exercises, Exercises::open(exercise, seed));
+            assert!(exercises.answers.iter().all(|typed| typed.numbers().is_none()));
+            exercises.answers[0].fields[0] = "5".to_owned();
         }
+        exercises.show(Exercise::Sphere, Some(3));
+        assert_eq!(exercises.answers, typed.answers);
+        exercises.renew(4);
+        exercises.show(Exercise::Sphere, Some(3));
+        assert_eq!(exercises.answers[0].fields[0], "");
+        exercises.show(Exercise::Lines, None);
+        assert_eq!(exercises.answers[0].fields[0], "5", "of another exercise");
+        exercises.clear_all();
+        assert_eq!(exercises, Exercises::open(Exercise::Lines, None));
     }
 
     #[test]
@@ -226,14 +290,14 @@ mod tests {
     }
 
     #[test]
-    fn every_question_has_its_words_and_its_solution() {
+    fn every_question_has_its_words_and_its_scene() {
         for &exercise in Exercise::ALL {
             for seed in [None, Some(1), Some(2)] {
                 let exercises = Exercises::open(exercise, seed);
                 let question = exercises.question();
                 assert!(!pinhole_lecture::exercises::question(&question.given).is_empty());
                 for part in &question.parts {
-                    assert!(!solution(part, 5).contains("NaN") && !asked(part).is_empty());
+                    assert!(!asked(part).is_empty());
                 }
                 let document = exercises.document();
                 assert_eq!(document.is_none(), exercise == Exercise::Lines);

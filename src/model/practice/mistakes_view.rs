@@ -1,99 +1,121 @@
-//! The gallery of wrong cameras: the one that is shown, and the one to be guessed.
+//! The gallery of wrong cameras: the one that is shown, and the one to be voted on.
 
-use pinhole_lecture::mistakes::Mistake;
+use pinhole_core::{Camera, ResolvedCamera, Scene};
+use pinhole_lecture::mistakes::{Mistake, Vote};
+
+/// Largest seed of a vote. The seed's field calculates in `f64`, which is exact up to 2^53.
+pub(crate) const LARGEST_SEED: u64 = 1_000_000_000;
 
 /// The state of the mistakes view. A lesson's step sets it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MistakesView {
     /// The chosen mistake.
     pub chosen: Mistake,
-    /// The open riddle, shown in its place.
-    pub guess: Option<Guess>,
-    /// The next riddle's seed.
+    /// The open vote, shown in its place.
+    pub open_vote: Option<OpenVote>,
+    /// The seed of the open vote, or of the next one.
     pub seed: u64,
-    /// True if a riddle was asked for, but no mistake changes the picture.
+    /// True if a vote was asked for, but no two mistakes can be told apart in the picture.
     pub nothing_shows: bool,
+    /// True if a vote is to be opened as soon as there is a picture.
+    pub wants_vote: bool,
+    /// True if the map of the pixels that differ is wanted in place of the wrong picture.
+    pub wants_differences: bool,
 }
 
-/// A wrong camera without its name.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Guess {
-    /// The mistake that was made.
-    pub mistake: Mistake,
-    /// The class's guess.
-    pub answer: Option<Mistake>,
+/// A wrong picture without its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenVote {
+    /// The options, and the right one.
+    pub vote: Vote,
+    /// Index of the option that was voted for.
+    pub answer: Option<usize>,
+    /// True once the right option is shown.
+    pub is_revealed: bool,
 }
 
 impl Default for MistakesView {
     fn default() -> Self {
-        MistakesView { chosen: Mistake::WAsPrinted, guess: None, seed: 1, nothing_shows: false }
+        MistakesView {
+            chosen: Mistake::WAsPrinted,
+            open_vote: None,
+            seed: 1,
+            nothing_shows: false,
+            wants_vote: false,
+            wants_differences: false,
+        }
     }
 }
 
 impl MistakesView {
     /// Returns the mistake of the camera that is shown.
     pub fn shown(&self) -> Mistake {
-        self.guess.map_or(self.chosen, |guess| guess.mistake)
+        self.open_vote.as_ref().map_or(self.chosen, |open| open.vote.mistake())
     }
 
     /// Returns true if the mistake's name may be seen.
     pub fn is_revealed(&self) -> bool {
-        self.guess.is_none_or(|guess| guess.answer.is_some())
+        self.open_vote.as_ref().is_none_or(|open| open.is_revealed)
     }
 
-    /// Opens a riddle with one of these mistakes, if possible not the last one.
-    pub fn ask(&mut self, visible: &[Mistake]) {
-        self.nothing_shows = visible.is_empty();
-        let last = self.guess.map(|guess| guess.mistake);
-        let others: Vec<Mistake> =
-            visible.iter().copied().filter(|mistake| Some(*mistake) != last).collect();
-        let from = if others.is_empty() { visible } else { &others };
-        if from.is_empty() {
-            return;
+    /// Returns true if the map of differences is shown in place of the wrong picture.
+    pub fn shows_differences(&self) -> bool {
+        self.wants_differences && self.is_revealed()
+    }
+
+    /// Opens the vote of the seed.
+    pub fn ask(&mut self, camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) {
+        let vote = Vote::new(camera, resolved, scene, self.seed);
+        self.nothing_shows = vote.is_none();
+        self.wants_vote = false;
+        self.wants_differences = false;
+        self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
+    }
+
+    /// Shows which option is right.
+    pub fn reveal(&mut self) {
+        if let Some(open) = &mut self.open_vote {
+            open.is_revealed = true;
         }
-        let mistake = from[(scrambled(self.seed) % from.len() as u64) as usize];
-        self.seed += 1;
-        self.guess = Some(Guess { mistake, answer: None });
+    }
+
+    /// Goes back to the gallery, with the mistake of the vote chosen if it was revealed.
+    pub fn close_vote(&mut self) {
+        if self.is_revealed() {
+            self.chosen = self.shown();
+        }
+        self.open_vote = None;
+        self.seed = next(self.seed);
     }
 }
 
-/// SplitMix64's output function: neighbouring seeds ask for unrelated mistakes.
-fn scrambled(seed: u64) -> u64 {
-    let z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+/// Returns the seed after this one; after the largest comes 0.
+pub(crate) fn next(seed: u64) -> u64 {
+    if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
 
 #[cfg(test)]
 mod tests {
-    use pinhole_lecture::mistakes::visible;
-
-    use super::*;
     use pinhole_exchange::scenes::builtin;
 
+    use super::*;
+
     #[test]
-    fn riddles_are_of_what_shows_and_never_twice_the_same() {
+    fn a_vote_keeps_its_secret_and_the_gallery_follows_it() {
         let document = builtin::find("look-at").expect("built in").load().expect("a scene");
         let (camera, scene) = (document.camera, document.scene().expect("a scene"));
-        let visible = visible(&camera, &camera.resolve().expect("a camera"), &scene);
-        assert!(visible.contains(&Mistake::WAsPrinted) && visible.contains(&Mistake::VIsUCrossW));
-        // Half a pixel of 400, and a distance of 1.
-        assert!(!visible.contains(&Mistake::PixelCorner), "{visible:?}");
-        assert!(!visible.contains(&Mistake::DistanceDropped), "{visible:?}");
-        let mut mistakes_view = MistakesView::default();
-        let mut last = None;
-        let mut asked: Vec<Mistake> = Vec::new();
-        for _ in 0..60 {
-            mistakes_view.ask(&visible);
-            assert_ne!(Some(mistakes_view.shown()), last);
-            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_revealed());
-            last = Some(mistakes_view.shown());
-            asked.extend(last);
-        }
-        assert!(visible.iter().all(|mistake| asked.contains(mistake)), "{asked:?}");
-        mistakes_view.guess = None;
-        mistakes_view.ask(&[]);
-        assert_eq!((mistakes_view.guess, mistakes_view.nothing_shows), (None, true));
+        let resolved = camera.resolve().expect("a camera");
+        let mut view = MistakesView { wants_differences: true, ..MistakesView::default() };
+        view.ask(&camera, &resolved, &scene);
+        assert!(!view.is_revealed() && !view.shows_differences());
+        view.close_vote();
+        assert_eq!(view.chosen, MistakesView::default().chosen, "it was not revealed");
+        view.ask(&camera, &resolved, &scene);
+        view.reveal();
+        let mistake = view.shown();
+        view.close_vote();
+        assert_eq!(view.chosen, mistake);
+        view.ask(&camera, &resolved, &Scene::default());
+        assert!(view.nothing_shows && view.open_vote.is_none());
     }
 }

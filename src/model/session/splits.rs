@@ -15,6 +15,8 @@ pub enum Split {
     Stack,
     /// The world view's share of the width, where the ghost's picture is beside the camera's.
     CompareViews,
+    /// The same in practice.
+    PracticeViews,
     /// The views' share of the width, beside the derivation or the translator.
     Derivation,
     /// The readouts' height, in points. All that follow are heights, too.
@@ -37,10 +39,11 @@ const SHARE: RangeInclusive<f32> = 0.0..=1.0;
 const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
 /// Default and range of each boundary, in the enum's order.
-const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
+const TABLE: [(Split, f32, RangeInclusive<f32>); 12] = [
     (Split::Views, 0.54, SHARE),
     (Split::Stack, 0.55, SHARE),
     (Split::CompareViews, 0.42, SHARE),
+    (Split::PracticeViews, 0.38, SHARE),
     (Split::Derivation, 0.5, SHARE),
     (Split::Readouts, 200.0, HEIGHT),
     (Split::Accuracy, 370.0, HEIGHT),

@@ -12,6 +12,7 @@ use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Sw
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
+use crate::ui::practice::mistakes::vote;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{number_strip, pen, views};
@@ -80,6 +81,10 @@ impl App {
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
+        // Before a lesson goes on: its next step is not the answer.
+        if !is_typing && vote::reveal_by_key(ctx, &mut self.scene.session) {
+            self.changed |= Changed::SESSION;
+        }
         let pressed = commands_table::pressed(ctx, |when| match when {
             When::Anywhere => true,
             When::Untyped => !is_typing,

@@ -35,6 +35,10 @@ pub(super) fn apply(session: &mut Session, action: LookAction) {
             session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
             settings.layout = ViewLayout::Mistakes;
         }
+        LookAction::Vote => {
+            session.mistakes_view.wants_vote = true;
+            settings.layout = ViewLayout::Mistakes;
+        }
         LookAction::Present => present_or_end(session),
         LookAction::Fill(full) => {
             let begun = Presenting::begin(session.spotlight);

@@ -73,6 +73,7 @@ impl OpenScene {
         }
         let problem = |error| Message::new("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
+        self.session.exercises.clear_all();
         Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }
 

@@ -52,7 +52,8 @@ struct Frame<'a> {
     goal_line: Option<usize>,
     /// The number of lines so far.
     line: usize,
-    actions: &'a mut Vec<Action>,
+    /// The edits of given numbers, where these can be changed.
+    actions: Option<&'a mut Vec<Action>>,
 }
 
 /// All lines with their layout.
@@ -115,6 +116,19 @@ impl DerivationPanel {
         if !theme::installed(ui.ctx()).presenting {
             self.head(ui, derivation, session);
         }
+        self.lines(ui, derivation, document, session, Some(actions));
+    }
+
+    /// Shows the derivation without what is above it. Without a list for the actions, the given numbers
+    /// cannot be changed.
+    pub(crate) fn lines(
+        &mut self,
+        ui: &mut Ui,
+        derivation: &Arc<Derivation>,
+        document: &Document,
+        session: &Session,
+        actions: Option<&mut Vec<Action>>,
+    ) {
         // The panel scrolls only once to a concept that is hovered in a view, and to a line that is
         // new.
         let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
@@ -233,10 +247,12 @@ impl DerivationPanel {
                 continue;
             }
             let response = show(ui, line, laid, frame.inks, is_lit(line));
-            for given in &laid.layout.givens {
+            if let Some(actions) = frame.actions.as_deref_mut() {
                 let baseline = baseline_of(response.rect, laid);
-                let field = givens::field(ui, given, baseline, &frame.givens, SIZE, frame.actions);
-                self.fields.extend(field.map(|field| (field.id, line.concept)));
+                for given in &laid.layout.givens {
+                    let field = givens::field(ui, given, baseline, &frame.givens, SIZE, actions);
+                    self.fields.extend(field.map(|field| (field.id, line.concept)));
+                }
             }
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
             if is_goal {

@@ -32,10 +32,10 @@ const NONE: &str = "Drop a student’s answers on the window: CSV with the colum
                     hits, or a picture as PNG.";
 
 /// The text if the scene is invalid.
-const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
+const FAULT: &str = "The scene has a fault: nothing can be checked against it.";
 
 /// The text while the user drags and grading takes long.
-const WAITS: &str = "Graded as soon as the hand rests.";
+const WAITS: &str = "They are checked as soon as you let go.";
 
 /// Returns the reason why the answers are not graded.
 fn why_not(derived: &Derived) -> &'static str {
@@ -130,7 +130,7 @@ fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
             return;
         }
         let mut from_one = answers.count_from == 1;
-        let hint = "Whether the file’s rows and columns begin at 1, as the course has them";
+        let hint = "The file’s first row and column have the number 1, as in the course";
         if ui.checkbox(&mut from_one, "They count from 1").on_hover_text(hint).changed() {
             answers.count_from = u32::from(from_one);
         }
@@ -164,7 +164,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     let text = RichText::new(format!("Mistake: {}", graded.mistakes())).size(17.0).strong();
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
-        ui.label(typeset_message(mistake.advice()));
+        ui.label(typeset_message(graded.advice_on(*mistake)));
         if mistake.is_in_gallery() {
             let see = ui.button(format!("See it: {}", mistake.name()));
             see.asks(LookAction::Mistake(*mistake), actions);

@@ -6,6 +6,7 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
+use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -13,6 +14,8 @@ pub(crate) const STRIP: f32 = 26.0;
 const HANDLE: f32 = 8.0;
 /// Movement of a handle by an arrow key, in points.
 const PUSH: f32 = 16.0;
+/// Height of three views side by side before an audience, as a share of the width of one.
+const THIRD: f32 = 0.92;
 /// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
 
@@ -80,11 +83,21 @@ impl Divider<'_> {
         Areas { world: Some(left), camera: Some(right), beside: None, rest }
     }
 
-    /// The camera's picture and another one beside it, and what is below.
-    pub(crate) fn pair_above(&mut self, split: Split) -> Areas {
+    /// The world view, the camera's picture and another one beside it, and what is below. Before an
+    /// audience the three share the width evenly, and are no higher than they need be.
+    pub(crate) fn three_above(&mut self, split: Split) -> Areas {
+        if theme::installed(self.ui.ctx()).presenting {
+            let third = self.whole.width() / 3.0;
+            let height = (THIRD * third + STRIP).min(0.48 * self.whole.height());
+            let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);
+            let (left, both) = views.split_left_right_at_x(views.left() + third - HANDLE);
+            let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));
+            return Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest };
+        }
         let (views, rest) = self.above(split);
-        let (left, right) = halves(views);
-        Areas { world: None, camera: Some(left), beside: Some(right), rest }
+        let (left, right) = self.across(views, Split::PracticeViews, "views handle");
+        let (middle, right) = halves(right);
+        Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest }
     }
 
     /// Both views, one above the other, and what is beside them.
@@ -162,6 +175,10 @@ impl ViewRects {
         };
         let [world, camera_area, beside_area] =
             [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
+        // Two pictures that are compared have the same size, whatever the rounding of their areas.
+        let both = camera_area.zip(beside_area).map(|(a, b)| a.size().min(b.size()));
+        let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
+        let [camera_area, beside_area] = [camera_area, beside_area].map(|area| area.map(of_both));
         let fitted = |area| fitted(area, image, per_point, !presenting);
         let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
         ViewRects { world, camera_area, camera, beside_area, beside, rest: areas.rest }

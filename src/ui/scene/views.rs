@@ -13,7 +13,7 @@ use pinhole_exchange::document::Document;
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
-use crate::model::observer::ViewSize;
+use crate::model::observer::{Observer, ViewSize};
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
@@ -115,7 +115,7 @@ pub(crate) fn inputs(
 }
 
 /// Creates a view's area, which takes clicks, drags and the focus.
-fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
+pub(crate) fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
         response.request_focus();
@@ -189,7 +189,13 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
         session.ray_point_t = Some(t);
         return;
     }
-    let Some(observer) = &mut session.observer else { return };
+    if let Some(observer) = &mut session.observer {
+        observe(ui, response, observer);
+    }
+}
+
+/// Moves the observer by the mouse: drag to orbit, with Shift or another button to pan, wheel to zoom.
+pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     let shift = ui.input(|i| i.modifiers.shift);
     let delta = response.drag_delta();
     let height = response.rect.height().max(1.0);

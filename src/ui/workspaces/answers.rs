@@ -1,4 +1,5 @@
-//! The camera's picture, and where a student's answers are wrong in it.
+//! The scene with a student's answer beside the right one, the camera's picture, and where the answers
+//! are wrong in it.
 
 use egui::Ui;
 
@@ -10,7 +11,7 @@ use crate::ui::practice::answers;
 use crate::ui::scene::views;
 
 pub(super) const ANSWERS: Page = Page {
-    areas: |divider| divider.pair_above(Split::Answers),
+    areas: |divider| divider.three_above(Split::Answers),
     beside: Some(&Beside {
         name: views::ANSWERS,
         derive: |sizes, size| sizes.answers = Some(size),

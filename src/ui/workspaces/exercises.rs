@@ -1,4 +1,4 @@
-//! Questions with fields for the answers.
+//! Questions with fields for the answers, and their scenes.
 
 use super::page::Page;
 use crate::ui::changed::Changed;
@@ -8,9 +8,9 @@ pub(super) const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
     rest: |ui, desk| {
-        Changed::edited(&mut desk.session.exercises, |open| {
-            exercises::ui(ui, open, desk.style, desk.actions);
-        })
+        let before = desk.session.exercises.clone();
+        exercises::ui(ui, desk.session, &mut desk.tools.question, desk.actions);
+        Changed::SESSION.when(desk.session.exercises != before)
     },
     ..Page::VIEWS
 };

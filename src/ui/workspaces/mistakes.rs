@@ -1,4 +1,4 @@
-//! The right picture beside that of a classic wrong camera.
+//! The scene with a classic wrong camera in it as a ghost, the right picture, and the wrong one.
 
 use egui::Ui;
 
@@ -10,7 +10,7 @@ use crate::ui::practice::mistakes;
 use crate::ui::scene::views;
 
 pub(super) const MISTAKES: Page = Page {
-    areas: |divider| divider.pair_above(Split::Mistakes),
+    areas: |divider| divider.three_above(Split::Mistakes),
     beside: Some(&Beside {
         name: views::WRONG,
         derive: |sizes, size| sizes.wrong = Some(size),
@@ -26,13 +26,16 @@ pub(super) const MISTAKES: Page = Page {
 };
 
 fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
-    let (derived, mistakes_view) = (desk.derived, desk.session.mistakes_view);
-    mistakes::strip(ui, area, &mistakes_view);
-    let Some(wrong) = &derived.wrong else { return Changed::NOTHING };
-    views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &mistakes_view));
+    let derived = desk.derived;
+    let changed = Changed::edited(&mut desk.session.mistakes_view, |mistakes_view| {
+        mistakes::strip(ui, area, mistakes_view);
+    });
+    let Some(wrong) = &derived.wrong else { return changed };
+    let mistakes_view = &desk.session.mistakes_view;
+    views::speak(ui, views::WRONG, &mistakes::spoken(wrong, mistakes_view));
     match &derived.wrong_view {
         Some(shown) => desk.picture(ui, rect, shown, derived.fault.is_some()),
-        None => mistakes::no_picture(ui, rect, wrong, &mistakes_view),
+        None => mistakes::no_picture(ui, rect, wrong, mistakes_view),
     }
-    Changed::NOTHING
+    changed
 }

@@ -9,6 +9,7 @@ use crate::model::session::{Session, Split};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::derivation::DerivationPanel;
+use crate::ui::practice::exercises::scene::QuestionScene;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::{Areas, Divider};
 use crate::ui::scene::views;
@@ -60,6 +61,8 @@ pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
     pub(crate) translator: TranslatorPanel,
     pub(crate) measuring: Measuring,
+    /// The scene of the open exercise.
+    pub(crate) question: QuestionScene,
     /// The picture beside the camera's.
     pub(crate) beside: ViewTexture,
 }

@@ -8,6 +8,7 @@ use super::Derived;
 use super::derived::Inputs;
 use super::memo::Memo;
 use crate::model::number::Rounding;
+use crate::model::session::ViewLayout;
 use crate::view::derivation::{Derivation, DerivationInputs, DerivationSettings, derivation};
 
 /// Decimals of the derivation's numbers while presenting: what can be read from the back row.
@@ -21,10 +22,13 @@ impl Derivations {
     /// Returns the derivation, if the layout shows it.
     pub(super) fn get(
         &mut self,
-        Inputs { document, session, .. }: Inputs<'_>,
+        Inputs { document, session, sizes, .. }: Inputs<'_>,
         derived: &Derived,
     ) -> Option<Arc<Derivation>> {
-        if !session.settings.layout.shows_derivation() {
+        let layout = session.settings.layout;
+        let is_solution =
+            layout == ViewLayout::Exercises && sizes.world.is_some() && session.exercises.is_solved;
+        if !layout.shows_derivation() && !is_solution {
             return None;
         }
         let settings = DerivationSettings {

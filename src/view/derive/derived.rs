@@ -12,6 +12,7 @@ use super::picture::{Compared, TooMany};
 use super::watch::Watch;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
+use crate::model::practice::twin::Twin;
 use crate::model::session::Session;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
@@ -129,6 +130,8 @@ pub struct Derived {
     pub answers: Option<Grading>,
     /// The map of the wrong answers in the image.
     pub answers_view: Option<Shown>,
+    /// The answers that the world view draws, a student's beside the right ones.
+    pub twins: Arc<[Twin]>,
     /// The observer's traced frame in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }

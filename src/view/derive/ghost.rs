@@ -85,7 +85,7 @@ impl GhostPictures {
             let then = (then, seen, &frame);
             let against =
                 AgainstGhost::new((camera, &now_frame), then, &world.scene, *selection).ok()?;
-            let map = difference_map(&now_frame, &frame);
+            let map = difference_map(&now_frame.object, &frame.object);
             let picture =
                 |pixels| Arc::new(Picture { raster: raster.clone(), image: now.image(), pixels });
             Some((Arc::new(against), [picture(pixels), picture(map)]))

@@ -12,6 +12,7 @@ mod objects;
 mod picture;
 mod plots;
 mod scan;
+mod twins;
 mod watch;
 mod world;
 mod wrong;
@@ -33,6 +34,7 @@ use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::plots::Plots;
+use self::twins::Twins;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::{WorldPicture, WorldPictures};
@@ -41,11 +43,12 @@ use crate::model::concept::Concept;
 use crate::model::fault::Fault;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::twin::Twin;
 use crate::model::session::{Selection, Session};
 use crate::view::accuracy;
 use crate::view::handles::{self, Stage};
 use crate::view::overlay::{
-    self, Backdrop, CameraView, Handles, Highlighted, Loupe, Picture, Style, WorldView,
+    self, Backdrop, CameraView, GhostCamera, Handles, Highlighted, Loupe, Picture, Style, WorldView,
 };
 use pinhole_exchange::document::Document;
 
@@ -63,6 +66,7 @@ pub struct Deriver {
     wrong: WrongPictures,
     ghosts: GhostPictures,
     answers: GradedAnswers,
+    twins: Twins,
     /// The camera's picture from before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -95,7 +99,8 @@ struct WorldViewKey {
     highlighted: Option<HighlightKey>,
     ray_point_t: Option<f64>,
     handles: Handles,
-    ghost: Option<ResolvedCamera>,
+    ghost: Option<GhostCamera>,
+    twins: Arc<[Twin]>,
     scale: f32,
     style: Style,
     purpose: Purpose,
@@ -161,9 +166,10 @@ impl Deriver {
         }
         self.wrong.update(&mut derived, inputs, good);
         self.ghosts.update(&mut derived, inputs, world);
+        let generation = self.objects.good().map_or(0, |good| good.generation);
+        derived.twins = self.twins.get(inputs, &derived, generation);
         self.world_view(&mut derived, inputs);
         derived.derivation = self.derivations.get(inputs, &derived);
-        let generation = self.objects.good().map_or(0, |good| good.generation);
         derived.plot = self.plots.get(inputs, &derived, generation);
         derived
     }
@@ -269,7 +275,8 @@ impl Deriver {
             highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
             handles: handles::drawn(&stage, &session.hand, &session.spoken_of()),
-            ghost: derived.ghost,
+            ghost: twins::ghost(inputs, derived),
+            twins: Arc::clone(&derived.twins),
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
@@ -300,6 +307,7 @@ impl Deriver {
                 ray_point_t: key.ray_point_t,
                 handles: &key.handles,
                 ghost: key.ghost.as_ref(),
+                twins: &key.twins,
                 is_clear: key.purpose.is_clear(),
                 names_all: key.names_all,
             };

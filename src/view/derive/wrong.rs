@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pinhole_core::{Camera, Paint, Raster, Shade};
-use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
+use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, Mistake};
 
 use super::beside::BesideView;
 use super::derived::Inputs;
@@ -13,15 +13,19 @@ use super::picture::GoodPicture;
 use super::watch::{Work, watched};
 use super::{Derived, Shown, opaque};
 use crate::model::overlay_items::Item;
+use crate::view::ghost::difference_map;
 use crate::view::overlay::Picture;
 
 /// The inputs of a wrong picture: the camera, the objects and colours by number, and the rest.
 type Key = (Camera, u64, u64, Raster, Shade, Mistake);
 
+/// The wrong camera, its picture, and the map of the pixels that differ.
+type Made = (Arc<ComparedCamera>, Option<[Arc<Picture>; 2]>);
+
 /// A cache of the wrong camera and its picture; the last ones stay while the camera has a fault.
 #[derive(Debug, Default)]
 pub(super) struct WrongPictures {
-    made: Memo<Key, (Arc<ComparedCamera>, Option<Arc<Picture>>)>,
+    made: Memo<Key, Made>,
     view: BesideView,
     last: Option<(Arc<ComparedCamera>, Option<Shown>)>,
     /// Number of wrong pictures made so far.
@@ -61,7 +65,7 @@ impl WrongPictures {
         let (mode, mistake) = (session.settings.shade, session.mistakes_view.shown());
         let key = (document.camera, world.generation, world.palette, raster, mode, mistake);
         let count = &mut self.count;
-        let (wrong, picture) = self.made.get(key, |(camera, _, _, raster, mode, mistake)| {
+        let (wrong, pictures) = self.made.get(key, |(camera, _, _, raster, mode, mistake)| {
             *count += 1;
             watched(watch, Work::Trace, || {
                 let paint = Paint {
@@ -69,7 +73,7 @@ impl WrongPictures {
                     color_of: |i: u32| world.colors[i as usize],
                     to_pixel: opaque,
                 };
-                let (wrong, pixels) = ComparedCamera::new(
+                let (wrong, compared) = ComparedCamera::new(
                     camera,
                     &good.resolved,
                     &world.scene,
@@ -77,15 +81,20 @@ impl WrongPictures {
                     raster,
                     paint,
                 );
-                let picture = |pixels| Picture { raster: raster.clone(), image, pixels };
-                (Arc::new(wrong), pixels.map(|pixels| Arc::new(picture(pixels))))
+                let picture = |pixels| Arc::new(Picture { raster: raster.clone(), image, pixels });
+                let pictures = compared.map(|ComparedPicture { pixels, wrong, right }| {
+                    [picture(pixels), picture(difference_map(&wrong, &right))]
+                });
+                (Arc::new(wrong), pictures)
             })
         });
         // Both belong to the right camera; in this picture they would be elsewhere.
         let items = session.settings.items.with(Item::UvAxes, false).with(Item::Hit, false);
-        let number = ((self.count, false), size);
+        let differences = session.mistakes_view.shows_differences();
+        let number = ((self.count, differences), size);
         let camera = (&good.resolved, &*good.inspection, good.selection);
-        let view = self.view.get(inputs, number, camera, items, || picture.as_deref());
+        let picture = || Some(&*pictures.as_ref()?[usize::from(differences)]);
+        let view = self.view.get(inputs, number, camera, items, picture);
         (wrong, view)
     }
 }

@@ -66,6 +66,41 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     coordinates(&canvas, &ink, &mut labels);
 }
 
+/// Draws the plane as a question shows it: the line, p, and what was typed, as rings; how both lines
+/// meet only once that `may_be_seen`.
+pub(crate) fn draw_exercise(
+    ui: &Ui,
+    rect: Rect,
+    lab: &LinesLab,
+    typed: &[(String, DVec2)],
+    (may_be_seen, digits): (bool, usize),
+) {
+    let (ink, background, halo) = Ink::from_style(theme::style(ui));
+    let canvas = Canvas::new(ui.painter_at(rect), rect, lab.window, halo);
+    canvas.painter.rect_filled(rect, 0.0, background);
+    let mut labels = LabelLayout::new(canvas.painter.clone(), halo, rect.shrink(3.0));
+    if may_be_seen {
+        paint(&canvas, lab, &ink, |_| false, digits);
+    } else {
+        grid(&canvas, &ink);
+        implicit(&canvas, &lab.line(), &ink);
+        let p = canvas.to_screen(lab.ray.p);
+        canvas.painter.circle(p, 8.0, ink.ray, Stroke::new(2.0, halo));
+        let font = Font { size: NAMES + 1.0, color: ink.ray, bold: true };
+        labels.write("p", font, around(p, vec2(-1.0, 1.0), 13.0));
+    }
+    for (name, at) in typed {
+        let at = canvas.to_screen(*at);
+        canvas.painter.circle_stroke(at, 9.0, Stroke::new(3.0, ink.ray));
+        let font = Font { size: NAMES, color: ink.ray, bold: true };
+        labels.write(name, font, around(at, vec2(1.0, -1.0), 15.0));
+    }
+    if !may_be_seen {
+        regions(&canvas, &lab.line(), &ink, &mut labels);
+        coordinates(&canvas, &ink, &mut labels);
+    }
+}
+
 /// Paints everything but the background. Returns a description of the points that the ray has
 /// generated.
 pub(crate) fn paint(

@@ -31,6 +31,7 @@ pub use paint::path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
+pub use world_view::ghost::GhostCamera;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };

@@ -204,7 +204,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             ("(𝐮 × 𝐯) · 𝐰", "1 passes"),
         ],
     ),
-    (10, 3, &[("𝐰 · view / |view|", "1 finds it"), (SAYS, "right: −1 < 0")]),
+    (10, 3, &[("𝐰 · view / |view|", "1 catches it"), (SAYS, "right: −1 < 0")]),
     (11, 1, &[("f(x, y)", "1 x + 1 y − 2"), (SAYS, "at t = 0:  f = −2 < 0")]),
     // 0.5 + 0.5 - 2.
     (11, 2, &[("slide t", "(0.5, 0.5)"), (SAYS, "at t = 0.5:  f = −1 < 0")]),

@@ -17,13 +17,22 @@ const BACKWARDS: &str = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
 
 /// t of the canonical scene's sphere in some of its 400 x 400 pixels: the far root.
 fn far_roots(count_from: u32) -> String {
+    roots(count_from, 1.0)
+}
+
+/// The same, with the right root.
+fn near_roots() -> String {
+    roots(0, -1.0)
+}
+
+fn roots(count_from: u32, sign: f64) -> String {
     let mut text = String::from("row,column,t\n");
     for i in 190..210 {
         for j in 180..220 {
             let u = (f64::from(j) + 0.5) / 400.0 - 0.5;
             let v = 0.5 - (f64::from(i) + 0.5) / 400.0;
             let a = u * u + v * v + 1.0;
-            let t = (5.0 + (25.0 - 24.0 * a).sqrt()) / a;
+            let t = (5.0 + sign * (25.0 - 24.0 * a).sqrt()) / a;
             writeln!(text, "{},{},{t}", i + count_from, j + count_from).unwrap();
         }
     }
@@ -60,7 +69,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     let (folder, mut window) = alone();
     drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
     assert_eq!(window.state().session().settings.layout, ViewLayout::Answers);
-    assert_says(&window, "Answers: mine.csv");
+    assert_says(&window, "mine.csv");
     assert_says(&window, "0 of 800 hits agree, within 0.00001 of their distance");
     assert_says(&window, "Mistake: far-root");
     assert_says(
@@ -101,7 +110,7 @@ fn the_grade_follows_the_camera() {
     // Without a camera, nothing is.
     type_into(&mut window, "at z", "0");
     assert_eq!(texts_with(&window, "vectors agree"), Vec::<String>::new());
-    assert_says(&window, "The scene has a fault: there is nothing to grade by.");
+    assert_says(&window, "The scene has a fault: nothing can be checked against it.");
     // While another layout is shown, nothing is graded.
     type_into(&mut window, "at z", "-1");
     show(&mut window, ViewLayout::Camera);
@@ -132,6 +141,40 @@ fn answers_that_count_from_one_are_read_again_as_such() {
     fs::write(folder.path().join("mine.csv"), "row,column,t\n1,1,\n").unwrap();
     click(&mut window, "Read again");
     assert_says(&window, "1 of 1 hits agrees, within 0.00001 of their distance");
+}
+
+/// What is drawn of the answers in the world view.
+fn drawn(window: &Harness<'_, App>) -> String {
+    pinhole::model::practice::twin::spoken(&window.state().derived().twins)
+}
+
+#[test]
+fn a_wrong_answer_stands_in_the_world_view_beside_the_right_one() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
+    // The selected ray is no pixel's: the worst one is shown, with its own ray.
+    assert_eq!(drawn(&window), "drawn: your hit (dashed), right ray");
+    click(&mut window, "Select the worst");
+    assert_eq!(drawn(&window), "drawn: your hit (dashed)", "the selected ray is the right one");
+    let basis = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
+    drop_file(&mut window, &write(folder.path(), "basis.csv", basis));
+    assert_eq!(drawn(&window), "drawn: your u (dashed), your w (dashed)");
+    let rays =
+        "row,column,ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-0.5,-0.5,-1\n399,399,0,0,0,0.49875,-0.49875,-1\n";
+    drop_file(&mut window, &write(folder.path(), "rays.csv", rays));
+    assert_eq!(drawn(&window), "drawn: your ray (dashed), right ray");
+}
+
+#[test]
+fn answers_from_zero_that_are_read_from_one_are_told_so() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "mine.csv", &near_roots()));
+    assert_says(&window, "800 of 800 hits agree, within 0.00001 of their distance");
+    window.get_by_role_and_label(Role::CheckBox, "They count from 1").click();
+    window.run();
+    let told = texts_with(&window, "They count from 0, and then all agree");
+    assert!(!told.is_empty(), "{:?}", texts_with(&window, "count"));
+    assert_eq!(texts_with(&window, "say --count-from 1"), Vec::<String>::new());
 }
 
 #[test]

@@ -9,7 +9,9 @@ use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
-use crate::harness::{assert_reads, assert_says, show, texts_with, type_into, window};
+use crate::harness::{
+    assert_reads, assert_says, drag_from, open_scene, show, texts_with, type_into, window,
+};
 
 fn click(window: &mut Harness<'_, App>, label: &str) {
     window.get_by_role_and_label(Role::Button, label).click();
@@ -302,18 +304,107 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
     assert_eq!(window.state().session().exercises.seed(), None);
 }
 
+/// What is drawn in the question's scene.
+fn drawn(window: &Harness<'_, App>) -> String {
+    window.get_by_role_and_label(Role::Image, "World view").value().unwrap()
+}
+
 #[test]
-fn the_solution_is_exact_where_it_can_be_and_is_hidden_again() {
-    let mut window = open(Exercise::Turned);
+fn the_solution_is_the_derivation_and_is_hidden_again() {
+    let mut window = open(Exercise::EyeAtUp);
+    let fold = "Fold: Basis";
+    assert!(texts_with(&window, fold).is_empty());
     click(&mut window, "Show the solution");
-    assert_says(&window, "𝑡 = 5√2 ≈ 7.0711");
-    assert_says(&window, "𝐮 = (1/√2, 0, −1/√2) ≈ (0.70711, 0, −0.70711)");
+    assert_says(&window, fold);
+    let lines = texts_with(&window, "√");
+    assert!(lines.iter().any(|line| line.starts_with("𝐮 = ") && line.contains("√74")), "{lines:?}");
+    assert!(texts_with(&window, "Fold: Pixel to ray").is_empty(), "nothing is asked of a ray");
+    assert_eq!(drawn(&window), "drawn: u, v, w");
     click(&mut window, "Hide the solution");
-    assert_eq!(texts_with(&window, "5√2"), Vec::<String>::new());
-    click(&mut window, title(Exercise::EyeAtUp));
+    assert!(texts_with(&window, fold).is_empty());
+    assert_eq!(drawn(&window), "no answer is drawn");
+    click(&mut window, title(Exercise::Sphere));
     click(&mut window, "Show the solution");
-    let u = "𝐮 = (5, 0, −7)/√74 ≈ (0.58124, 0, −0.81373)";
-    assert_says(&window, u);
+    assert!(texts_with(&window, "Fold: Basis").is_empty(), "the ray is given");
+    assert!(!texts_with(&window, "Fold: ").is_empty());
+    click(&mut window, title(Exercise::Lines));
+    click(&mut window, "Show the solution");
+    assert!(!texts_with(&window, "They meet at").is_empty());
+}
+
+#[test]
+fn what_is_typed_is_drawn_and_what_is_right_only_once_it_was_checked() {
+    let mut window = open(Exercise::ViewUp);
+    assert_eq!(drawn(&window), "no answer is drawn");
+    answers(&mut window, "u", &["0", "0", "-1"]);
+    assert_eq!(drawn(&window), "drawn: u? (dashed)");
+    answers(&mut window, "w", &["0", "1", "0"]);
+    click(&mut window, "Check");
+    // What is right needs no twin, and v was not answered.
+    assert_eq!(drawn(&window), "drawn: u, your u (dashed), w");
+    // A new attempt does not hide it again.
+    answers(&mut window, "u", &["1", "0", "0"]);
+    assert_eq!(drawn(&window), "drawn: u, your u (dashed), w");
+    click(&mut window, title(Exercise::Distance));
+    answers(&mut window, "d", &["0.2", "-0.1", "-1"]);
+    answer(&mut window, "t", "6");
+    assert_eq!(drawn(&window), "drawn: ray? (dashed)");
+    click(&mut window, "Check");
+    assert_eq!(drawn(&window), "drawn: ray, your ray (dashed)");
+    click(&mut window, title(Exercise::Sphere));
+    assert_eq!(drawn(&window), "drawn: d", "the ray is given, and where it hits is asked for");
+    answer(&mut window, "t", "6");
+    answers(&mut window, "point", &["0", "0", "-6"]);
+    answers(&mut window, "normal", &["0", "0", "-1"]);
+    let typed = "drawn: d, t? (dashed), hit? (dashed), n? (dashed)";
+    assert_eq!(drawn(&window), typed);
+    click(&mut window, "Check");
+    let checked = "drawn: d, your t (dashed), hit, your hit (dashed), n, your n (dashed)";
+    assert_eq!(drawn(&window), checked);
+}
+
+#[test]
+fn the_questions_scene_can_be_orbited_and_leaves_the_open_one_alone() {
+    let mut window = open(Exercise::EyeAtUp);
+    let before = window.state().session().observer;
+    let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
+    let picture = |window: &mut Harness<'_, App>| window.render().unwrap();
+    let (first, document) = (picture(&mut window), window.state().document().clone());
+    drag_from(&mut window, rect.center(), egui::vec2(90.0, 30.0));
+    window.hover_at(egui::pos2(5.0, 5.0));
+    window.run();
+    assert_ne!(picture(&mut window), first);
+    assert_eq!(window.state().session().observer, before);
+    assert_eq!(*window.state().document(), document);
+}
+
+#[test]
+fn typed_answers_are_kept_until_another_scene_is_opened() {
+    let mut window = open(Exercise::EyeAtUp);
+    let typed = |window: &Harness<'_, App>| {
+        window.get_by_role_and_label(Role::TextInput, "answer u x").value().unwrap_or_default()
+    };
+    answer(&mut window, "u x", "5/sqrt(74)");
+    click(&mut window, title(Exercise::Sphere));
+    answer(&mut window, "t", "4");
+    click(&mut window, title(Exercise::EyeAtUp));
+    assert_eq!(typed(&window), "5/sqrt(74)");
+    // Other numbers are another question.
+    click(&mut window, "New numbers");
+    assert_eq!(typed(&window), "");
+    click(&mut window, "Lecture version");
+    assert_eq!(typed(&window), "");
+    click(&mut window, title(Exercise::Sphere));
+    assert_eq!(
+        window.get_by_role_and_label(Role::TextInput, "answer t").value().as_deref(),
+        Some("4")
+    );
+    open_scene(&mut window, "look-at");
+    show(&mut window, ViewLayout::Exercises);
+    assert_eq!(
+        window.get_by_role_and_label(Role::TextInput, "answer t").value().unwrap_or_default(),
+        ""
+    );
 }
 
 #[test]

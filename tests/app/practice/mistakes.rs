@@ -3,11 +3,12 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::practice::mistakes_view::OpenVote;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
-use crate::harness::{assert_says, click_at, show, texts_with, type_into, window};
+use crate::harness::{assert_says, click_at, command, show, texts_with, type_into, window};
 
 /// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
@@ -62,7 +63,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
                 assert!(wrong_says(&window).starts_with(mistake.name()), "{}", wrong_says(&window));
                 let finds = wrong.checks.iter().filter(|check| !check.passes).count();
                 assert!(finds > 0);
-                assert_eq!(values(&window, " finds it").len(), finds);
+                assert_eq!(values(&window, " catches it").len(), finds);
             }
             Err(why) => {
                 assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
@@ -78,8 +79,8 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
 fn as_printed_is_found_by_one_check_alone() {
     let mut window = open("look-at");
     click(&mut window, Mistake::WAsPrinted.name());
-    assert_eq!(values(&window, " finds it"), ["𝐰 · view / |view|: 1 finds it"]);
-    assert_says(&window, "1 of 14 checks finds it");
+    assert_eq!(values(&window, " catches it"), ["𝐰 · view / |view|: 1 catches it"]);
+    assert_says(&window, "1 of 14 checks catches it");
     assert_eq!(values(&window, "passes").len(), 13);
     assert_eq!(values(&window, "wrong w = "), ["wrong w = (−0.80413, −0.15317, −0.57438)"]);
     assert_eq!(values(&window, "wrong v = "), Vec::<String>::new(), "it is right");
@@ -150,33 +151,144 @@ fn an_idle_gallery_traces_nothing() {
 }
 
 #[test]
-fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
+fn a_mistakes_camera_stands_in_the_world_view_as_a_ghost() {
+    let mut window = open("look-at");
+    let labels = |window: &Harness<'_, App>| -> Vec<String> {
+        let shown = window.state().derived().world_view.clone().unwrap();
+        shown.labels.iter().map(|label| label.text.clone()).collect()
+    };
+    click(&mut window, Mistake::VIsUCrossW.name());
+    let shown = labels(&window);
+    assert!(shown.contains(&"v′".to_owned()), "{shown:?}");
+    assert!(!shown.contains(&"u′".to_owned()), "it is right: {shown:?}");
+    assert!(window.state().derived().twins.iter().any(|twin| twin.label == "ray′"));
+    // The wrong camera is no ghost of the user's.
+    assert_eq!(window.state().session().ghost, None);
+    click(&mut window, "Guess which");
+    let shown = labels(&window);
+    assert!(shown.iter().all(|label| !label.contains('′')), "that would tell: {shown:?}");
+    assert!(window.state().derived().twins.is_empty());
+    window.key_press(egui::Key::Enter);
+    window.run();
+    assert!(!window.state().derived().twins.is_empty());
+}
+
+#[test]
+fn the_pixels_that_differ_are_a_map_beside_the_right_picture() {
+    let mut window = open("look-at");
+    click(&mut window, Mistake::VIsUCrossW.name());
+    let picture = window.state().derived().wrong_view.clone().unwrap().image;
+    click(&mut window, "Differences");
+    let map = window.state().derived().wrong_view.clone().unwrap().image;
+    assert_eq!(map.size, picture.size);
+    let differs =
+        [[0xc8, 0x10, 0x58], [0x00, 0x4a, 0x86]].map(|[r, g, b]| egui::Color32::from_rgb(r, g, b));
+    let share = |image: &egui::ColorImage| {
+        let dark = image.pixels.iter().filter(|color| differs.contains(color)).count();
+        dark as f32 / image.pixels.len() as f32
+    };
+    assert!(share(&map) > 0.1 && share(&picture) == 0.0, "{} {}", share(&map), share(&picture));
+    click(&mut window, "Differences");
+    assert_eq!(window.state().derived().wrong_view.clone().unwrap().image, picture);
+}
+
+fn open_vote(window: &Harness<'_, App>) -> OpenVote {
+    window.state().session().mistakes_view.open_vote.clone().unwrap()
+}
+
+fn option(open: &OpenVote, index: usize) -> String {
+    format!("{}: {}", ["A", "B", "C", "D"][index], open.vote.options[index].name())
+}
+
+#[test]
+fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     let mut window = open("look-at");
     click(&mut window, "Guess which");
-    assert_says(&window, "Wrong camera: which mistake is it?");
-    assert_says(&window, "Which mistake is it?");
-    assert!(values(&window, " finds it").is_empty(), "that would tell");
-    let guess = window.state().session().mistakes_view.guess.unwrap();
-    assert!(!wrong_says(&window).contains(guess.mistake.name()), "{}", wrong_says(&window));
-    assert!(!texts_with(&window, guess.mistake.formula()).iter().any(|_| true));
-    // Wrong first: one that gives another picture.
-    let other = Mistake::GALLERY.iter().copied().find(|m| {
-        let camera = window.state().document().camera;
-        let wrong = |mistake| pinhole_lecture::mistakes::WrongCamera::new(&camera, mistake);
-        wrong(*m).is_ok_and(|m| !m.sees_the_same(&wrong(guess.mistake).unwrap()))
-    });
-    let other = other.unwrap();
-    click(&mut window, other.name());
-    assert_says(&window, &format!("Not {}: it is {}.", other.name(), guess.mistake.name()));
-    assert!(!texts_with(&window, "What would have told: ").is_empty());
-    assert!(!values(&window, " finds it").is_empty());
-    click(&mut window, "Next one");
-    let next = window.state().session().mistakes_view.guess.unwrap();
-    assert_ne!(next.mistake, guess.mistake);
-    assert_eq!(next.answer, None);
-    click(&mut window, next.mistake.name());
-    assert_says(&window, &format!("Right: {}.", next.mistake.name()));
-    click(&mut window, "Gallery");
-    assert_eq!(window.state().session().mistakes_view.guess, None);
-    assert_says(&window, &format!("Wrong camera: {}", next.mistake.name()));
+    let open = open_vote(&window);
+    assert_eq!(open.vote.options.len(), 4);
+    let mistake = open.vote.mistake();
+    let is_secret = |window: &Harness<'_, App>| {
+        let checks = values(window, " catches it").is_empty();
+        let told = texts_with(window, mistake.shows()).is_empty()
+            && texts_with(window, mistake.formula()).is_empty();
+        checks && told && !wrong_says(window).contains(mistake.name())
+    };
+    assert!(is_secret(&window));
+    let buttons = |window: &Harness<'_, App>| -> Vec<egui::Rect> {
+        let rect = |name: &str| window.get_by_role_and_label(Role::Button, name).rect();
+        let options = (0..4).map(|index| rect(&option(&open, index)));
+        options.chain([rect("Reveal"), rect("Another one")]).collect()
+    };
+    let before = buttons(&window);
+    // Wrong first.
+    let wrong = (open.vote.right + 1) % 4;
+    click(&mut window, &option(&open, wrong));
+    assert_eq!(open_vote(&window).answer, Some(wrong));
+    assert!(is_secret(&window), "a vote is no answer yet");
+    click(&mut window, "Reveal");
+    let letter = ["A", "B", "C", "D"][open.vote.right];
+    assert_says(&window, &format!("{letter}: {}. {}", mistake.name(), mistake.shows()));
+    assert_says(&window, mistake.formula());
+    assert!(wrong_says(&window).starts_with(mistake.name()));
+    assert_eq!(buttons(&window), before, "nothing moves");
+    click(&mut window, "Another one");
+    let next = open_vote(&window);
+    assert_ne!(next.vote.mistake(), mistake);
+    assert!(next.answer.is_none() && !next.is_revealed);
+    type_into(&mut window, "vote seed", "1");
+    assert_eq!(open_vote(&window).vote, open.vote, "the same seed");
+    click(&mut window, "Reveal");
+    click(&mut window, "All mistakes");
+    assert_eq!(window.state().session().mistakes_view.open_vote, None);
+    assert_says(&window, &format!("Wrong camera: {}", mistake.name()));
+}
+
+#[test]
+fn a_key_reveals_before_a_lesson_goes_on() {
+    let mut window = window("look-at");
+    command(&mut window, "From eye, at and up, 1. One line more");
+    // The step asks first: its answer, or the step after it.
+    window.key_press(egui::Key::PageDown);
+    window.run();
+    show(&mut window, ViewLayout::Mistakes);
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    let step = |window: &Harness<'_, App>| window.state().lesson().unwrap().id();
+    click(&mut window, "Guess which");
+    let before = step(&window);
+    window.key_press(egui::Key::PageDown);
+    window.run();
+    assert!(open_vote(&window).is_revealed);
+    assert_eq!(step(&window), before);
+}
+
+/// From the back row: in points of the projector, an option's text is no smaller than this.
+#[test]
+fn a_vote_fits_a_projector() {
+    let mut window = open("look-at");
+    click(&mut window, "Guess which");
+    window.key_press(egui::Key::F5);
+    for size in [[1024.0, 768.0], [683.0, 512.0], [910.0, 512.0]] {
+        window.set_size(size.into());
+        window.run();
+        let whole = window.ctx.content_rect();
+        let open = open_vote(&window);
+        let rects: Vec<egui::Rect> = (0..4)
+            .map(|index| window.get_by_role_and_label(Role::Button, &option(&open, index)).rect())
+            .collect();
+        for rect in &rects {
+            assert!(whole.contains_rect(*rect) && rect.height() >= 34.0, "{rect} in {whole}");
+        }
+        let reveal = window.get_by_role_and_label(Role::Button, "Reveal").rect();
+        assert!(whole.contains_rect(reveal), "{reveal} in {whole}");
+        assert!(rects.iter().all(|rect| !rect.intersects(reveal)));
+    }
+}
+
+#[test]
+fn the_palette_opens_a_vote() {
+    let mut window = window("look-at");
+    command(&mut window, "Guess which");
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert_eq!(open_vote(&window).vote.options.len(), 4);
+    assert_says(&window, "Which mistake made the wrong picture?");
 }

@@ -317,6 +317,8 @@ fn destinations() -> Vec<UiCommand> {
         let name = title(exercise);
         commands.push(command(Group::Exercise, name, "Asks this.", LookAction::Exercise(exercise)));
     }
+    let about = "Vote: a wrong picture, and four mistakes of which one made it.";
+    commands.push(command(Group::Mistake, "Guess which", about, LookAction::Vote));
     for &mistake in Mistake::GALLERY {
         let action = LookAction::Mistake(mistake);
         commands.push(command(Group::Mistake, mistake.name(), mistake.shows(), action));

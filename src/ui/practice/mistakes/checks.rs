@@ -1,4 +1,4 @@
-//! The checks of the wrong camera: those that find the mistake, and those that do not.
+//! The checks of the wrong camera: those that catch the mistake, and those that miss it.
 
 use egui::{RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
@@ -10,10 +10,10 @@ use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Widths of the verdict and of the formula, in points.
-const VERDICT: f32 = 58.0;
+const VERDICT: f32 = 76.0;
 const FORMULA: f32 = 176.0;
 
-/// Shows the checks as a table, those that find the mistake first.
+/// Shows the checks as a table, those that catch the mistake first.
 pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     if wrong.checks.is_empty() {
         ui.label("Without a wrong camera there is nothing to check.");
@@ -29,13 +29,13 @@ pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     }
 }
 
-/// Returns `2 of 14 checks find it`.
+/// Returns `2 of 14 checks catch it`.
 pub(super) fn summary(wrong: &ComparedCamera) -> String {
     let (all, failing) = (wrong.checks.len(), failing(wrong).count());
     match failing {
-        0 => format!("None of {all} checks finds it"),
-        1 => format!("1 of {all} checks finds it"),
-        _ => format!("{failing} of {all} checks find it"),
+        0 => format!("None of {all} checks catches it"),
+        1 => format!("1 of {all} checks catches it"),
+        _ => format!("{failing} of {all} checks catch it"),
     }
 }
 
@@ -45,7 +45,7 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
 
 /// Shows the verdict, then the formula, then its value, which wraps if it is long.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
-    let said = if here.passes { "passes" } else { "finds it" };
+    let said = if here.passes { "passes" } else { "catches it" };
     let verdict = RichText::new(said).size(TEXT);
     let verdict =
         if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };

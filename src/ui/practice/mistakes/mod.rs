@@ -1,8 +1,8 @@
 //! The mistakes view: a wrong camera's picture beside the right one; below, the gallery, the
-//! explanation of the mistake, and the checks that find it.
+//! explanation of the mistake, and the checks that catch it.
 
 mod checks;
-mod guess;
+pub(crate) mod vote;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_exchange::document::Document;
@@ -28,20 +28,33 @@ const GALLERY: f32 = 200.0;
 /// Width of the table of checks, in points.
 const CHECKS: f32 = 420.0;
 
+/// Width of the page, in points, below which the checks are below the explanation.
+const NARROW: f32 = 760.0;
+
 /// Width of a vector's letter, in points.
 const LETTER: f32 = 16.0;
 
-/// Shows the title above the wrong picture.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &MistakesView) {
+/// Shows the title above the wrong picture, and the choice between it and the map of differences.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
-        ui.strong(RichText::new(title(mistakes_view)).color(error_color(ui)));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if mistakes_view.is_revealed() {
+                let hint = "Dark where the pixel sees another object than in the right picture";
+                let wanted = &mut mistakes_view.wants_differences;
+                ui.toggle_value(wanted, "Differences").on_hover_text(hint);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let title = RichText::new(title(mistakes_view)).strong().color(error_color(ui));
+                ui.add(Label::new(title).truncate());
+            });
+        });
     });
 }
 
 fn title(mistakes_view: &MistakesView) -> String {
-    match mistakes_view.is_revealed() {
-        true => format!("{}: {}", views::WRONG, mistakes_view.shown().name()),
-        false => format!("{}: which mistake is it?", views::WRONG),
+    match mistakes_view.open_vote {
+        None => format!("{}: {}", views::WRONG, mistakes_view.chosen.name()),
+        Some(_) => "Wrong picture".to_owned(),
     }
 }
 
@@ -62,7 +75,7 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
         true => why,
-        false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
+        false => "This mistake shows nothing with this camera: press Another one.".to_owned(),
     })
 }
 
@@ -87,7 +100,7 @@ pub(crate) fn no_picture(
     fault::no_picture(ui, rect, &why_not(wrong, mistakes_view).unwrap_or_default());
 }
 
-/// Shows the gallery, the explanation, and the checks, side by side.
+/// Shows the gallery, the explanation, and the checks, side by side; or the vote in their place.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -95,29 +108,38 @@ pub(crate) fn ui(
     mistakes_view: &mut MistakesView,
     style: NumberStyle,
 ) {
+    let seen = derived.resolved.as_ref().zip(derived.scene.as_deref());
+    let seen = seen.map(|(resolved, scene)| (&document.camera, resolved, scene));
+    if mistakes_view.wants_vote
+        && let Some((camera, resolved, scene)) = seen
+    {
+        mistakes_view.ask(camera, resolved, scene);
+        ui.ctx().request_discard("a vote was opened after its picture was drawn");
+    }
+    if mistakes_view.open_vote.is_some() {
+        return vote::ui(ui, mistakes_view, derived.wrong.as_deref(), seen);
+    }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
     let part = |from: f32, to: f32| {
         Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
     };
-    let checks = CHECKS.min(0.46 * whole.width());
+    let is_narrow = whole.width() < NARROW;
+    let checks = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-        let (camera, resolved) = (&document.camera, derived.resolved.as_ref());
-        let scene = derived.scene.as_deref();
-        guess::buttons(ui, mistakes_view, camera, resolved.zip(scene));
+        vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
     });
     let Some(wrong) = derived.wrong.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
-        if mistakes_view.guess.is_some() {
-            guess::verdict(ui, mistakes_view, wrong, &document.camera);
-        }
-        if mistakes_view.is_revealed() {
-            explanation(ui, wrong, style);
+        explanation(ui, wrong, style);
+        if is_narrow {
+            ui.add_space(6.0);
+            checks::ui(ui, wrong, style);
         }
     });
-    if mistakes_view.is_revealed() {
+    if !is_narrow {
         column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
     }
 }
@@ -129,22 +151,12 @@ fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Shows one button per mistake, which chooses it, or answers with it.
+/// Shows one button per mistake, which chooses it.
 fn list(ui: &mut Ui, mistakes_view: &mut MistakesView) {
-    let chosen = match mistakes_view.guess {
-        Some(guess) => guess.answer,
-        None => Some(mistakes_view.chosen),
-    };
     ui.spacing_mut().item_spacing.y = 1.0;
     for &mistake in Mistake::GALLERY {
         let text = RichText::new(mistake.name()).size(TEXT);
-        let response = ui.selectable_label(chosen == Some(mistake), text);
-        if response.clicked() {
-            match &mut mistakes_view.guess {
-                Some(guess) => guess.answer = Some(mistake),
-                None => mistakes_view.chosen = mistake,
-            }
-        }
+        ui.selectable_value(&mut mistakes_view.chosen, mistake, text);
     }
 }
 

@@ -204,6 +204,18 @@ impl Sketch<'_> {
         Some(spot)
     }
 
+    /// Draws a point of the world as a ring of `radius` points.
+    pub(crate) fn ring(&mut self, at: DVec3, radius: f32, pen: Pen) {
+        if self.items.shows(pen.item)
+            && let Some(spot) = self.screen.spot(at)
+        {
+            let radius = f64::from(radius * self.drawing.scale);
+            let ring = circle(24).map(|point| dot(spot.at + point * radius));
+            let shape = Shape::Line { points: ring.collect(), width: 2.4 * self.drawing.scale };
+            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
+        }
+    }
+
     /// Draws a disc, or a ring if it is hidden.
     fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
         let hidden = self.is_hidden(spot, pen);

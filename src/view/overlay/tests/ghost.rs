@@ -8,6 +8,7 @@ fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
     let stage = Stage::new(Camera::CANONICAL, vec![sphere(0.0, 0.0, -5.0, 1.0)], Vec::new());
     let ghost =
         Camera { eye: DVec3::new(0.6, 0.4, 0.3), ..stage.camera }.resolve().expect("a camera");
+    let ghost = GhostCamera::frozen(&ghost);
     let alone = stage.view().drawing();
     let both = WorldView { ghost: Some(&ghost), ..stage.view() }.drawing();
     let more: Vec<_> = both.marks.iter().filter(|mark| !alone.marks.contains(mark)).collect();

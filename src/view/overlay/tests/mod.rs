@@ -95,6 +95,7 @@ impl Stage {
             ray_point_t: None,
             handles: &NO_HANDLES,
             ghost: None,
+            twins: &[],
             is_clear: false,
             names_all: true,
         }

@@ -1,10 +1,11 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
 pub(super) mod camera_in_space;
-mod ghost;
+pub(super) mod ghost;
 pub(super) mod handles;
 mod highlighted;
 mod objects;
+mod twins;
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
@@ -12,6 +13,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene}
 use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::practice::twin::Twin;
 use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::highlighted::Highlighted;
@@ -22,6 +24,7 @@ use crate::view::overlay::space::layers::{Bowl, Layers, Patch, PictureLookup, Vi
 use crate::view::overlay::space::screen::Screen;
 use crate::view::overlay::space::sketch::Sketch;
 use crate::view::overlay::style::Style;
+use crate::view::overlay::world_view::ghost::GhostCamera;
 use crate::view::overlay::world_view::handles::Handles;
 use crate::view::overlay::world_view::objects::Onlooker;
 
@@ -56,8 +59,10 @@ pub struct WorldView<'a> {
     pub style: Style,
     /// The t of the point that moves along the selected ray.
     pub ray_point_t: Option<f64>,
-    /// The frozen camera to compare with.
-    pub ghost: Option<&'a ResolvedCamera>,
+    /// The camera to compare with.
+    pub ghost: Option<&'a GhostCamera>,
+    /// A student's answers, and the right ones.
+    pub twins: &'a [Twin],
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted<'a>>,
     /// The handles that can be dragged.
@@ -251,6 +256,7 @@ impl<'a> WorldView<'a> {
         }
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space(self);
+        sketch.twins(self);
         // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {

@@ -1,47 +1,9 @@
-//! Right answers and single numbers, exactly where they are recognised.
+//! Numbers in sentences, exact where they are recognised.
 
-use pinhole_core::{DVec3, shortest};
+use pinhole_core::shortest;
 
-use super::question::{Answer, QuestionPart};
-use crate::forms::{NumberForm, VectorForm};
+use crate::forms::NumberForm;
 use crate::numbers::written;
-
-/// The right answer, exactly if it can be recognised, and in decimals where that is another text.
-pub fn solution(part: &QuestionPart, digits: usize) -> String {
-    let numbers = match &part.truth {
-        Answer::Yes(yes) => return if *yes { "= yes" } else { "= no" }.to_owned(),
-        Answer::Numbers(numbers) => numbers,
-    };
-    let decimals = |x: &f64| written(*x, digits);
-    let decimals = listed(&numbers.iter().map(decimals).collect::<Vec<_>>());
-    match exact(numbers) {
-        Some(exact) if exact == decimals => format!("= {exact}"),
-        Some(exact) => format!("= {exact} ≈ {decimals}"),
-        None => format!("≈ {decimals}"),
-    }
-}
-
-/// `5√2`, `(5, 0, −7)/√74`, `(0.2, −0.1, −1)`.
-fn exact(numbers: &[f64]) -> Option<String> {
-    if let [x, y, z] = *numbers
-        && let VectorForm::Common { whole, factor } = VectorForm::recognise(DVec3::new(x, y, z))?
-        && factor.root() > 1
-        && factor.is_root_below()
-    {
-        let whole = whole.map(|n| number(n as f64));
-        return Some(format!("{}/√{}", listed(&whole), factor.root()));
-    }
-    let each: Option<Vec<String>> =
-        numbers.iter().map(|x| Some(form(NumberForm::recognise(*x)?))).collect();
-    Some(listed(&each?))
-}
-
-fn listed(texts: &[String]) -> String {
-    match texts {
-        [one] => one.clone(),
-        many => format!("({})", many.join(", ")),
-    }
-}
 
 /// `5√2`, `−1/√2`, `3/7`. Decimals stay decimals.
 fn form(form: NumberForm) -> String {

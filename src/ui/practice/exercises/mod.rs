@@ -1,13 +1,18 @@
-//! The exercises view: the list, the question, the answer fields, and the verdicts.
+//! The exercises page: the list, the question with its answer fields and verdicts, and beside them the
+//! question's scene with the answers in it.
+
+pub(crate) mod scene;
 
 use egui::{
-    Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
+    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder,
+    pos2,
 };
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
+use self::scene::QuestionScene;
 use crate::model::practice::exercises::{Exercises, Feedback, LARGEST_SEED, TypedAnswer};
-use crate::ui::action::{Action, Leave, MadeUp};
-use crate::ui::scene::readouts::NumberStyle;
+use crate::model::session::Session;
+use crate::ui::action::Action;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
@@ -18,13 +23,19 @@ use crate::view::typesetting::theme::error_color;
 const TEXT: f32 = 17.0;
 
 /// Width of the list, in points.
-const LIST: f32 = 290.0;
+const LIST: f32 = 206.0;
+
+/// Width of the page, in points, below which the list is folded into a menu.
+const NARROW: f32 = 940.0;
+
+/// Space between the columns, in points.
+const GAP: f32 = 18.0;
 
 /// Indent of the fields and of the text below them, in points.
-const INDENT: f32 = 96.0;
+const INDENT: f32 = 84.0;
 
 /// Height of the bar with the buttons, in points.
-const BAR: f32 = 52.0;
+const BAR: f32 = 78.0;
 
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
@@ -38,36 +49,54 @@ const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
 /// Shows the current exercise; opening its camera adds to `actions`.
 pub(crate) fn ui(
     ui: &mut Ui,
-    exercises: &mut Exercises,
-    style: NumberStyle,
+    session: &mut Session,
+    scene: &mut QuestionScene,
     actions: &mut Vec<Action>,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap().shrink(8.0);
-    let list = LIST.min(0.35 * whole.width());
-    let left = Rect::from_min_max(whole.min, pos2(whole.left() + list, whole.bottom()));
-    let right = Rect::from_min_max(pos2(left.right() + 20.0, whole.top()), whole.max);
-    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
-        ui.heading("Exercises");
-        ui.add_space(4.0);
-        ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
-    });
+    let is_narrow = whole.width() < NARROW;
+    let list = if is_narrow { 0.0 } else { LIST + GAP };
+    let from = whole.left() + list;
+    let share = if is_narrow { 0.58 } else { 0.49 };
+    let middle = from + share * (whole.right() - from);
+    let column = |left: f32, right: f32| {
+        Rect::from_min_max(pos2(left, whole.top()), pos2(right, whole.bottom()))
+    };
+    let exercises = &mut session.exercises;
+    if !is_narrow {
+        let left = column(whole.left(), whole.left() + LIST);
+        ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+            ui.heading("Exercises");
+            ui.add_space(4.0);
+            ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
+        });
+    }
     // The buttons stay where they are, whatever is said above them.
-    let (above, bar) = right.split_top_bottom_at_y(right.bottom() - BAR);
+    let (above, bar) = column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR);
     let mut wants_check = false;
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        if is_narrow {
+            let menu = ComboBox::from_id_salt("exercise menu")
+                .selected_text(exercises::title(exercises.question().exercise))
+                .width(ui.available_width().min(320.0))
+                .show_ui(ui, |ui| choose(ui, exercises));
+            menu.response.named("exercise");
+            ui.add_space(4.0);
+        }
         ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {
-            wants_check = exercise(ui, exercises, style);
+            wants_check = exercise(ui, exercises, !is_narrow);
         });
     });
     ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
         ui.separator();
-        wants_check |= buttons(ui, exercises, actions);
+        wants_check |= buttons(ui, exercises);
     });
     if wants_check {
         exercises.check();
         ui.ctx().request_discard("answers were checked after they were drawn");
     }
+    scene.ui(ui, column(middle, whole.right()), session, actions);
 }
 
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
@@ -76,15 +105,17 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
         let text = RichText::new(exercises::title(exercise)).size(15.0);
         let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
         if response.clicked() && exercise != chosen {
-            *exercises = Exercises::open(exercise, None);
+            exercises.show(exercise, None);
         }
     }
 }
 
 /// Shows the question with its fields. Returns true if Enter was pressed in one.
-fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle) -> bool {
+fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool) -> bool {
     let question = exercises.question().clone();
-    ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
+    if has_title {
+        ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
+    }
     source(ui, exercises);
     ui.add_space(8.0);
     for paragraph in exercises::question(&question.given) {
@@ -95,45 +126,30 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle) -> bool 
     for (part, typed) in question.parts.iter().zip(&mut exercises.answers) {
         wants_check |= answer(ui, part, typed);
         verdict(ui, part, typed);
-        if exercises.is_solved {
-            solution(ui, part, style);
-        }
         ui.add_space(8.0);
     }
-    ui.label(
-        RichText::new(
-            "Numbers may be typed exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is kept or sent.",
-        )
-        .size(15.0)
-        .weak(),
-    );
+    let hint =
+        "You may type numbers exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is sent anywhere.";
+    ui.label(RichText::new(hint).size(15.0).weak());
     wants_check
 }
 
-/// Shows the buttons, and whether all is right. Returns true if the answers are to be checked.
-fn buttons(ui: &mut Ui, exercises: &mut Exercises, actions: &mut Vec<Action>) -> bool {
+/// Shows the buttons, and how many answers are right. Returns true if they are to be checked.
+fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
     let mut wants_check = false;
-    ui.horizontal_wrapped(|ui| {
+    ui.horizontal(|ui| {
         wants_check = ui.button("Check").on_hover_text("Or Enter in a field").clicked();
         let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
         if ui.button(text).clicked() {
             exercises.is_solved = !exercises.is_solved;
         }
-        if let Some(document) = exercises.document() {
-            let hint = "Makes this question's camera, and what its ray meets, the open scene";
-            if ui.button("Show this scene").on_hover_text(hint).clicked() {
-                let question = exercises.question();
-                let title = exercises::title(question.exercise).to_owned();
-                let made_up = MadeUp { document, title, uv: question.uv() };
-                actions.push(Leave::Show(Box::new(made_up)).into());
-                ui.ctx().request_repaint();
-            }
-        }
-        if exercises.is_right() {
+    });
+    if exercises.is_right() {
+        ui.horizontal(|ui| {
             sign(ui, true);
             ui.label(RichText::new("All correct.").strong());
-        }
-    });
+        });
+    }
     wants_check
 }
 
@@ -143,12 +159,12 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
     let seed = exercises.seed();
     ui.horizontal_wrapped(|ui| {
         if ui.selectable_label(seed.is_none(), "Lecture version").clicked() && seed.is_some() {
-            *exercises = Exercises::open(exercise, None);
+            exercises.show(exercise, None);
         }
-        let hint = "Other numbers, from the next seed";
+        let hint = "The same question with other numbers";
         if ui.button("New numbers").on_hover_text(hint).clicked() {
             let next = seed.map_or(1, |seed| if seed < LARGEST_SEED { seed + 1 } else { 0 });
-            *exercises = Exercises::open(exercise, Some(next));
+            exercises.renew(next);
         }
         if let Some(seed) = seed {
             ui.label("seed");
@@ -157,12 +173,13 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
                 .speed(0.1)
                 .range(0..=LARGEST_SEED)
                 .update_while_editing(false);
-            let hint = format!("A whole number, 0 to {LARGEST_SEED}");
+            let hint = format!(
+                "The same seed gives the same question; a whole number, 0 to {LARGEST_SEED}"
+            );
             ui.add(field).on_hover_text(hint).named("exercise seed");
             if typed != seed {
-                *exercises = Exercises::open(exercise, Some(typed));
+                exercises.show(exercise, Some(typed));
             }
-            ui.label(RichText::new("Who types the same seed gets the same question.").weak());
         }
     });
 }
@@ -171,19 +188,9 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
-    ui.horizontal_wrapped(|ui| {
-        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-        let wide = egui::vec2(90.0, 30.0);
-        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
-        let text = if part.count() == 0 {
-            RichText::new(exercises::asked(part)).size(TEXT)
-        } else {
-            text.color(color)
-        };
-        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
-            ui.label(text);
-        });
+    ui.horizontal(|ui| {
         if part.count() == 0 {
+            ui.label(RichText::new(exercises::asked(part)).size(TEXT));
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
                     (typed.yes, typed.feedback) = (Some(yes), None);
@@ -191,9 +198,16 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             }
             return;
         }
+        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
+        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
+        let wide = egui::vec2(INDENT - 6.0, 30.0);
+        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
+            ui.label(text.color(color));
+        });
         // Side by side with what is between them and round the text.
         let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
-        let width = (ui.available_width() / part.count() as f32 - between).clamp(60.0, FIELD);
+        let width = ui.available_width() / part.count() as f32 - between;
+        let width = width.clamp(44.0, FIELD);
         let (mut changed, mut left) = (false, false);
         for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
             let label = if part.count() == 1 {
@@ -218,15 +232,6 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         }
     });
     entered
-}
-
-/// Shows the right answer below the fields.
-fn solution(ui: &mut Ui, part: &QuestionPart, style: NumberStyle) {
-    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
-    ui.horizontal_top(|ui| {
-        ui.add_space(INDENT);
-        ui.add(egui::Label::new(RichText::new(text).strong()).wrap());
-    });
 }
 
 /// Shows the verdict on a part once it was checked.
