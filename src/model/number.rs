@@ -43,17 +43,22 @@ impl Rounding {
 
 /// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
 pub(crate) fn short(x: f64) -> String {
+    short_plain(x).replace('-', "−")
+}
+
+/// The same with the minus of the keyboard, for the command line and its files.
+pub(crate) fn short_plain(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
         return "0".to_owned();
     }
     if !(1e-3..1e5).contains(&magnitude) {
         let text = format!("{x:.1e}");
-        return text.replace(".0e", "e").replace('-', "−");
+        return text.replace(".0e", "e");
     }
     let digits_before = magnitude.log10().floor() as i32 + 1;
     let decimals = (3 - digits_before).clamp(0, 5) as usize;
-    let text = format!("{x:.decimals$}").replace('-', "−");
+    let text = format!("{x:.decimals$}");
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::model::{Case, MethodRow, Report};
-use crate::model::number::short;
+use crate::model::number::short_plain as short;
 use crate::report::columns::{aligned, widths, wrapped};
 
 /// Maximum width of a line, in characters.

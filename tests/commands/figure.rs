@@ -229,7 +229,7 @@ fn the_derivation_is_text_too() {
     for (name, text) in [("LaTeX", &latex), ("Markdown", &markdown)] {
         // The lecture's answer: t = 5 sqrt 2 at (-4, -sqrt2/2, -6).
         assert!(text.contains(r"5 \sqrt{2}"), "{name}: {text}");
-        assert!(text.contains("-0.70711"), "{name}: {text}");
+        assert!(text.contains(r"\frac{1}{\sqrt{2}}"), "{name}: {text}");
     }
 }
 

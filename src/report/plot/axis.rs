@@ -1,6 +1,6 @@
 //! Scales: from numbers to places along a panel's edge, and the numbers written there.
 
-use crate::model::number::{power_of_ten, short};
+use crate::model::number::{power_of_ten, short_plain as short};
 
 /// A stretch of a panel's edge, in points; may run backwards.
 pub(crate) type Stretch = [f64; 2];
