@@ -167,7 +167,7 @@ _pinhole() {
                     return 0
                     ;;
                 --play)
-                    COMPREPLY=($(compgen -W "swing-up orbit walk scan" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "swing-up orbit over-the-top walk scan" -- "${cur}"))
                     return 0
                     ;;
                 --frames)

@@ -90,6 +90,7 @@ grey\t''
 grey-dark\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view: an animated PNG, like the window\'s Play' -r -f -a "swing-up\t''
 orbit\t''
+over-the-top\t''
 walk\t''
 scan\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'How many frames it has; else as many as it has time for' -r

@@ -149,6 +149,8 @@ pub fn in_words(age: Duration) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
     use super::*;
 
     fn changed() -> Unsaved {

@@ -265,7 +265,7 @@ fn a_given_number_is_typed_where_it_stands_and_all_follows_in_the_same_frame() {
     window.step();
     assert_eq!(window.state().document().camera.eye.x, 0.5);
     assert_says(&window, "eye = (0.5, 0, 0)");
-    assert_says(&window, "view = at − eye = (0, 0, −1) − (0.5, 0, 0) = (−0.5, 0, −1)");
+    assert_says(&window, "view = at − eye = (0, 0, −5) − (0.5, 0, 0) = (−0.5, 0, −5)");
     assert_ne!(before, world(&window));
     let field = window.get_by_role_and_label(Role::SpinButton, "eye x");
     assert_eq!(field.value().as_deref(), Some("0.5"));
@@ -385,7 +385,7 @@ fn given_numbers_are_reached_by_the_keyboard() {
     window.run();
     window.key_press(egui::Key::Tab);
     window.run();
-    assert_says(&window, "at = (3, 0, −1)");
+    assert_says(&window, "at = (3, 0, −5)");
     let y = window.get_by_role_and_label(Role::SpinButton, "derivation at y");
     assert!(y.is_focused());
 }

@@ -14,7 +14,7 @@ const LANGUAGES: [&str; 6] = ["julia", "numpy", "glm", "glsl", "glam", "javascri
 const CANONICAL: &str = "glViewport(0, 0, 400, 400);\nglMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n\
                          gluPerspective(53.13010235415598, 1.0, 0.01, 10000.0);\n\
                          glMatrixMode(GL_MODELVIEW);\nglLoadIdentity();\ngluLookAt(0, 0, 0,\n          \
-                         0, 0, -1,\n          0, 1, 0);\n";
+                         0, 0, -5,\n          0, 1, 0);\n";
 
 #[test]
 fn the_names_are_in_the_help_and_in_the_error() {
@@ -191,5 +191,5 @@ fn a_camera_from_standard_input() {
         .unwrap();
     child.stdin.take().unwrap().write_all(CANONICAL.as_bytes()).unwrap();
     let scene = finished(child.wait_with_output().unwrap()).done();
-    assert!(scene.contains("at = [0.0, 0.0, -1.0]"), "{scene}");
+    assert!(scene.contains("at = [0.0, 0.0, -5.0]"), "{scene}");
 }

@@ -130,7 +130,7 @@ fn the_readout() {
     expect![[r#"
         camera
           eye                   (0, 0, 0)
-          at                    (0, 0, -1)
+          at                    (0, 0, -5)
           up                    (0, 1, 0)
           u (right)             (1, 0, 0)
           v (up in the image)   (0, 1, 0)

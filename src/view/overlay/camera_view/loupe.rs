@@ -182,14 +182,21 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
     texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));
     let colors = view.style.colors();
-    drawing.labels.extend(texts.into_iter().map(|(text, center)| Label {
-        item: Item::Loupe,
-        position: dot(center),
-        text,
-        color: colors.ink,
-        halo: colors.background,
-        size: TEXT,
-        bold: false,
+    let width = view.size[0] as f32;
+    drawing.labels.extend(texts.into_iter().map(|(text, center)| {
+        let mut label = Label {
+            item: Item::Loupe,
+            position: dot(center),
+            text,
+            color: colors.ink,
+            halo: colors.background,
+            size: TEXT,
+            bold: false,
+        };
+        // A small loupe is narrower than its text, and stands at the view's edge.
+        let [half, _] = label.half_extent(view.scale);
+        label.position[0] = label.position[0].min(width - half).max(half);
+        label
     }));
 }
 
