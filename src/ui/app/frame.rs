@@ -8,6 +8,7 @@ use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, 
 
 use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
+use crate::model::session::{ViewLayout, Workspace};
 use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Switch};
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
@@ -51,7 +52,11 @@ impl App {
     }
 
     fn page(&self) -> &'static Page {
-        page(self.scene.session.settings.layout)
+        let session = &self.scene.session;
+        let layout = session.settings.layout;
+        // While the class is asked there is no derivation to show: the views have its room.
+        let asks = session.is_asking && layout.workspace() == Some(Workspace::Derivation);
+        page(if asks { ViewLayout::Both } else { layout })
     }
 
     /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
@@ -219,14 +224,14 @@ impl App {
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
         let before = session.settings.splits;
+        let whole = ui.available_rect_before_wrap();
         let numbers = match (presenting, session.settings.unfolded.numbers) {
             (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
             (true, _) => Numbers::Strip(number_strip::PRESENTED),
             (false, true) => Numbers::All,
-            (false, false) => Numbers::Strip(number_strip::WITH_BUTTONS),
+            (false, false) => Numbers::Strip(number_strip::height(whole.width())),
         };
         let splits = &mut session.settings.splits;
-        let whole = ui.available_rect_before_wrap();
         let areas = areas(&mut Divider { ui, whole, splits, numbers });
         let changed = Changed::SESSION.when(session.settings.splits != before);
         let per_point = ui.ctx().pixels_per_point();

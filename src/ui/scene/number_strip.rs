@@ -1,7 +1,7 @@
 //! The strip of numbers below the views: the basis, the selected ray and its first hit, in one line.
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{FontId, Label, Ui};
+use egui::{FontId, Label, TextStyle, Ui};
 use pinhole_exchange::document::Document;
 
 use super::pointed_number;
@@ -13,8 +13,11 @@ use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 
-/// Height of the strip with the sentence and the buttons below it, in points.
-pub(crate) const WITH_BUTTONS: f32 = 66.0;
+/// Returns the height of the strip with the sentence and the buttons below it, in points.
+pub(crate) fn height(width: f32) -> f32 {
+    if is_narrow(width) { 92.0 } else { 66.0 }
+}
+
 /// Height of the strip while presenting, in points: two rows.
 pub(crate) const PRESENTED: f32 = 44.0;
 
@@ -23,25 +26,48 @@ const DIGITS: usize = 4;
 /// Sizes of the text while presenting, in points: the largest at which a row has room.
 const PRESENTED_SIZES: [f32; 3] = [16.0, 14.0, WRITTEN];
 
-/// Shows the strip with text of this size.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-    size: f32,
-) {
+/// Shows the strip, as large and with as many digits as there is room for.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
         ui.label(fault_text(ui, fault).strong());
         return;
     }
-    let [basis, ray] = numbers(derived, document, style);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = GAP * size;
-        for (name, value) in basis.into_iter().chain(ray) {
-            number(ui, name, &value, size);
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let rows = |digits: usize| -> Vec<Numbers> {
+        let style = NumberStyle { digits: style.digits.min(digits), ..style };
+        let [basis, ray] = numbers(derived, document, style);
+        let ray = ray.into_iter().filter(|(name, _)| *name != "d");
+        match is_narrow(ui.available_width()) {
+            true => vec![basis, ray.collect()],
+            false => vec![basis.into_iter().chain(ray).collect()],
         }
+    };
+    let choices = [(DIGITS, size + 1.0), (DIGITS, size - 1.0), (DIGITS - 1, size - 1.0)];
+    let fits = |&(digits, size): &(usize, f32)| {
+        rows(digits).iter().all(|row| width(ui, row, size) <= ui.available_width())
+    };
+    let (digits, size) = choices.into_iter().find(fits).unwrap_or(choices[2]);
+    for row in rows(digits) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP * size;
+            for (name, value) in row {
+                number(ui, name, &value, size);
+            }
+        });
+    }
+}
+
+/// Returns true if the strip needs two rows.
+fn is_narrow(width: f32) -> bool {
+    width < 780.0
+}
+
+/// Returns the width of a line of numbers with text of this size.
+fn width(ui: &Ui, line: &Numbers, size: f32) -> f32 {
+    let laid = line.iter().map(|(name, value)| {
+        ui.painter().layout_job(written(ui, name, value, size)).size().x + GAP * size
     });
+    laid.sum()
 }
 
 /// Shows the strip before an audience: the basis in one row, the ray in the other. The reason why there
@@ -50,10 +76,9 @@ pub(crate) fn presented(ui: &mut Ui, derived: &Derived, document: &Document, sty
     if derived.fault.is_some() {
         return;
     }
+    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     for row in numbers(derived, document, style) {
-        let letters: usize = row.iter().map(|(name, value)| name.len() + 3 + value.len()).sum();
-        let width = |size: f32| size * (LETTER * letters as f32 + GAP * row.len() as f32);
-        let fits = |size: &f32| width(*size) <= ui.available_width();
+        let fits = |size: &f32| width(ui, &row, *size) <= ui.available_width();
         let size = PRESENTED_SIZES.into_iter().find(fits).unwrap_or(WRITTEN);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = GAP * size;
@@ -65,16 +90,14 @@ pub(crate) fn presented(ui: &mut Ui, derived: &Derived, document: &Document, sty
     }
 }
 
-/// Distance between two numbers, and the mean width of a letter; of the text's size.
+/// Distance between two numbers, as a share of the text's size.
 const GAP: f32 = 1.2;
-const LETTER: f32 = 0.56;
 
 /// Names and values.
 type Numbers = Vec<(&'static str, String)>;
 
 /// Returns the numbers of the basis, and those of the ray up to its hit.
 fn numbers(derived: &Derived, document: &Document, style: NumberStyle) -> [Numbers; 2] {
-    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     let Some(resolved) = &derived.resolved else { return Default::default() };
     let basis = resolved.basis();
     let vectors = [("u", basis.u), ("v", basis.v), ("w", basis.w)];
@@ -109,12 +132,19 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
     format!("{}(𝑢, 𝑣) = ({u}, {v})\n{hit}", pixel.unwrap_or_default())
 }
 
-/// Shows `name = value`, the name in the colour that the views give it.
-fn number(ui: &mut Ui, name: &'static str, value: &str, size: f32) {
-    let mut job: LayoutJob = readouts::name_of(ui, name, true, size);
+/// Lays out `name = value`.
+fn written(ui: &Ui, name: &str, value: &str, size: f32) -> LayoutJob {
+    let mut job = readouts::name_of(ui, name, true, size);
     let text = TextFormat::simple(FontId::proportional(size), ui.visuals().strong_text_color());
     job.append(&format!(" = {value}"), 0.0, text);
-    let label = ui.add(Label::new(job).extend()).spoken(format!("{name} = {value}"));
+    job
+}
+
+/// Shows `name = value`, the name in the colour that the views give it.
+fn number(ui: &mut Ui, name: &'static str, value: &str, size: f32) {
+    let label = ui
+        .add(Label::new(written(ui, name, value, size)).extend())
+        .spoken(format!("{name} = {value}"));
     pointed_number::point(&label, name);
     if let Some(words) = meaning_of_readout(name) {
         label.on_hover_text(words);

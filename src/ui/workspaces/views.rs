@@ -1,6 +1,6 @@
 //! The world view and the camera view, both or one of them, and the selected ray in numbers.
 
-use egui::{Align, Layout, TextStyle, Ui};
+use egui::{Align, Layout, Ui};
 
 use super::page::{Desk, Page};
 use crate::figures::Subject;
@@ -61,8 +61,7 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
         switched = ui.small_button("Fewer numbers").clicked();
         readouts::ui(ui, derived, document, style);
     } else {
-        let size = TextStyle::Body.resolve(ui.style()).size + 1.0;
-        number_strip::ui(ui, derived, document, style, size);
+        number_strip::ui(ui, derived, document, style);
         ui.horizontal(|ui| {
             ui.weak("Drag eye, at or up. Click a pixel.");
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

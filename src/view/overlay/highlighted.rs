@@ -31,7 +31,13 @@ pub struct Highlighted<'a> {
 impl Highlighted<'_> {
     /// Formats a number for a label.
     pub(super) fn number(&self, x: f64) -> String {
-        written(x, self.digits)
+        written(x, self.digits.min(LABEL_DIGITS))
+    }
+
+    /// Returns `=` if a label shows all of these numbers exactly, or else `≈`.
+    pub(super) fn relation(&self, shown: &[f64]) -> char {
+        let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
+        if shown.iter().all(is_exact) { '=' } else { '≈' }
     }
 
     /// Formats an angle, given in radians, in degrees for a label.
@@ -39,6 +45,9 @@ impl Highlighted<'_> {
         format!("{}°", self.number(angle.to_degrees()))
     }
 }
+
+/// Maximum number of significant digits of a label: it must not cover what it is about.
+const LABEL_DIGITS: usize = 4;
 
 /// Opacity of the other marks.
 const DIMMED: f32 = 0.42;

@@ -163,14 +163,13 @@ impl Sketch<'_> {
         }
         if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
             let sine_of = format!("sin({})", highlighted.degrees(angle));
+            let area = length * sine;
+            let is = highlighted.relation(&[length, angle.to_degrees(), area]);
             let text = if highlighted.number(length) == highlighted.number(1.0) {
-                format!("{sine_of} = {}", highlighted.number(sine))
+                format!("{sine_of} {is} {}", highlighted.number(sine))
             } else {
-                format!(
-                    "{} · {sine_of} = {}",
-                    highlighted.number(length),
-                    highlighted.number(length * sine)
-                )
+                let (length, area) = (highlighted.number(length), highlighted.number(area));
+                format!("{length} · {sine_of} {is} {area}")
             };
             self.label(pen, text, spot.at, DVec2::ZERO, (colors[2], POINT_TEXT, false));
         }
