@@ -226,7 +226,10 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let first = (-view).dot(across).atan2((-view).dot(top));
     let back = match turn {
         0.25 | 0.75 => {
-            let factor = f64::from((length / up.length()) as f32);
+            // With few digits, so that the product is not rounded where up is a short vector.
+            let factor = length / up.length();
+            let digit = 2_f64.powf(factor.log2().floor() - 8.0);
+            let factor = digit * (factor / digit).round();
             if turn < 0.5 { factor * up } else { -factor * up }
         }
         _ => {

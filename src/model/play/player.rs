@@ -142,7 +142,9 @@ impl Player {
     /// Returns a description of the present phase.
     pub fn position(&self) -> String {
         match self.kind {
-            Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => format!("{:.0}°", 360.0 * self.phase),
+            Kind::SwingUp | Kind::Orbit => format!("{:.0}°", 360.0 * self.phase),
+            // Its quarters are angles of their own.
+            Kind::OverTheTop => format!("{:.0} %", 100.0 * self.phase),
             Kind::Walk => {
                 format!("t = {}", crate::model::number::written(self.phase * self.start.end, 3))
             }

@@ -23,9 +23,9 @@ struct Answered<'a> {
 impl Answered<'_> {
     /// Returns `u?` as long as the answer was not checked, and then `your u`.
     fn label(&self, name: &str) -> String {
-        match self.right {
-            None => format!("{name}?"),
-            Some(_) => format!("your {name}"),
+        match self.typed.is_judged {
+            false => format!("{name}?"),
+            true => format!("your {name}"),
         }
     }
 
@@ -46,7 +46,7 @@ fn vector(numbers: &[f64]) -> Option<DVec3> {
 impl Exercises {
     /// Returns true if the right answer to this part may be seen.
     fn may_be_seen(&self, typed: &TypedAnswer) -> bool {
-        self.is_solved || typed.is_judged
+        self.is_solved || typed.feedback.as_ref().is_some_and(Feedback::is_good)
     }
 
     fn answered(&self, asked: Asked) -> Option<Answered<'_>> {

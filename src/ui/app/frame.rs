@@ -192,9 +192,12 @@ impl App {
         ui.separator();
         let resolved = document.camera.resolve().ok();
         let before = *selected;
-        section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
-            selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
-        });
+        // Its numbers may be what the class is asked for.
+        if !scene.session.is_asking {
+            section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
+                selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+            });
+        }
         changed |= Changed::SESSION.when(*selected != before);
         ui.separator();
         let chosen = &mut scene.chosen_object;
@@ -246,6 +249,13 @@ impl App {
         actions: &mut Vec<Action>,
     ) -> Changed {
         let page = self.page();
+        // A pointer that rests while another ray is selected, by keys or a lesson's step, leaves it.
+        let (pointer, selection) =
+            (ui.input(|i| i.pointer.latest_pos()), self.scene.session.selection);
+        if self.views.seen_selection.replace(selection) != Some(selection) {
+            self.views.rested_at = pointer;
+        }
+        let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
         let (scene, shown) = (&mut self.scene, &self.views.derived);
         if let Some(rect) = rects.world {
             scene.frame(views::size_of(rect));
@@ -256,7 +266,8 @@ impl App {
         if !self.over.covers() {
             let beside = page.beside.map_or("", |beside| beside.name);
             changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
-            let is_followed = page.follows_pointer && scene.session.hand.over.is_none();
+            let is_free = scene.session.hand.over.is_none();
+            let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
             hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
                 .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));

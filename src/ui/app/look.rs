@@ -5,7 +5,7 @@ use egui::{Context, ThemePreference};
 
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
-use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, ZOOM};
+use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::ui::action::LookAction;
 use crate::view::typesetting::theme::{self, Look};
 
@@ -62,7 +62,12 @@ fn zoom_by(session: &mut Session, by: i32) {
 
 fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
-        None => session.presenting = Some(Presenting::begin(session.spotlight)),
+        None => {
+            session.presenting = Some(Presenting::begin(session.spotlight));
+            // What the open question is about is derived line by line.
+            let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
+            session.revealed_lines = (session.is_asking && derives).then_some(0);
+        }
         Some(presenting) => {
             session.settings.layout = presenting.before(session.settings.layout);
             session.spotlight = presenting.spotlight_before();

@@ -3,13 +3,14 @@
 
 use std::time::Duration;
 
-use egui::{Context, Event, Key, Ui, Vec2};
+use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 
 use super::hand::InHand;
 use super::scene::OpenScene;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::model::observer::ViewSize;
+use crate::model::session::Selection;
 use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::readouts::NumberStyle;
@@ -37,6 +38,9 @@ pub(super) struct Views {
     pub(super) deriver: Deriver,
     pub(super) derived: Derived,
     pub(super) adaptive_resolution: AdaptiveResolution,
+    /// The selection when it was seen last, and the position of the pointer when it changed.
+    pub(super) seen_selection: Option<Selection>,
+    pub(super) rested_at: Option<Pos2>,
     /// The work for the last frame, for those who keep a log.
     pub(super) frame_work: Option<FrameWork>,
     world_size: Option<ViewSize>,
@@ -126,7 +130,9 @@ impl Views {
         }
         for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
         {
-            if let (Some(rect), Some(text)) = (rect, subsampling.message()) {
+            // A picture from before a fault says so, and is not made finer.
+            let text = subsampling.message().filter(|_| derived.fault.is_none());
+            if let (Some(rect), Some(text)) = (rect, text) {
                 views::coarse(ui, rect, &text);
             }
         }

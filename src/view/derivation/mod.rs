@@ -109,8 +109,15 @@ impl Derivation {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
-    /// Returns the number of lines up to the last one about this concept; all of them where none is.
+    /// Returns the number of lines up to the last one about this concept, or about the basis vector that
+    /// follows from it; all of them where none is.
     pub fn lines_through(&self, concept: Option<Concept>) -> usize {
+        let concept = concept.map(|concept| match concept {
+            Concept::View | Concept::Backwards => Concept::W,
+            Concept::UpCrossW => Concept::U,
+            Concept::WCrossU => Concept::V,
+            other => other,
+        });
         let lines = self.sections.iter().flat_map(|section| &section.lines);
         let about = lines.enumerate().filter(|(_, line)| concept.is_some_and(|c| line.is_about(c)));
         about.last().map_or(self.line_count(), |(k, _)| k + 1)

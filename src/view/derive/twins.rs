@@ -73,6 +73,10 @@ fn wrong_camera<'a>(
 /// Returns the camera to compare with in the world view: a mistake's, or the frozen one.
 pub(super) fn ghost(inputs: Inputs<'_>, derived: &Derived) -> Option<GhostCamera> {
     if inputs.session.settings.layout == ViewLayout::Mistakes {
+        // It shows what the class is asked for.
+        if inputs.session.is_asking {
+            return None;
+        }
         return wrong_camera(inputs, derived).map(|(_, wrong)| GhostCamera::of_mistake(wrong));
     }
     derived.ghost.as_ref().map(GhostCamera::frozen)

@@ -17,10 +17,13 @@ use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{self, error_color};
 
-/// Size of the text, in points.
-const TEXT: f32 = 17.0;
+/// Returns the size of the text, in points. While presenting everything is enlarged, and all answer
+/// fields are to be seen at once.
+fn text_size(ui: &Ui) -> f32 {
+    if theme::installed(ui.ctx()).presenting { 13.0 } else { 17.0 }
+}
 
 /// Width of the list, in points.
 const LIST: f32 = 206.0;
@@ -31,11 +34,11 @@ const NARROW: f32 = 940.0;
 /// Space between the columns, in points.
 const GAP: f32 = 18.0;
 
-/// Indent of the fields and of the text below them, in points.
-const INDENT: f32 = 84.0;
+/// Indent of the fields and of the text below them, as a share of the text's size.
+const INDENT: f32 = 4.94;
 
-/// Height of the bar with the buttons, in points.
-const BAR: f32 = 78.0;
+/// Height of the bar with the buttons, as a share of the text's size.
+const BAR: f32 = 4.6;
 
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
@@ -53,7 +56,7 @@ pub(crate) fn ui(
     scene: &mut QuestionScene,
     actions: &mut Vec<Action>,
 ) {
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(text_size(ui)));
     let whole = ui.available_rect_before_wrap().shrink(8.0);
     let is_narrow = whole.width() < NARROW;
     let list = if is_narrow { 0.0 } else { LIST + GAP };
@@ -73,10 +76,12 @@ pub(crate) fn ui(
         });
     }
     // The buttons stay where they are, whatever is said above them.
-    let (above, bar) = column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR);
+    let (above, bar) =
+        column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR * text_size(ui));
     let mut wants_check = false;
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-        if is_narrow {
+        let presenting = theme::installed(ui.ctx()).presenting;
+        if is_narrow && !presenting {
             let menu = ComboBox::from_id_salt("exercise menu")
                 .selected_text(exercises::title(exercises.question().exercise))
                 .width(ui.available_width().min(320.0))
@@ -85,7 +90,7 @@ pub(crate) fn ui(
             ui.add_space(4.0);
         }
         ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {
-            wants_check = exercise(ui, exercises, !is_narrow);
+            wants_check = exercise(ui, exercises, !is_narrow, !presenting);
         });
     });
     ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
@@ -111,15 +116,17 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
 }
 
 /// Shows the question with its fields. Returns true if Enter was pressed in one.
-fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool) -> bool {
+fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source: bool) -> bool {
     let question = exercises.question().clone();
     if has_title {
         ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
     }
-    source(ui, exercises);
-    ui.add_space(8.0);
+    if has_source {
+        source(ui, exercises);
+        ui.add_space(8.0);
+    }
     for paragraph in exercises::question(&question.given) {
-        marked_text::label(ui, &paragraph, TEXT);
+        marked_text::label(ui, &paragraph, text_size(ui));
     }
     ui.add_space(10.0);
     let mut wants_check = false;
@@ -130,7 +137,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool) -> bool {
     }
     let hint =
         "You may type numbers exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is sent anywhere.";
-    ui.label(RichText::new(hint).size(15.0).weak());
+    ui.label(RichText::new(hint).size(text_size(ui) - 1.0).weak());
     wants_check
 }
 
@@ -190,7 +197,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let name = part.asked.id();
     ui.horizontal(|ui| {
         if part.count() == 0 {
-            ui.label(RichText::new(exercises::asked(part)).size(TEXT));
+            ui.label(RichText::new(exercises::asked(part)).size(text_size(ui)));
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
                     (typed.yes, typed.feedback) = (Some(yes), None);
@@ -199,8 +206,8 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             return;
         }
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
-        let wide = egui::vec2(INDENT - 6.0, 30.0);
+        let text = RichText::new(format!("{} =", exercises::asked(part))).size(text_size(ui) + 1.0);
+        let wide = egui::vec2(INDENT * text_size(ui) - 6.0, 30.0);
         ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
             ui.label(text.color(color));
         });
@@ -218,7 +225,8 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             let hint = if part.count() == 1 { "" } else { hint };
             let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
             let field = field.margin(egui::Margin::symmetric(MARGIN as i8, 2));
-            let response = ui.add(field.font(egui::FontId::proportional(TEXT))).named(label);
+            let response =
+                ui.add(field.font(egui::FontId::proportional(text_size(ui)))).named(label);
             changed |= response.changed();
             left |= response.lost_focus();
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
@@ -237,11 +245,11 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
 /// Shows the verdict on a part once it was checked.
 fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
     let Some(said) = &typed.feedback else { return };
-    let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
+    let text = RichText::new(said.sentence(part)).size(text_size(ui) - 1.0).strong();
     let is_wrong = !said.is_good() && !matches!(said, Feedback::NotAnswered | Feedback::Missing);
     let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
-        ui.add_space(INDENT);
+        ui.add_space(INDENT * text_size(ui));
         if let Feedback::Judged(_) | Feedback::Follows(_) = said {
             sign(ui, said.is_good());
         }

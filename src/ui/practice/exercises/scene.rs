@@ -5,7 +5,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-use super::TEXT;
+use super::text_size;
 use crate::model::concept::Hovered;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::lines::{LinesLab, Window};
@@ -155,7 +155,7 @@ fn world_title(
                 ui.ctx().request_repaint();
             }
             if has_yours {
-                ui.label(RichText::new("dashed: yours").size(TEXT - 2.0));
+                ui.label(RichText::new("dashed: yours").size(text_size(ui)));
             }
         });
     });

@@ -109,6 +109,9 @@ pub(super) fn ui(
     });
 }
 
+/// Least height of an option, in points.
+const LEAST_HEIGHT: f32 = 8.0;
+
 /// Shows the options in two rows.
 fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
     let count = open.vote.options.len();
@@ -116,7 +119,10 @@ fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
     for index in 0..count {
         let (column, row) = ((index % 2) as f32, (index / 2) as f32);
         let min = area.min + vec2(column * (size.x + GAP), row * (size.y + GAP));
-        if option(ui, Rect::from_min_size(min, size), index, open) {
+        let rect = Rect::from_min_size(min, size);
+        // In the pass that opens the vote there is no room for it yet.
+        let has_room = size.x > LETTER_WIDTH + SIGN_WIDTH && size.y > LEAST_HEIGHT;
+        if has_room && option(ui, rect, index, open) && !open.is_revealed {
             open.answer = Some(index);
         }
     }

@@ -45,7 +45,9 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
 
 /// Shows both lines while the class is asked where they meet.
 pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
-    draw_question(ui, ui.available_rect_before_wrap(), lab);
+    let mut lab = lab.clone();
+    lab.set_t(0.0);
+    draw_question(ui, ui.available_rect_before_wrap(), &lab);
 }
 
 fn examples(ui: &mut Ui, lab: &mut LinesLab) {
