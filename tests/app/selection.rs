@@ -187,3 +187,22 @@ fn pointing_at_a_number_shows_it_in_both_views_and_dims_nothing() {
         assert_eq!(window.state().session().hovered, None);
     }
 }
+
+#[test]
+fn arrow_keys_are_not_held_up_by_a_pointer_that_rests() {
+    let mut window = window("canonical");
+    let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
+    click_at(&mut window, view.center());
+    let clicked = window.state().session().shown_selection();
+    for _ in 0..3 {
+        window.key_press(egui::Key::ArrowRight);
+        window.run();
+    }
+    let session = window.state().session();
+    assert_ne!(session.selection, clicked);
+    assert_eq!(session.shown_selection(), session.selection, "what the keys select is shown");
+    window.hover_at(view.center() + egui::vec2(20.0, 5.0));
+    window.run();
+    let session = window.state().session();
+    assert_ne!(session.shown_selection(), session.selection, "a pointer that moves is followed");
+}

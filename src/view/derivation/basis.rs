@@ -105,9 +105,14 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     lines
 }
 
-/// Returns a vector divided by its length, with the numbers put in.
+/// Returns a vector divided by its length, with the numbers put in. A vector of length 1 whose
+/// coordinates would be rounded stays in its exact form.
 fn quotient(vector: DVec3, length: f64, numbers: Numbers) -> Formula {
-    fraction(numbers.decimals(vector), numbers.divisor(length))
+    let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
+    if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
+        return numbers.vector(vector);
+    }
+    fraction(decimals, divisor)
 }
 
 /// Returns the symbols, the numbers put in, and the result. The numbers are left out if they are

@@ -40,6 +40,8 @@ fn numbers_and_what_gives_the_answer_away_come_with_the_answer() {
         assert!(!says(&window, "Backwards: (0, 0, 1)."));
         assert!(!shows_basis(&window));
         assert_eq!(texts_with(&window, "(0, 0, 1)"), Vec::<String>::new());
+        let ray = window.query_by_role_and_label(Role::SpinButton, "uv u");
+        assert!(ray.is_none(), "nor in the panel");
         // Pointing is no way round it.
         let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
         window.hover_at(view.center());

@@ -8,7 +8,9 @@ use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
-use crate::harness::{assert_says, click_at, command, show, texts_with, type_into, window};
+use crate::harness::{
+    assert_says, click_at, command, show, texts_with, type_into, window, window_with,
+};
 
 /// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
@@ -285,10 +287,30 @@ fn a_vote_fits_a_projector() {
 }
 
 #[test]
-fn the_palette_opens_a_vote() {
-    let mut window = window("look-at");
-    command(&mut window, "Guess which");
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
-    assert_eq!(open_vote(&window).vote.options.len(), 4);
-    assert_says(&window, "Which mistake made the wrong picture?");
+fn the_palette_opens_a_vote_from_any_window() {
+    for size in [[1280.0, 800.0], [1920.0, 1080.0], [640.0, 480.0]] {
+        let mut window = window_with("look-at", pinhole::model::store::Remembered::default(), None);
+        window.set_size(size.into());
+        window.run();
+        command(&mut window, "Guess which");
+        assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+        assert_eq!(open_vote(&window).vote.options.len(), 4);
+        assert_says(&window, "Which mistake made the wrong picture?");
+    }
+}
+
+#[test]
+fn a_vote_that_is_revealed_stays_as_it_was_given() {
+    let mut window = open("look-at");
+    click(&mut window, "Guess which");
+    let names: Vec<String> = {
+        let open = open_vote(&window);
+        let named = open.vote.options.iter().zip(["A", "B", "C", "D"]);
+        named.map(|(mistake, letter)| format!("{letter}: {}", mistake.name())).collect()
+    };
+    click(&mut window, &names[0]);
+    assert_eq!(open_vote(&window).answer, Some(0));
+    click(&mut window, "Reveal");
+    click(&mut window, &names[1]);
+    assert_eq!(open_vote(&window).answer, Some(0));
 }
