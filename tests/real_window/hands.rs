@@ -16,7 +16,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::builtin;
 
-use crate::screen::{Screen, wait_for};
+use crate::screen::{SIZE, Screen, wait_for};
 use crate::window::{Setting, Window};
 
 /// The scene as Ctrl+S has written it over one that was other.
@@ -83,13 +83,15 @@ pub(crate) fn drive(setting: &Setting) {
     window.key("ctrl+z");
     assert_eq!(saved(&window, &scene, &moved), before);
 
-    // While presenting, the world view fills the window, and a figure is as large as it is seen.
+    // While presenting, the world view without numbers fills the screen, not the window alone, and a
+    // figure is as large as it is seen.
     window.key("F5");
     window.key("2");
-    let size = window.layout.ctx.content_rect().size();
+    window.key("n");
     let presented = exported(&window, &folder.path().join("presented.png"));
-    let shares = [presented[0] as f32 / size.x, presented[1] as f32 / size.y];
-    assert!(shares.iter().all(|share| (0.95..=1.0).contains(share)), "{presented:?} of {size:?}");
+    let shares = [0, 1].map(|k| presented[k] as f32 / SIZE[k] as f32);
+    assert!(shares.iter().all(|share| (0.95..=1.0).contains(share)), "{presented:?} of {SIZE:?}");
+    window.key("n");
     window.key("F5");
     sleep(Duration::from_millis(500));
     let shown = world_view(&window);

@@ -7,6 +7,9 @@ use std::time::{Duration, Instant};
 
 use egui::Pos2;
 
+/// Width and height of the screen, in dots.
+pub(crate) const SIZE: [u32; 2] = [1400, 1000];
+
 /// A process that ends with the test.
 pub(crate) struct Running(pub(crate) Child);
 
@@ -26,9 +29,11 @@ pub(crate) struct Screen {
 
 impl Screen {
     pub(crate) fn start() -> Screen {
+        let [width, height] = SIZE;
+        let size = format!("{width}x{height}x24");
         let mut server = Command::new("Xvfb")
             // Without a reset when its only client so far goes away, under the feet of the next.
-            .args(["-displayfd", "1", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"])
+            .args(["-displayfd", "1", "-screen", "0", &size, "-nolisten", "tcp"])
             .arg("-noreset")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
