@@ -79,6 +79,8 @@ pub enum LessonAction {
     Next,
     /// Show the step before.
     Previous,
+    /// Show all that the step keeps back.
+    ShowAll,
     /// Close it; its scene stays.
     Close,
 }
@@ -372,7 +374,9 @@ impl Action {
             Action::Lesson(action) => match action {
                 LessonAction::Close => PlayEnd::GivesBack,
                 // They are left by [`Leave::GoTo`], if there is such a step.
-                LessonAction::Next | LessonAction::Previous => PlayEnd::GoesOn,
+                LessonAction::Next | LessonAction::Previous | LessonAction::ShowAll => {
+                    PlayEnd::GoesOn
+                }
             },
             Action::Ghost(action) => match action {
                 GhostAction::Swap => PlayEnd::GivesBack,

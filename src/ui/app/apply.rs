@@ -200,6 +200,10 @@ impl App {
         let to = match action {
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
+            LessonAction::ShowAll => {
+                self.scene.show_all();
+                return None;
+            }
             LessonAction::Close => {
                 self.scene.close_lesson();
                 return None;
@@ -210,8 +214,7 @@ impl App {
         let dialog = self.leave(ctx, leave);
         // Who goes back has heard the answer, and seen every line.
         if action == LessonAction::Previous && dialog.is_none() {
-            self.scene.answer();
-            self.scene.session.revealed_lines = None;
+            self.scene.show_all();
         }
         dialog
     }

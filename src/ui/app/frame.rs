@@ -54,8 +54,9 @@ impl App {
     fn page(&self) -> &'static Page {
         let session = &self.scene.session;
         let layout = session.settings.layout;
-        // While the class is asked there is no derivation to show: the views have its room.
-        let asks = session.is_asking && layout.workspace() == Some(Workspace::Derivation);
+        // While the class is asked there is no derivation or graph to show: the views have its room.
+        let derives = layout.workspace() == Some(Workspace::Derivation);
+        let asks = session.is_asking && (derives || layout == ViewLayout::Plot);
         page(if asks { ViewLayout::Both } else { layout })
     }
 

@@ -127,6 +127,12 @@ impl OpenScene {
         Some(session.revealed_lines.filter(|_| is_same).unwrap_or(0))
     }
 
+    /// Shows all that the step keeps back.
+    pub(super) fn show_all(&mut self) {
+        self.answer();
+        self.session.revealed_lines = None;
+    }
+
     /// Shows the answer to the step's question.
     pub(super) fn answer(&mut self) {
         if let Some(open) = &self.lessons.open {

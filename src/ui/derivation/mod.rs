@@ -191,6 +191,8 @@ impl DerivationPanel {
                 }
             });
             menu.response.named("Copy the derivation as");
+        });
+        ui.horizontal_wrapped(|ui| {
             for section in DerivationSection::ALL {
                 let mut shown = sections.shows(section);
                 let name = format!("Derivation: {}", section.label());

@@ -1,6 +1,6 @@
 //! The camera as numbers: eye, orientation, viewport and image.
 
-use egui::{Context, Grid, RichText, Ui};
+use egui::{Context, Grid, Label, RichText, Ui};
 use pinhole_core::{
     BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
 };
@@ -82,13 +82,13 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         if let Some(words) = meaning(Kind::Vector, name) {
             label.on_hover_text(words);
         }
-        ui.vertical(|ui| {
-            ui.horizontal(|ui| vector_row(ui, name, value));
-            if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-                ui.label(fault_text(ui, fault));
-            }
-        });
+        ui.horizontal(|ui| vector_row(ui, name, value));
         ui.end_row();
+        if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
+            ui.label("");
+            ui.add(Label::new(fault_text(ui, fault)).wrap());
+            ui.end_row();
+        }
     };
     row(ui, "eye", "eye", &mut camera.eye);
     match &mut camera.orientation {

@@ -75,3 +75,13 @@ fn the_answer_is_no_change_of_the_step_and_stays() {
     press(&mut window, "Close the lesson");
     assert!(!window.state().session().is_asking);
 }
+
+#[test]
+fn end_shows_all_that_a_step_keeps_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = asking(folder.path());
+    key(&mut window, Key::End);
+    assert_says(&window, "Backwards: (0, 0, 1).");
+    assert_says(&window, "Look.");
+    assert!(shows_basis(&window));
+}

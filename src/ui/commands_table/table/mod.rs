@@ -127,6 +127,8 @@ fn program() -> Vec<UiCommand> {
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
+        Lesson, "Show all of the step", "Shows the answer, and the derivation's lines that are still to come.",
+            [plain(LessonUntyped, Key::End)], LessonAction::ShowAll;
         Lesson, "Previous step", "Goes to the lesson's step before this one.",
             [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], LessonAction::Previous;
         Lesson, "Back to the step", "Sets everything as the lesson's step says.",

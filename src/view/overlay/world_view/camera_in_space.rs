@@ -25,6 +25,9 @@ pub const SMALL_VIEWPORT: f64 = 52.0;
 /// Width or height, whichever is larger, and depth of the camera's body, in points.
 const BODY: (f64, f64) = (30.0, 34.0);
 
+/// Height of a view, in points, below which the body becomes smaller with the view.
+const LOW: f64 = 300.0;
+
 /// Significant digits of t at the point that moves along the ray.
 const T_DIGITS: usize = 4;
 
@@ -117,7 +120,9 @@ impl Sketch<'_> {
             return;
         }
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
-        let point = self.length_of_points(eye, (1.0, 1.0));
+        // In a low view it takes no more than its share.
+        let low = (self.screen.size.min_element() / (LOW * self.scale())).clamp(0.4, 1.0);
+        let point = low * self.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);
         let half = 0.5 * BODY.0 * point / larger;
         let (u, v) = (half * viewport.width * basis.u, half * viewport.height * basis.v);
