@@ -42,24 +42,20 @@ pub(crate) fn of_answers(
     if let Some(index) = selected {
         let is_right = graded.grade.is_right.get(index).copied().unwrap_or(true);
         return match (is_right, graded.pixel(index)) {
-            (false, Some(pixel)) => yours(graded, index, &right_ray(camera, pixel), scene),
+            (false, Some(pixel)) => yours(graded, index, &camera.ray_of_pixel(pixel), scene),
             _ => Vec::new(),
         };
     }
     let (Some(worst), Some(pixel)) = (&graded.grade.worst, graded.worst_pixel()) else {
         return Vec::new();
     };
-    let ray = right_ray(camera, pixel);
+    let ray = camera.ray_of_pixel(pixel);
     let mut twins = yours(graded, worst.index, &ray, scene);
     if !twins.is_empty() {
         let t = scene.first_hit(&ray).map(|hit| hit.t);
         twins.push(Twin::right(TwinShape::Ray(ray, t), "right ray"));
     }
     twins
-}
-
-fn right_ray(camera: &ResolvedCamera, pixel: Pixel) -> Ray {
-    camera.ray_of_pixel(pixel)
 }
 
 fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {

@@ -1,7 +1,7 @@
 //! Writing unsaved changes aside while they are made, and offering those of a window that ended
 //! without being asked.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
@@ -21,10 +21,10 @@ const LONGEST: f64 = 4.0;
 /// This window's slot, and what was found in others.
 #[derive(Default)]
 pub(super) struct Recovery {
-    slot: Option<Arc<Mutex<Slot>>>,
+    slot: Option<Arc<Slot>>,
     found: Vec<Found>,
-    /// The document as it was written last; `None` if nothing is written.
-    written: Option<Document>,
+    /// True if changes are written, or being written.
+    is_written: bool,
     /// The document as it was seen last.
     seen: Option<Document>,
     /// Times of the last edit, and of the first one that is not written yet, in seconds.
@@ -38,8 +38,7 @@ impl Recovery {
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found) = Slot::open(&store.unsaved());
-        let slot = slot.map(|slot| Arc::new(Mutex::new(slot)));
-        Recovery { slot, found, ..Recovery::default() }
+        Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
 
     /// Returns the dialog that offers what was found, if anything was.
@@ -80,10 +79,9 @@ impl Recovery {
 
     fn write(&mut self, unsaved: Unsaved) {
         let Some(slot) = self.slot.clone() else { return };
-        self.written.clone_from(&self.seen);
+        self.is_written = true;
         self.finish_writing();
         self.writing = Some(std::thread::spawn(move || {
-            let Ok(slot) = slot.lock() else { return };
             if let Err(reason) = unsaved.write(&slot) {
                 complain(&format!("the unsaved changes could not be written aside: {reason}"));
             }
@@ -102,10 +100,7 @@ impl Recovery {
     fn clear(&mut self) {
         self.finish_writing();
         (self.seen, self.first_edit) = (None, None);
-        if self.written.take().is_some()
-            && let Some(slot) = &self.slot
-            && let Ok(slot) = slot.lock()
-        {
+        if let (true, Some(slot)) = (std::mem::take(&mut self.is_written), &self.slot) {
             slot.clear();
         }
     }
@@ -118,10 +113,8 @@ impl Recovery {
             return;
         }
         self.finish_writing();
-        if let Some(slot) = &self.slot
-            && let Ok(slot) = slot.lock()
-        {
-            match Unsaved::of(open).write(&slot) {
+        if let Some(slot) = &self.slot {
+            match Unsaved::of(open).write(slot) {
                 Ok(()) => complain("the next start offers the unsaved changes"),
                 Err(reason) => complain(&format!("the unsaved changes are lost: {reason}")),
             }

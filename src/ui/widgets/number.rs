@@ -81,9 +81,9 @@ impl<'a> NumberField<'a> {
     }
 
     /// Shows the field over a number that is painted elsewhere, in `rect`: nothing is to be seen of it
-    /// but a tint under the mouse, until something is typed into it. Its id is that of its place.
-    pub(crate) fn show_over(self, ui: &mut Ui, place: Id, rect: Rect, size: f32) -> Response {
-        let known = ui.data(|data| data.get_temp::<Id>(place));
+    /// but a tint under the mouse, until something is typed into it. `id` is its own in every pass.
+    pub(crate) fn show_over(self, ui: &mut Ui, id: Id, rect: Rect, size: f32) -> Response {
+        let known = ui.data(|data| data.get_temp::<Id>(id));
         let is_typed = known.is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
         let rect = if is_typed {
             let room = vec2(rect.width().max(3.5 * size) + 12.0, rect.height());
@@ -91,7 +91,7 @@ impl<'a> NumberField<'a> {
         } else {
             rect
         };
-        let mut inside = ui.new_child(UiBuilder::new().scope_id(place).max_rect(rect));
+        let mut inside = ui.new_child(UiBuilder::new().scope_id(id).max_rect(rect));
         inside.spacing_mut().interact_size.y = rect.height();
         let style = inside.style_mut();
         let font = FontId::proportional(size);
@@ -112,7 +112,7 @@ impl<'a> NumberField<'a> {
         }
         let field = NumberField { is_over: true, ..self.width(rect.width()) };
         let response = field.show(&mut inside);
-        ui.data_mut(|data| data.insert_temp(place, response.id));
+        ui.data_mut(|data| data.insert_temp(id, response.id));
         response
     }
 

@@ -35,9 +35,9 @@ pub(super) fn paint(
             if *object == NO_OBJECT {
                 continue;
             }
-            let place = Pixel { row: raster.rows()[index], column: *column };
+            let position = Pixel { row: raster.rows()[index], column: *column };
             if let Some(sphere) = scene.spheres().get(*object as usize) {
-                let light = light_on(camera, place, f64::from(*t), sphere.center, toward);
+                let light = light_on(camera, position, f64::from(*t), sphere.center, toward);
                 *pixel = opaque(lambert(color_of(*object), light));
             }
         }
