@@ -21,6 +21,7 @@ mod frame_log;
 mod gpu;
 mod open;
 pub mod program;
+mod repeats;
 mod start;
 mod surface;
 mod window;

@@ -15,6 +15,7 @@ use winit::window::Window;
 use super::display::UserEvent;
 use super::error::PresentError;
 use super::frame_log::{FrameLog, FrameTimes};
+use super::repeats;
 use super::start::{Drawn, pace};
 use super::surface::{Frame, PaintTimes, Surface};
 use crate::ui::app::{App, complain};
@@ -157,6 +158,7 @@ impl Open {
                 return self.frame(event_loop, false);
             }
             WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
+            _ if repeats::is_idle(event, &self.ctx) => return Ok(false),
             _ => {}
         }
         let response = self.state.on_window_event(&self.window, event);

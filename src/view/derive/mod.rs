@@ -2,6 +2,8 @@
 //! inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
 mod beside;
+mod buffers;
+mod camera_views;
 mod derivations;
 mod derived;
 mod ghost;
@@ -15,41 +17,32 @@ mod scan;
 mod twins;
 mod watch;
 mod world;
+mod world_views;
 mod wrong;
 
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::methods::Method;
-use pinhole_core::{Camera, ResolvedCamera, Rgb};
+use pinhole_core::Rgb;
 
+use self::camera_views::CameraViews;
 use self::derivations::Derivations;
 use self::derived::Inputs;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
 use self::grading::GradedAnswers;
 pub use self::grading::Grading;
-use self::memo::{Memo, Same};
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::plots::Plots;
 use self::twins::Twins;
-use self::watch::watched;
 pub use self::watch::{Watch, Work};
-use self::world::{WorldPicture, WorldPictures};
+use self::world_views::WorldViews;
 use self::wrong::WrongPictures;
 use crate::model::concept::Concept;
 use crate::model::fault::Fault;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::OverlayItems;
-use crate::model::practice::twin::Twin;
-use crate::model::session::{Selection, Session};
-use crate::view::accuracy;
-use crate::view::handles::{self, Stage};
-use crate::view::overlay::{
-    self, Backdrop, CameraView, GhostCamera, Handles, Highlighted, Loupe, Picture, Style, WorldView,
-};
+use crate::model::session::Session;
 use pinhole_exchange::document::Document;
 
 /// Computes [`Derived`] values, each from its arguments alone; its caches only save work.
@@ -57,10 +50,8 @@ use pinhole_exchange::document::Document;
 pub struct Deriver {
     objects: Objects,
     pictures: Pictures,
-    camera_view: Memo<CameraViewKey, Shown>,
-    error_map: Memo<(Method, CameraViewKey), Shown>,
-    world_pictures: WorldPictures,
-    world_view: Memo<WorldViewKey, Shown>,
+    camera_views: CameraViews,
+    world_views: WorldViews,
     derivations: Derivations,
     plots: Plots,
     wrong: WrongPictures,
@@ -71,46 +62,11 @@ pub struct Deriver {
     last_good: Option<GoodPicture>,
 }
 
-#[derive(Debug, PartialEq)]
-struct CameraViewKey {
-    picture: u64,
-    scanned_pixels: Option<u64>,
-    resolved: ResolvedCamera,
-    size: [u32; 2],
-    selection: Selection,
-    items: OverlayItems,
-    highlighted: Option<HighlightKey>,
-    loupe: Option<Arc<Loupe>>,
-    scale: f32,
-    style: Style,
-    purpose: Purpose,
-}
-
-#[derive(Debug, PartialEq)]
-struct WorldViewKey {
-    world: Same<WorldPicture>,
-    camera: Camera,
-    observer: Observer,
-    size: [u32; 2],
-    picture: Option<u64>,
-    scanned_pixels: Option<u64>,
-    selection: Selection,
-    items: OverlayItems,
-    highlighted: Option<HighlightKey>,
-    ray_point_t: Option<f64>,
-    handles: Handles,
-    ghost: Option<GhostCamera>,
-    twins: Arc<[Twin]>,
-    scale: f32,
-    style: Style,
-    purpose: Purpose,
-    names_all: bool,
-}
-
 impl Deriver {
     /// Returns the number of pictures traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced + self.world_pictures.traced + self.wrong.count + self.ghosts.count
+        let observed = self.world_views.pictures.traced;
+        self.pictures.traced + observed + self.wrong.count + self.ghosts.count
     }
 
     /// Derives everything to show of a document.
@@ -158,7 +114,9 @@ impl Deriver {
             self.last_good = Some(good);
         }
         drop(world);
-        self.camera_views(&mut derived, inputs);
+        if let Some(good) = &self.last_good {
+            good.tell(&mut derived);
+        }
         let world = self.objects.good().filter(|_| derived.fault.is_none());
         let good = self.last_good.as_ref().zip(world);
         if let Some(good) = good {
@@ -168,164 +126,30 @@ impl Deriver {
         self.ghosts.update(&mut derived, inputs, world);
         let generation = self.objects.good().map_or(0, |good| good.generation);
         derived.twins = self.twins.get(inputs, &derived, generation);
-        self.world_view(&mut derived, inputs);
-        derived.derivation = self.derivations.get(inputs, &derived);
-        derived.plot = self.plots.get(inputs, &derived, generation);
+        self.views(&mut derived, inputs, generation);
         derived
     }
 
-    /// Derives the camera view and the error map beside it.
-    fn camera_views(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
-        let Inputs { document, session, sizes, watch } = inputs;
-        let Some(good) = self.last_good.clone() else { return };
-        // A highlighted concept belongs to the current document; an older picture does not show it.
-        let highlighted = highlight_key(session).filter(|_| derived.fault.is_none());
-        let scene = derived.scene.as_deref();
-        let key = |size: [u32; 2]| CameraViewKey {
-            picture: self.pictures.made,
-            scanned_pixels: session.scanned_pixels,
-            resolved: good.resolved,
-            size,
-            selection: good.selection,
-            items: session.settings.items,
-            highlighted,
-            loupe: good.loupe.clone(),
-            scale: sizes.scale,
-            style: sizes.style,
-            purpose: sizes.purpose,
-        };
-        let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
-            let view = CameraView {
-                picture,
-                resolved: &good.resolved,
-                inspection: Some(&good.inspection),
-                items: key.items,
-                size: key.size.map(|n| n as usize),
-                scale: key.scale,
-                style: key.style,
-                highlighted: scene.zip(key.highlighted).map(|(scene, (concept, digits, dims))| {
-                    Highlighted { concept, camera: &document.camera, scene, digits, dims }
-                }),
-                loupe: key.loupe.as_deref(),
-            };
-            match key.purpose {
-                Purpose::Window => overlay::camera(&view, pixels),
-                Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
-            }
-        };
-        derived.camera_view = sizes.camera.map(|size| {
-            self.camera_view.get(key(size), |key| {
-                watched(watch, Work::Overlay, || {
-                    let mut pixels = blank(size);
-                    let drawing = draw(&good.picture, key, &mut pixels);
-                    key.style.finish(&mut pixels);
-                    Shown::new(size, pixels, drawing)
-                })
-            })
-        });
-        if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
-            let key = (compared.method, CameraViewKey { loupe: None, ..key(size) });
-            derived.error_map = Some(self.error_map.get(key, |(_, key)| {
-                let mut pixels = blank(size);
-                let drawing = draw(map, key, &mut pixels);
-                let (comparison, width) = (&compared.comparison, size[0] as usize);
-                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                key.style.finish(&mut pixels);
-                Shown::new(size, pixels, drawing)
-            }));
-            derived.compared = Some(Arc::clone(compared));
+    /// Derives the views, the derivation and the plot, side by side: none reads another.
+    fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
+        let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
+        let good = self.last_good.as_ref().map(|good| (good, self.pictures.made));
+        let seen = &*derived;
+        let (world, ([camera_view, error_map], (derivation, plot))) = rayon::join(
+            || world_views.get(seen, inputs, objects, good),
+            || {
+                rayon::join(
+                    || good.map_or([None, None], |good| camera_views.get(seen, inputs, good)),
+                    || (derivations.get(inputs, seen), plots.get(inputs, seen, generation)),
+                )
+            },
+        );
+        (derived.camera_view, derived.error_map) = (camera_view, error_map);
+        (derived.derivation, derived.plot) = (derivation, plot);
+        if let Some(world) = world {
+            derived.subsampling[1] = world.subsampling;
+            (derived.world_frame, derived.world_view) = (Some(world.frame), Some(world.view));
         }
-        derived.drawn_by.clone_from(&good.drawn_by);
-        derived.too_many = good.too_many;
-        derived.subsampling[0] = good.subsampling;
-        (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
-        derived.truth = good.truth;
-    }
-
-    fn world_view(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
-        let Inputs { document, session, sizes, watch } = inputs;
-        let (Some(size), Some(good), Some(observer)) =
-            (sizes.world, self.objects.good().cloned(), session.observer)
-        else {
-            return;
-        };
-        let Ok(observer_camera) = observer.camera(size[0], size[1]).resolve() else { return };
-        let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
-        let pictures = &mut self.world_pictures;
-        let Some(world) = pictures.get(inputs, &mut self.objects, observer_camera) else { return };
-        derived.subsampling[1] = world.subsampling;
-        let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
-        let stage = Stage {
-            document,
-            resolved: derived.resolved.as_ref(),
-            selection: session.shown_selection(),
-            items: session.settings.items,
-            observer: world.frame.camera(),
-            scale: sizes.scale,
-        };
-        let key = WorldViewKey {
-            world: Same(Arc::clone(&world)),
-            camera: document.camera,
-            observer,
-            size,
-            picture: seen.map(|_| self.pictures.made),
-            scanned_pixels: session.scanned_pixels,
-            selection: session.shown_selection(),
-            items: session.settings.items,
-            highlighted: highlight_key(session),
-            ray_point_t: session.ray_point_t,
-            handles: handles::drawn(&stage, &session.hand, &session.spoken_of()),
-            ghost: twins::ghost(inputs, derived),
-            twins: Arc::clone(&derived.twins),
-            scale: sizes.scale,
-            style: sizes.style,
-            purpose: sizes.purpose,
-            names_all: session.spoken.is_some() || sizes.purpose != Purpose::Window,
-        };
-        let (resolved, inspection) = (derived.resolved, derived.inspection.as_deref());
-        let shown = self.world_view.get(key, |key| {
-            let view = WorldView {
-                camera: &document.camera,
-                resolved: resolved.as_ref(),
-                picture: seen.map(|seen| &*seen.picture),
-                inspection,
-                scene: &good.scene,
-                enclosing: &world.enclosing,
-                color_of: &color_of,
-                observer: &observer,
-                frame: &world.frame,
-                items: key.items,
-                scale: key.scale,
-                style: key.style,
-                highlighted: key.highlighted.map(|(concept, digits, dims)| Highlighted {
-                    concept,
-                    camera: &document.camera,
-                    scene: &good.scene,
-                    digits,
-                    dims,
-                }),
-                ray_point_t: key.ray_point_t,
-                handles: &key.handles,
-                ghost: key.ghost.as_ref(),
-                twins: &key.twins,
-                is_clear: key.purpose.is_clear(),
-                names_all: key.names_all,
-            };
-            let backdrop = Backdrop::new(&view);
-            let before = pictures.before(&world, &backdrop, watch);
-            watched(watch, Work::Overlay, || {
-                let mut pixels = before.to_vec();
-                let draw = match key.purpose {
-                    Purpose::Window => overlay::world,
-                    Purpose::Figure { .. } => overlay::world_apart,
-                };
-                let drawing = draw(&view, &backdrop, &world.pixels, &mut pixels);
-                key.style.finish(&mut pixels);
-                Shown::new(size, pixels, drawing)
-            })
-        });
-        derived.world_frame = Some(Arc::clone(&world.frame));
-        derived.world_view = Some(shown);
     }
 }
 

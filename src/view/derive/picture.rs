@@ -10,7 +10,7 @@ use pinhole_core::{
     Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Shade, Steps,
 };
 
-use super::derived::Inputs;
+use super::derived::{Derived, Inputs};
 use super::memo::{Fineness, Memo, Same};
 use super::objects::GoodWorld;
 use super::scan::first_pixels;
@@ -89,6 +89,18 @@ pub(super) struct GoodPicture {
     pub(super) compared: Option<(Arc<Compared>, Arc<Picture>)>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
+}
+
+impl GoodPicture {
+    /// Writes down what is said about the picture.
+    pub(super) fn tell(&self, derived: &mut Derived) {
+        derived.drawn_by.clone_from(&self.drawn_by);
+        derived.compared = self.compared.as_ref().map(|(compared, _)| Arc::clone(compared));
+        derived.too_many = self.too_many;
+        derived.subsampling[0] = self.subsampling;
+        (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
+        derived.truth.clone_from(&self.truth);
+    }
 }
 
 /// The inputs of a trace: a camera, the generation of the objects, and the pixels.

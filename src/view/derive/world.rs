@@ -91,7 +91,7 @@ impl WorldPictures {
     }
 
     /// Returns the observer's picture with a backdrop painted over it.
-    pub(super) fn before(
+    pub(super) fn painted(
         &mut self,
         world: &Arc<WorldPicture>,
         backdrop: &Backdrop,

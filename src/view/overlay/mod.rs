@@ -35,7 +35,9 @@ pub use world_view::ghost::GhostCamera;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };
-pub use world_view::{Backdrop, WorldView, pick, t_towards, world, world_apart, world_position_of};
+pub use world_view::{
+    Backdrop, Below, WorldView, pick, t_towards, world, world_apart, world_position_of,
+};
 
 #[cfg(test)]
 mod tests;

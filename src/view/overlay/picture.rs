@@ -2,7 +2,6 @@
 
 use egui::Color32;
 use pinhole_core::{ImageSize, Raster};
-use rayon::prelude::*;
 
 /// The picture of the edited camera: one colour per traced pixel of its image.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,42 +20,46 @@ impl Picture {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
     }
 
-    /// Fills a buffer of `columns` dots a row with the picture, nearest-neighbour: dot `k` of `n`
-    /// shows pixel `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
-    pub fn show_on(&self, columns: usize, dots: &mut [Color32]) {
-        if columns == 0 || !self.is_whole() {
-            return;
-        }
-        let rows = dots.len() / columns;
+    /// Prepares the picture for a buffer of `columns` x `rows` dots.
+    pub(crate) fn on(&self, [columns, rows]: [usize; 2]) -> StretchedPicture<'_> {
         let [nearest_row, nearest_column] = self.raster.nearest(self.image);
-        let width = self.raster.columns().len();
-        let of_column: Vec<usize> =
-            (0..columns).map(|k| nearest_column[shown(k, columns, self.image.width())]).collect();
-        let row_of = |k: usize| nearest_row[shown(k, rows, self.image.height())];
-        let bands = dots.par_chunks_mut(BAND * columns).enumerate();
-        bands.for_each(|(band, dots)| {
-            for k in 0..dots.len() / columns {
-                let own = row_of(band * BAND + k);
-                // All rows of dots that show one row of pixels are equal: copy the first.
-                if k > 0 && row_of(band * BAND + k - 1) == own {
-                    dots.copy_within((k - 1) * columns..k * columns, k * columns);
-                    continue;
-                }
-                let source = &self.pixels[own * width..][..width];
-                for (dot, column) in dots[k * columns..].iter_mut().zip(&of_column) {
-                    *dot = source[*column];
-                }
-            }
-        });
+        let pixel = |k: usize, dots: usize, count: u32| (2 * k + 1) * count as usize / (2 * dots);
+        let column_of = |k| nearest_column[pixel(k, columns, self.image.width())];
+        let row_of = |k| nearest_row[pixel(k, rows, self.image.height())];
+        StretchedPicture {
+            picture: self,
+            columns: (0..columns).map(column_of).collect(),
+            rows: (0..rows).map(row_of).collect(),
+        }
     }
 }
 
-/// Rows of dots that are filled at a time.
-const BAND: usize = 32;
+/// A picture stretched over a buffer of dots, nearest-neighbour: dot `k` of `n` shows pixel
+/// `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
+pub(crate) struct StretchedPicture<'a> {
+    picture: &'a Picture,
+    /// The column, and the row, of the traced pixel that each column and row of dots shows.
+    columns: Vec<usize>,
+    rows: Vec<usize>,
+}
 
-/// Returns the index, out of `count` pixels, of the pixel in the middle of dot `k` of `dots`.
-fn shown(k: usize, dots: usize, count: u32) -> usize {
-    (2 * k + 1) * count as usize / (2 * dots)
+impl StretchedPicture<'_> {
+    /// Fills a band of the buffer whose first row of dots is `top`.
+    pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
+        let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
+        for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
+            let own = self.rows[row];
+            // All rows of dots that show one row of pixels are equal: copy the first.
+            if k > 0 && self.rows[row - 1] == own {
+                dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
+                continue;
+            }
+            let source = &self.picture.pixels[own * width..][..width];
+            for (dot, column) in dots[k * dots_a_row..].iter_mut().zip(&self.columns) {
+                *dot = source[*column];
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -85,8 +88,8 @@ mod tests {
             let (columns, rows) = (columns as usize, rows as usize);
             let mut from_full = vec![Color32::BLACK; columns * rows];
             let mut from_some = from_full.clone();
-            full.show_on(columns, &mut from_full);
-            some.show_on(columns, &mut from_some);
+            full.on([columns, rows]).fill(0, &mut from_full);
+            some.on([columns, rows]).fill(0, &mut from_some);
             assert_eq!(from_full, from_some);
             let last = from_full[columns * rows - 1];
             let middle = |n: usize, count: u32| ((2 * n - 1) * count as usize / (2 * n)) as u8;

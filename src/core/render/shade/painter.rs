@@ -89,11 +89,11 @@ where
     fn find_runs(&self, object: &[u32], runs: &mut Vec<Run>) {
         runs.clear();
         let mut start = 0;
-        for same in object.chunk_by(|a, b| a == b) {
-            let end = start + same.len();
-            if same[0] != NO_OBJECT {
-                let color = (self.paint.color_of)(same[0]);
-                runs.push(Run { start, end, object: same[0], color });
+        while let Some(&found) = object.get(start) {
+            let end = start + run_length(&object[start..], found);
+            if found != NO_OBJECT {
+                let color = (self.paint.color_of)(found);
+                runs.push(Run { start, end, object: found, color });
             }
             start = end;
         }
@@ -121,6 +121,14 @@ where
         }
         fill(&mut pixels[done..], BACKGROUND);
     }
+}
+
+/// Returns the number of pixels at the start of a row that show the same object.
+fn run_length(object: &[u32], same: u32) -> usize {
+    // Without a branch in it, the comparison of a chunk is a few vector instructions.
+    let is_same = |chunk: &&[u32]| chunk.iter().fold(true, |all, o| all & (*o == same));
+    let whole = 32 * object.chunks_exact(32).take_while(is_same).count();
+    whole + object[whole..].iter().take_while(|o| **o == same).count()
 }
 
 /// Returns whether the squares of all directions' lengths are far from 0 and infinity: none is

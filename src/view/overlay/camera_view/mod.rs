@@ -4,7 +4,7 @@ mod highlighted;
 pub(super) mod loupe;
 
 use egui::Color32;
-use pinhole_core::{DVec2, ImageSize, Pixel, ResolvedCamera};
+use pinhole_core::{DVec2, Pixel, ResolvedCamera};
 
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
@@ -12,6 +12,7 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
+use crate::view::overlay::paint::Fills;
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::labels::{self, Request};
 use crate::view::overlay::space::layers::{contrast, mix};
@@ -47,21 +48,14 @@ const GRID_FROM: f64 = 8.0;
 /// Fills the buffer with the picture and paints the overlay on it. Returns the drawing; its labels
 /// are left to the caller.
 pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
-    let drawing = camera_apart(view, dots);
-    drawing.paint(view.size[0], dots);
+    let drawing = view.drawing();
+    view.paint(&Fills::new(&drawing, view.size), dots);
     drawing
 }
 
 /// Does the same as [`camera`] without painting the drawing.
 pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
-    let [width, height] = view.size;
-    if width == 0 || dots.len() != width * height {
-        return Drawing::default();
-    }
-    view.picture.show_on(width, dots);
-    if view.has_grid() {
-        view.paint_grid(dots);
-    }
+    view.paint(&Fills::default(), dots);
     view.drawing()
 }
 
@@ -102,19 +96,37 @@ impl CameraView<'_> {
         self.items.shows(Item::PixelGrid) && self.dots_per_pixel().min_element() >= GRID_FROM
     }
 
-    fn paint_grid(&self, dots: &mut [Color32]) {
+    /// Paints the picture, the edges between its pixels, and the marks.
+    fn paint(&self, marks: &Fills, dots: &mut [Color32]) {
         let [width, height] = self.size;
+        if dots.len() != width * height || !self.picture.is_whole() {
+            return dots.fill(Color32::BLACK);
+        }
+        let picture = self.picture.on(self.size);
+        let grid = self.has_grid().then(|| self.grid());
+        marks.paint_after(width, dots, |top, dots| {
+            picture.fill(top, dots);
+            if let Some(grid) = &grid {
+                self.paint_grid(grid, top, dots);
+            }
+        });
+    }
+
+    /// Returns for each column and each row of dots whether it lies on an edge between two pixels.
+    fn grid(&self) -> [Vec<bool>; 2] {
         let line = (self.scale.round() as usize).max(1);
-        let image: ImageSize = self.resolved.image();
-        let (columns, rows) =
-            (edges(image.width(), width, line), edges(image.height(), height, line));
+        let (image, [width, height]) = (self.resolved.image(), self.size);
+        [edges(image.width(), width, line), edges(image.height(), height, line)]
+    }
+
+    fn paint_grid(&self, [columns, rows]: &[Vec<bool>; 2], top: usize, dots: &mut [Color32]) {
         let behind = self.style.colors().background;
         let darken = |dot: &mut Color32| *dot = mix(*dot, contrast(*dot, behind), 0.3);
-        for (row, dots) in dots.chunks_exact_mut(width).enumerate() {
-            if rows[row] {
+        for (dots, on_edge) in dots.chunks_exact_mut(columns.len()).zip(&rows[top..]) {
+            if *on_edge {
                 dots.iter_mut().for_each(darken);
             } else {
-                let on_edge = dots.iter_mut().zip(&columns).filter(|(_, on)| **on);
+                let on_edge = dots.iter_mut().zip(columns).filter(|(_, on)| **on);
                 on_edge.for_each(|(dot, _)| darken(dot));
             }
         }
@@ -150,7 +162,7 @@ impl CameraView<'_> {
 fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     let mut on = vec![false; dots];
     for k in 1..count as usize {
-        // The first dot that shows cell k, see `Picture::show_on`.
+        // The first dot that shows cell k, see `StretchedPicture`.
         let first = (2 * k * dots).saturating_sub(count as usize).div_ceil(2 * count as usize);
         let from = first.saturating_sub(width / 2);
         on[from.min(dots)..(from + width).min(dots)].fill(true);

@@ -101,6 +101,9 @@ const PAINT_TOLERANCE: f32 = 1e-6;
 /// (u / width, v / height) of the viewport's edges.
 const HALF_VIEWPORT: f64 = 0.5;
 
+/// Rows of dots that are painted at a time.
+const BAND: usize = 32;
+
 /// Opacity up to which a patch hides no lines.
 const SEEN_THROUGH: f32 = 0.25;
 
@@ -215,44 +218,44 @@ impl<'a> Layers<'a> {
 
     /// Paints all layers over the traced picture.
     pub(crate) fn paint(&self, dots: &mut [Color32]) {
-        self.paint_parts(dots, |_| 0..self.width, |_, _, _| ());
+        let bands = dots.par_chunks_mut(BAND * self.width.max(1)).enumerate();
+        bands.for_each(|(band, dots)| {
+            self.paint_parts(band * BAND, dots, |_| 0..self.width, |_, _, _| ());
+        });
     }
 
-    /// Paints all layers over the `traced` picture where the viewport is. Everywhere else the dots
-    /// must already show the result of [`Layers::paint`] without the viewport.
-    pub(crate) fn paint_viewport(&self, traced: &[Color32], dots: &mut [Color32]) {
+    /// Paints all layers, where the viewport is, over the `traced` picture, in a band of rows from
+    /// `top` on. Everywhere else the dots must already show the result of [`Layers::paint`] without
+    /// the viewport.
+    pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
-        if traced.len() == dots.len() {
-            let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
-            self.paint_parts(dots, part, |row, part, dots| {
-                let start = row * self.width;
-                dots.copy_from_slice(&traced[start + part.start..start + part.end]);
-            });
-        }
+        let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
+        self.paint_parts(top, dots, part, |row, part, dots| {
+            let start = row * self.width;
+            dots.copy_from_slice(&traced[start + part.start..start + part.end]);
+        });
     }
 
-    /// Paints all layers over a part of each row, after calling `before` on its dots.
+    /// Paints all layers over a part of each row from `top` on, after calling `before` on its dots.
     fn paint_parts(
         &self,
+        top: usize,
         dots: &mut [Color32],
-        part_of: impl Fn(usize) -> Range<usize> + Sync,
-        before: impl Fn(usize, Range<usize>, &mut [Color32]) + Sync,
+        part_of: impl Fn(usize) -> Range<usize>,
+        before: impl Fn(usize, Range<usize>, &mut [Color32]),
     ) {
-        if !self.is_traced() || dots.len() != self.frame.t.len() {
+        if !self.is_traced() {
             return;
         }
-        let rows = dots.par_chunks_exact_mut(self.width).with_min_len(16).enumerate();
-        rows.for_each_init(
-            || vec![FlatRow::default(); self.patches.len() + 1],
-            |layers, (row, dots)| {
-                let part = part_of(row);
-                if !part.is_empty() {
-                    before(row, part.clone(), &mut dots[part.clone()]);
-                    self.fill(layers, row, &part);
-                    self.paint_row(layers, row, &part, dots);
-                }
-            },
-        );
+        let mut layers = vec![FlatRow::default(); self.patches.len() + 1];
+        for (row, dots) in (top..self.height).zip(dots.chunks_exact_mut(self.width)) {
+            let part = part_of(row);
+            if !part.is_empty() {
+                before(row, part.clone(), &mut dots[part.clone()]);
+                self.fill(&mut layers, row, &part);
+                self.paint_row(&layers, row, &part, dots);
+            }
+        }
     }
 
     /// Fills a part of the viewport's row of dots, then of the patches' rows.

@@ -161,5 +161,6 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
 fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
     let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view));
     backdrop.paint(view.frame, dots);
-    world(view, &backdrop, &traced, dots)
+    let painted = dots.to_vec();
+    world(view, &backdrop, Below { traced: &traced, painted: &painted }, dots)
 }

@@ -17,6 +17,7 @@ use crate::model::practice::twin::Twin;
 use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::highlighted::Highlighted;
+use crate::view::overlay::paint::Fills;
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::space::flat::{Flat, Grid};
 use crate::view::overlay::space::labels;
@@ -102,16 +103,25 @@ impl Backdrop {
     }
 }
 
-/// Paints the world view over its backdrop, which the dots must show; `traced` is the picture
-/// without the backdrop. Returns the drawing; its labels are left to the caller.
+/// The pictures that a world view is painted over.
+#[derive(Clone, Copy)]
+pub struct Below<'a> {
+    /// The observer's picture.
+    pub traced: &'a [Color32],
+    /// The same with the backdrop painted over it.
+    pub painted: &'a [Color32],
+}
+
+/// Paints the world view. Returns the drawing; its labels are left to the caller.
 pub fn world(
     view: &WorldView,
     backdrop: &Backdrop,
-    traced: &[Color32],
+    below: Below<'_>,
     dots: &mut [Color32],
 ) -> Drawing {
-    let drawing = world_apart(view, backdrop, traced, dots);
-    drawing.paint(view.frame.camera().image().width() as usize, dots);
+    let layers = view.layers(backdrop);
+    let drawing = view.sketch(&layers);
+    view.paint(&layers, &Fills::new(&drawing, view.size()), below, dots);
     drawing
 }
 
@@ -119,12 +129,12 @@ pub fn world(
 pub fn world_apart(
     view: &WorldView,
     backdrop: &Backdrop,
-    traced: &[Color32],
+    below: Below<'_>,
     dots: &mut [Color32],
 ) -> Drawing {
     let layers = view.layers(backdrop);
-    // The marks do not depend on the filled areas.
-    rayon::join(|| view.sketch(&layers), || layers.paint_viewport(traced, dots)).0
+    view.paint(&layers, &Fills::default(), below, dots);
+    view.sketch(&layers)
 }
 
 /// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` beside the
@@ -182,6 +192,23 @@ impl<'a> WorldView<'a> {
     /// Returns the marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
         self.sketch(&self.layers(&Backdrop::new(self)))
+    }
+
+    fn size(&self) -> [usize; 2] {
+        let image = self.frame.camera().image();
+        [image.width() as usize, image.height() as usize]
+    }
+
+    fn paint(&self, layers: &Layers, marks: &Fills, below: Below<'_>, dots: &mut [Color32]) {
+        let Below { traced, painted } = below;
+        let [width, height] = self.size();
+        if [dots.len(), traced.len(), painted.len()] != [width * height; 3] {
+            return dots.fill(Color32::BLACK);
+        }
+        marks.paint_after(width, dots, |top, dots| {
+            dots.copy_from_slice(&painted[top * width..][..dots.len()]);
+            layers.paint_viewport(top, traced, dots);
+        });
     }
 
     fn screen(&self) -> Screen {
