@@ -240,7 +240,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (12, 2, &[(SAYS, "D > 0: in at t = 4, out at t = 6"), ("p + t d", "(0, 0, −4)")]),
     // At (1, -0.5, -5): 1 + 0.25 - 1.
     (12, 3, &[(SAYS, "D < 0: f is never 0: missed"), (SAYS, "at t = 5: f = 0.25 > 0: outside")]),
-    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent: hit")]),
+    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent, a hit")]),
     // 1 - 4 and 1 + 4; -2 - 1/2 and -2 + 1/2.
     (
         12,

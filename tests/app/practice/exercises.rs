@@ -176,7 +176,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
             "5.5",
             ["1.2", "0", "-6"],
             "Wrong: at this 𝑡, 𝑧 is −5.5, not the wall's −6.",
-            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 beside it.",
+            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 away from it.",
         ),
         (
             "8",
@@ -199,7 +199,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
              radius is 1.";
     assert_eq!(said(&window, "t"), t);
     let point = "Wrong: it is not on the sphere: it is 5 from the centre, and the radius is 1; it is \
-                 not on the ray, but 5 beside it.";
+                 not on the ray, but 5 away from it.";
     assert_eq!(said(&window, "point"), point);
     let normal = "Wrong: 𝑦 should be another number; 𝑧 should be another number; it is 36.87° off the \
                   direction from the centre to the hit.";

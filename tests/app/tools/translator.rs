@@ -140,8 +140,8 @@ fn a_paste_says_what_it_could_not_take_over() {
     paste(&mut harness, left_handed);
     assert_says(
         &harness,
-        "Its world is left-handed, Pinhole's is right-handed: its every z is negated, and the objects \
-         here are not: negate theirs, too, for the same picture.",
+        "Its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, but \
+         the objects are not: negate their z, too, for the same picture.",
     );
     let mut harness = window("canonical");
     paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
