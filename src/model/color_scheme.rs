@@ -19,9 +19,9 @@ named_enum! {
         Standard: "Standard colours", "Objects in their own colours, vectors by hue";
         /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
         ColourBlind: "Colour-blind safe",
-            "Colours that colour-blind viewers tell apart, objects in turn";
+            "Colours that colour-blind viewers can tell apart; objects take them in turn";
         /// Greys only, for print: u, v, w differ by their dashes, heads and names.
-        Grey: "Greys for print", "Greys alone: vectors by dashes, heads and names";
+        Grey: "Greys for print", "Only greys; vectors differ by dashes, heads and names";
     }
 }
 

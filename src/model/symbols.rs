@@ -22,7 +22,7 @@ pub(crate) const W: &str = "𝐰: backwards, the opposite of the view direction,
 pub(crate) const D: &str = "𝐝: the view ray's direction, from the eye to the viewport";
 pub(crate) const DISTANCE: &str = "distance: from the eye to the viewport, the lecture's scalar d";
 pub(crate) const NORMAL: &str =
-    "normal: at right angles to the surface where the ray hits it, of length 1";
+    "normal: perpendicular to the surface where the ray hits it, of length 1";
 const P: &str = "𝐩: where the view ray begins, the eye";
 const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is the viewport";
 const UV: &str = "(𝑢, 𝑣): the position in the viewport, from its middle, in world units";
@@ -38,7 +38,7 @@ const MEANINGS: [(Kind, &str, &str); 38] = [
     (Kind::Vector, "w", W),
     (Kind::Vector, "p", P),
     (Kind::Vector, "d", D),
-    (Kind::Vector, "n", "𝐧: the plane's normal, at right angles to it, of any length"),
+    (Kind::Vector, "n", "𝐧: the plane's normal, perpendicular to it, of any length"),
     (Kind::Vector, "centre", "centre: the middle of the sphere"),
     (Kind::Vector, "point", "point: some point of the plane"),
     (Kind::Vector, "hit", "hit: the point where the ray meets the object first"),
@@ -66,7 +66,11 @@ const MEANINGS: [(Kind, &str, &str); 38] = [
     (Kind::Readout, "normal", NORMAL),
     (Kind::Readout, "pixel", "pixel: what the ray goes through in the image, by row and column"),
     (Kind::Readout, "angle(up, view)", "the angle between up and view; at 0° there is no camera"),
-    (Kind::Readout, "conditioning", "degrees that the camera rolls for each degree of up sideways"),
+    (
+        Kind::Readout,
+        "sensitivity",
+        "degrees that the camera rolls for each degree that up is tipped sideways",
+    ),
 ];
 
 /// Returns the meaning of a symbol.

@@ -183,7 +183,7 @@ pub enum GhostAction {
 pub enum Steer {
     /// Look round.
     Look(i32, i32),
-    /// Orbit round at.
+    /// Orbit around at.
     Orbit(i32, i32),
     /// Narrow the field of view.
     Zoom(i32),

@@ -207,7 +207,7 @@ impl Curve {
             ObjectDerivation::Sphere(sphere) => match sphere.meeting {
                 SphereMeeting::Missed => "D < 0: f is never 0: missed".to_owned(),
                 SphereMeeting::Tangent => {
-                    format!("D = 0: f touches 0 once, at t = {}: tangent: hit", zero(0))
+                    format!("D = 0: f touches 0 once, at t = {}: tangent, a hit", zero(0))
                 }
                 SphereMeeting::Through => {
                     format!("D > 0: in at t = {}, out at t = {}", zero(0), zero(1))
@@ -250,9 +250,9 @@ impl Curve {
     pub(crate) fn reading(&self, f: f64, digits: usize) -> String {
         let meaning = match (f.partial_cmp(&0.0), self.is_straight()) {
             (Some(std::cmp::Ordering::Less), false) => "< 0: inside",
-            (Some(std::cmp::Ordering::Less), true) => "< 0: where n points away from",
+            (Some(std::cmp::Ordering::Less), true) => "< 0: on the side that n points away from",
             (Some(std::cmp::Ordering::Greater), false) => "> 0: outside",
-            (Some(std::cmp::Ordering::Greater), true) => "> 0: where n points to",
+            (Some(std::cmp::Ordering::Greater), true) => "> 0: on the side that n points to",
             _ => ": on it",
         };
         format!("f = {} {meaning}", number(f, digits))

@@ -177,7 +177,7 @@ fn an_image_that_is_none_is_refused() {
     for (text, reason) in [
         ("0", "0 is not between 1 and 16384"),
         ("99999", "99999 is not between 1 and 16384"),
-        ("2.5", "2.5 is no whole number"),
+        ("2.5", "2.5 is not a whole number"),
     ] {
         type_into(&mut window, "W", text);
         assert_says(&window, reason);

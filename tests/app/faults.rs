@@ -56,7 +56,7 @@ fn up_along_the_view_is_a_fault_and_nearly_along_it_is_not() {
     type_into(&mut window, "up y", "1e-9");
     assert!(window.state().derived().fault.is_none());
     assert_says(&window, "v = (0, 1, 0)");
-    assert_says(&window, "conditioning = 1e9");
+    assert_says(&window, "sensitivity = 1e9");
 }
 
 #[test]

@@ -121,7 +121,7 @@ fn an_animation_that_stands_still_is_fine() {
     let mut window = heavy();
     window.get_by_role_and_label(Role::Button, "Play").click();
     window.run();
-    window.get_by_label("Orbit the camera round at").click();
+    window.get_by_label("Orbit the camera around at").click();
     window.run();
     assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
     let before = window.state().document().camera;

@@ -61,7 +61,7 @@ fn undo_name(harness: &mut Harness<'_, App>) -> String {
 
 #[test]
 fn up_swings_by_steps_and_stop_gives_back() {
-    let mut harness = playing("canonical", "Swing up round the view");
+    let mut harness = playing("canonical", "Roll: up turns around view");
     let opened = camera(&harness);
     for _ in 0..6 {
         press(&mut harness, Key::Period);
@@ -83,14 +83,14 @@ fn up_swings_by_steps_and_stop_gives_back() {
 
 #[test]
 fn what_is_kept_is_one_step_of_the_history() {
-    let mut harness = playing("canonical", "Swing up round the view");
+    let mut harness = playing("canonical", "Roll: up turns around view");
     let opened = camera(&harness);
     for _ in 0..12 {
         press(&mut harness, Key::Period);
     }
     click(&mut harness, "Keep this");
     assert_eq!(up(&harness), DVec3::NEG_Y);
-    assert_eq!(undo_name(&mut harness), "Undo swing up round the view Ctrl+Z");
+    assert_eq!(undo_name(&mut harness), "Undo roll Ctrl+Z");
     press_with(&mut harness, Modifiers::COMMAND, Key::Z);
     assert_eq!(camera(&harness), opened);
     press_with(&mut harness, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
@@ -101,7 +101,7 @@ fn what_is_kept_is_one_step_of_the_history() {
 fn undo_ends_what_plays() {
     let mut harness = window("canonical");
     type_into(&mut harness, "width", "2");
-    open(&mut harness, "Orbit the camera round at");
+    open(&mut harness, "Orbit the camera around at");
     press(&mut harness, Key::Space);
     harness.run_steps(8);
     assert!(harness.state().player().unwrap().phase > 0.0);
@@ -115,7 +115,7 @@ fn undo_ends_what_plays() {
 
 #[test]
 fn space_plays_and_pauses_and_a_turn_loops() {
-    let mut harness = playing("canonical", "Orbit the camera round at");
+    let mut harness = playing("canonical", "Orbit the camera around at");
     press(&mut harness, Key::Space);
     let mut phases = Vec::new();
     let at = DVec3::new(0.0, 0.0, -5.0);
@@ -137,7 +137,7 @@ fn space_plays_and_pauses_and_a_turn_loops() {
 
 #[test]
 fn without_loop_it_ends_at_the_end() {
-    let mut harness = playing("canonical", "Orbit the camera round at");
+    let mut harness = playing("canonical", "Orbit the camera around at");
     for _ in 0..18 {
         press(&mut harness, Key::Period);
     }
@@ -156,7 +156,7 @@ fn without_loop_it_ends_at_the_end() {
 
 #[test]
 fn t_runs_from_the_eye_to_the_hit() {
-    let mut harness = playing("canonical", "Run t along the ray");
+    let mut harness = playing("canonical", "Walk along the ray");
     let hit = harness.state().derived().inspection.as_ref().unwrap().first_hit().unwrap().t;
     assert_eq!(harness.state().session().ray_point_t, None, "not begun");
     for _ in 0..6 {
@@ -205,7 +205,7 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
 
 #[test]
 fn who_edits_the_camera_takes_it_over() {
-    let mut harness = playing("canonical", "Swing up round the view");
+    let mut harness = playing("canonical", "Roll: up turns around view");
     let opened = camera(&harness);
     for _ in 0..6 {
         press(&mut harness, Key::Period);
@@ -216,14 +216,14 @@ fn who_edits_the_camera_takes_it_over() {
     assert_eq!(up(&harness), DVec3::NEG_X);
     assert_eq!(undo_name(&mut harness), "Undo move eye Ctrl+Z");
     press_with(&mut harness, Modifiers::COMMAND, Key::Z);
-    assert_eq!(undo_name(&mut harness), "Undo swing up round the view Ctrl+Z");
+    assert_eq!(undo_name(&mut harness), "Undo roll Ctrl+Z");
     press_with(&mut harness, Modifiers::COMMAND, Key::Z);
     assert_eq!(camera(&harness), opened);
 }
 
 #[test]
 fn the_slider_goes_anywhere_and_another_kind_begins_at_the_start() {
-    let mut harness = playing("canonical", "Swing up round the view");
+    let mut harness = playing("canonical", "Roll: up turns around view");
     let opened = camera(&harness);
     harness.get_by_role_and_label(Role::Slider, "position").focus();
     harness.run();
@@ -231,14 +231,14 @@ fn the_slider_goes_anywhere_and_another_kind_begins_at_the_start() {
     harness.run();
     assert!(harness.state().player().unwrap().phase > 0.0);
     assert_ne!(up(&harness), DVec3::Y);
-    open(&mut harness, "Orbit the camera round at");
+    open(&mut harness, "Orbit the camera around at");
     assert_eq!(camera(&harness), opened);
     assert_says(&harness, "0°");
 }
 
 #[test]
 fn another_scene_is_opened_from_the_start_without_asking() {
-    let mut harness = playing("canonical", "Orbit the camera round at");
+    let mut harness = playing("canonical", "Orbit the camera around at");
     press(&mut harness, Key::Period);
     open_scene(&mut harness, "look-at");
     assert!(!says(&harness, "Discard"), "nothing was changed by hand");
@@ -249,7 +249,7 @@ fn another_scene_is_opened_from_the_start_without_asking() {
 
 #[test]
 fn an_open_animation_at_rest_does_no_work() {
-    let mut harness = playing("canonical", "Orbit the camera round at");
+    let mut harness = playing("canonical", "Orbit the camera around at");
     press(&mut harness, Key::Period);
     let traced = harness.state().pictures_traced();
     harness.run_steps(3);
@@ -261,7 +261,7 @@ fn a_camera_that_cannot_move_says_why() {
     let mut harness = window("canonical");
     type_into(&mut harness, "up z", "1");
     type_into(&mut harness, "up y", "0");
-    open(&mut harness, "Swing up round the view");
+    open(&mut harness, "Roll: up turns around view");
     press(&mut harness, Key::Space);
     harness.run();
     assert!(!harness.state().player().unwrap().running);
@@ -270,7 +270,7 @@ fn a_camera_that_cannot_move_says_why() {
 
 #[test]
 fn an_animation_goes_on_while_presenting() {
-    let mut harness = playing("canonical", "Swing up round the view");
+    let mut harness = playing("canonical", "Roll: up turns around view");
     press(&mut harness, Key::F5);
     assert!(harness.state().session().presenting.is_some());
     for _ in 0..6 {
@@ -284,7 +284,7 @@ fn an_animation_goes_on_while_presenting() {
 fn nothing_in_the_strip_lies_over_anything_else() {
     let controls = [
         "what moves",
-        "Play on",
+        "Resume",
         "Step back",
         "Step forward",
         "speed",
@@ -318,7 +318,7 @@ fn nothing_in_the_strip_lies_over_anything_else() {
 fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
     let mut harness = window("look-at");
     let before = harness.state().session().observer;
-    open(&mut harness, "Orbit the camera round at");
+    open(&mut harness, "Orbit the camera around at");
     assert_ne!(harness.state().session().observer, before, "it steps back");
     for k in 0..24 {
         let eye = harness.query_by_role_and_label(Role::Slider, "eye handle");
@@ -329,7 +329,7 @@ fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
     assert_eq!(harness.state().session().observer, before);
 
     // Who moves the observer meanwhile has it stay there.
-    open(&mut harness, "Orbit the camera round at");
+    open(&mut harness, "Orbit the camera around at");
     harness.get_by_role_and_label(Role::Image, "World view").focus();
     harness.run();
     press_with(&mut harness, Modifiers::COMMAND, Key::ArrowRight);
@@ -345,6 +345,6 @@ fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
         press(&mut harness, Key::Plus);
     }
     let near = harness.state().session().observer;
-    open(&mut harness, "Orbit the camera round at");
+    open(&mut harness, "Orbit the camera around at");
     assert_eq!(harness.state().session().observer, near);
 }

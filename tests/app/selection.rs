@@ -15,7 +15,7 @@ fn the_warm_up_is_selected_at_first_and_read_off() {
         "u = (1, 0, 0)",
         "v = (0, 1, 0)",
         "w = (0, 0, 1)",
-        "conditioning = 1",
+        "sensitivity = 1",
         "(u, v) = (0.2, −0.1)",
         "pixel = the corner of four pixels",
         "p = (0, 0, 0)",

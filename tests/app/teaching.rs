@@ -11,7 +11,7 @@ type Window = egui_kittest::Harness<'static, pinhole::ui::app::App>;
 /// A window with the part unfolded.
 fn teaching(scene: &str) -> Window {
     let mut window = window(scene);
-    window.get_by_label("Teaching").click();
+    window.get_by_label("Experiments").click();
     window.run();
     window
 }
@@ -82,14 +82,14 @@ fn up_is_swung_about_the_view() {
     for (degrees, wanted) in
         [("90", DVec3::NEG_X), ("180", DVec3::NEG_Y), ("-90", DVec3::X), ("0", DVec3::Y)]
     {
-        type_into(&mut window, "swing up", degrees);
+        type_into(&mut window, "roll", degrees);
         assert!(near(up(&window), wanted), "{degrees}: {}", up(&window));
     }
-    type_into(&mut window, "swing up", "30");
-    let field = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    type_into(&mut window, "roll", "30");
+    let field = window.get_by_role_and_label(Role::SpinButton, "roll");
     assert_eq!(field.value().as_deref(), Some("30°"));
     type_into(&mut window, "up x", "1");
-    let field = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    let field = window.get_by_role_and_label(Role::SpinButton, "roll");
     assert_eq!(field.value().as_deref(), Some("0°"), "counted from the up that was typed");
 }
 
@@ -116,7 +116,7 @@ fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
         &window,
         "No camera: up (0, 0, 1) is parallel to the view direction (0, 0, −5): turn one of them",
     );
-    let swing = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    let swing = window.get_by_role_and_label(Role::SpinButton, "roll");
     assert!(swing.accesskit_node().is_disabled());
 }
 
@@ -124,11 +124,11 @@ fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
 fn a_basis_by_hand_has_no_up_to_turn() {
     let mut window = teaching("forty-five");
     assert!(matches!(window.state().document().camera.orientation, Orientation::Basis(_)));
-    for field in ["swing up", "up from view"] {
+    for field in ["roll", "up from view"] {
         assert!(window.query_by_role_and_label(Role::SpinButton, field).is_none());
     }
     assert!(says(&window, "Keep the picture: scale distance, width and height together"));
-    window.get_by_label("Teaching").click();
+    window.get_by_label("Experiments").click();
     window.run();
     assert!(!says(&window, "Keep the picture: scale distance, width and height together"));
 }

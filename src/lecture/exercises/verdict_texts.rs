@@ -33,7 +33,7 @@ impl Verdict {
             }
             Verdict::OtherLength { times } => format!(
                 "Wrong: the direction is right, but it is {} times ours: here its length matters, because 𝑡 \
-                 counts in it.",
+                 is in units of it.",
                 short(*times)
             ),
             Verdict::Mistakes(mistakes) => format!("Wrong: {}", named(mistakes)),
@@ -60,7 +60,7 @@ fn found(finding: &Finding, part: &QuestionPart) -> String {
         }
         Finding::Length(length) => format!("its length is {}, not 1", short(length)),
         Finding::NotOrthogonal { to, dot } => {
-            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(dot))
+            format!("it is not perpendicular to {}: the dot product is {}", bold(to), short(dot))
         }
         Finding::Angle { degrees } => {
             let from = match part.asked {
@@ -89,7 +89,7 @@ fn found(finding: &Finding, part: &QuestionPart) -> String {
             short(value)
         ),
         Finding::OffRay { distance } => {
-            format!("it is not on the ray, but {} beside it", short(distance))
+            format!("it is not on the ray, but {} away from it", short(distance))
         }
         Finding::OffEye { distance } => {
             format!("it is {} from the eye, where every view ray starts", short(distance))

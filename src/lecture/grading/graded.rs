@@ -48,11 +48,11 @@ const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
 /// The advice on answers that are right if they count from 0, and were read as counting from 1.
 const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count from 0, and then all agree: leave \
-                               out --count-from 1, or clear “They count from 1”.";
+                               out --count-from 1, or clear “The file counts from 1”.";
 
 /// The advice on where to begin to count, for answers that were read as counting from 1.
 const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
-                             from 0, leave out --count-from 1, or clear “They count from 1”.";
+                             from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
 impl Graded {
     /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place
@@ -246,7 +246,7 @@ impl Graded {
     fn own_remarks(&self) -> impl Iterator<Item = String> {
         let is_from_one = self.count_from == 0 && self.grade.diagnosis.counted_from_one;
         let from_one = is_from_one.then_some(
-            "If they are meant to count from 1, all agree: say --count-from 1, or “They count from 1”.",
+            "If they are meant to count from 1, all agree: say --count-from 1, or “The file counts from 1”.",
         );
         [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)
     }

@@ -46,13 +46,13 @@ checks! {
         "𝐰 is a unit vector";
     /// `u . v = 0`.
     UDotV: "𝐮 · 𝐯",
-        "𝐮 and 𝐯 are orthogonal";
+        "𝐮 and 𝐯 are perpendicular";
     /// `v . w = 0`.
     VDotW: "𝐯 · 𝐰",
-        "𝐯 and 𝐰 are orthogonal";
+        "𝐯 and 𝐰 are perpendicular";
     /// `w . u = 0`.
     WDotU: "𝐰 · 𝐮",
-        "𝐰 and 𝐮 are orthogonal";
+        "𝐰 and 𝐮 are perpendicular";
     /// `(u x v) . w > 0`.
     RightHanded: "(𝐮 × 𝐯) · 𝐰",
         "𝐮 × 𝐯 points along 𝐰: right-handed";
@@ -69,10 +69,10 @@ checks! {
     TopLeft: "(𝑢, 𝑣) of pixel (0, 0)",
         "row 0, column 0 is at the top left";
     /// One column to the right: (u, v) moves by `(width/W, 0)`.
-    StepRight: "a column on, (𝑢, 𝑣) moves",
+    StepRight: "next column, step of (𝑢, 𝑣)",
         "columns go right, by width/𝑊";
     /// One row down: (u, v) moves by `(0, -height/H)`.
-    StepDown: "a row on, (𝑢, 𝑣) moves",
+    StepDown: "next row, step of (𝑢, 𝑣)",
         "rows go down, by height/𝐻";
     /// The four corner pixels lie evenly around the middle: the mean of their (u, v) is (0, 0).
     CornersBalance: "four corners, mean (𝑢, 𝑣)",

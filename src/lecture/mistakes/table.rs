@@ -102,7 +102,7 @@ mistakes! {
         hint: "Any camera given by view, or by at, shows it.",
         advice: "Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w \
                  . view is below 0.",
-        told: "𝐰 is made of view without the minus: 𝐰 points backwards, so 𝐰 · view must be below \
+        told: "𝐰 is made from view without the minus: 𝐰 points backwards, so 𝐰 · view must be below \
                0.",
         ways: &[|p| p.basis.w_forwards = true],
     }
@@ -146,9 +146,9 @@ mistakes! {
         formula: "𝐯 ← up. Right: 𝐯 ← 𝐰 × 𝐮.",
         shows: "Heights are distorted, and the middle row is right: up leans towards the view or \
                 away from it, and 𝐯 does not.",
-        hint: "Here up is a unit vector at right angles to the view: tip the camera up or down.",
-        advice: "Look at v: up is only a hint, and v = w x u is at right angles to w.",
-        told: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.",
+        hint: "Here up is a unit vector perpendicular to the view: tip the camera up or down.",
+        advice: "Look at v: up is only a hint, and v = w x u is perpendicular to w.",
+        told: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is perpendicular to 𝐰.",
         ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
     }
 
@@ -227,7 +227,7 @@ mistakes! {
 
     /// The viewport's width taken for its height, or its height for its width.
     AspectDropped "aspect-dropped" {
-        name: "height taken as width",
+        name: "width used as height",
         formula: "𝑣 ← width (½ − (𝑖 + ½)/𝐻). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
         shows: "Spheres are stretched or flattened.",
         hint: "Here the viewport is as high as it is wide: give it another width or height.",
@@ -300,7 +300,7 @@ mistakes! {
     TForDistance "t-for-distance" {
         advice: "Look at what t counts: t is in lengths of d, which is not normalized, and the \
                  distance along the ray is t |d|.",
-        told: "That is the distance along the ray. 𝑡 counts in lengths of 𝐝, and |𝐝| is not 1.",
+        told: "That is the distance along the ray. 𝑡 is in units of |𝐝|, and |𝐝| is not 1.",
         ways: &[
             |p| p.measure = Measure::Distance,
             |p| p.measure = Measure::PointOfUnit,
@@ -328,7 +328,7 @@ mistakes! {
         shows: "The viewport is |view| times as far and as high, but not as wide: everything is \
                 stretched sideways where |view| > 1, squeezed where |view| < 1.",
         hint: "Here the view has length 1: move at farther away, or give view another length.",
-        told: "𝐰 = −view is not normalized, and what is made of it.",
+        told: "𝐰 = −view is not normalized, nor is what is made from it.",
         ways: &[|p| p.basis.set_raw(true, false)],
     }
 
@@ -336,7 +336,7 @@ mistakes! {
     UIsWCrossUp "u-is-w-cross-up" {
         name: "𝐮 = 𝐰 × up",
         formula: "𝐮 ← normalize(𝐰 × up). Right: 𝐮 ← normalize(up × 𝐰).",
-        shows: "The picture is turned by half a turn: 𝐯, made of 𝐮, is wrong with it.",
+        shows: "The picture is turned by 180°: 𝐯, made from 𝐮, is wrong, too.",
         hint: "Any camera given by view, or by at, shows it.",
         told: "𝐮 = 𝐰 × up points left: the factors are exchanged.",
         ways: &[|p| p.basis.u_swapped ^= true],
@@ -373,7 +373,7 @@ mistakes! {
 
     /// Neither w nor u is normalized.
     NothingNormalized "nothing-normalized" {
-        told: "𝐰 is not normalized, nor 𝐮, nor what is made of them.",
+        told: "𝐰 and 𝐮 are not normalized, nor is what is made from them.",
         ways: &[|p| p.basis.set_raw(true, true)],
     }
 
@@ -422,8 +422,8 @@ mistakes! {
     UvUnscaled "uv-unscaled":
         "𝑥 and 𝑦 are still those of the viewport: multiply all of 𝐝 by 𝑡, not 𝑧 alone.",
     DistanceOnAll "distance-on-all":
-        "Every part is multiplied by the distance. Only the step to the viewport is: 𝑢 and 𝑣 are \
-         already measured there.",
+        "Every part is multiplied by the distance. Only the part along 𝐰 must be: 𝑢 and 𝑣 are \
+         already measured at the viewport.",
     DistanceOnUv "distance-on-uv":
         "𝑢 and 𝑣 are multiplied by the distance. They are already measured at the viewport: it is \
          the part along 𝐰 that is −distance.",
@@ -436,20 +436,20 @@ mistakes! {
         "These are the camera's coordinates (𝑢, 𝑣, −distance), as if it were not turned. What are \
          they in the world, along 𝐮, 𝐯 and 𝐰?",
     ZIsMinusDistance "z-is-minus-distance":
-        "That 𝐝's 𝑧 is −distance holds for the canonical camera alone: here the step to the \
+        "𝐝's 𝑧 is −distance only for the canonical camera: here the step to the \
          viewport is −distance 𝐰.",
     WForwards "w-forwards": "𝐰 points forwards here: it must point backwards, and −𝐰 forwards.",
     ULeftwards "u-leftwards": "𝐮 points left here: it must point right in the image.",
     TurnedOtherWay "turned-other-way":
-        "This camera is turned the other way about 𝑦: between which axes is right?",
+        "This camera is turned the other way about 𝑦: between which axes does 𝐮 point?",
     UAndWSwapped "u-and-w-swapped": "𝐮 and 𝐰 are exchanged: 𝐮 is right, 𝐰 is backwards.",
     UAndVSwapped "u-and-v-swapped": "𝐮 and 𝐯 are exchanged: 𝐮 is right, 𝐯 is up in the image.",
     BasisUnnormalized "basis-unnormalized":
-        "𝐮 and 𝐰 must be of length 1: normalize them before anything is made of them.",
+        "𝐮 and 𝐰 must be of length 1: normalize them before anything is made from them.",
     Unnormalized "unnormalized": "The direction is right, but its length is not 1: normalize it.",
-    EyeForgotten "eye-forgotten": "𝐰 is made of at alone: the view goes from eye to at.",
-    AtForgotten "at-forgotten": "𝐰 is made of eye alone: the view goes from eye to at.",
-    EyePlusAt "eye-plus-at": "𝐰 is made of eye + at. It is eye − at: mind every sign.",
+    EyeForgotten "eye-forgotten": "𝐰 is made from at alone: the view goes from eye to at.",
+    AtForgotten "at-forgotten": "𝐰 is made from eye alone: the view goes from eye to at.",
+    EyePlusAt "eye-plus-at": "𝐰 is made from eye + at. It is eye − at: mind every sign.",
     SignOfT "sign-of-t":
         "The sign is wrong: in front of the ray's origin, 𝑡 is positive; behind it, negative.",
     CoordinateForT "coordinate-for-t":
@@ -466,7 +466,7 @@ mistakes! {
     CLeftOut "c-left-out": "𝑐 is left out: put 𝐩 + 𝑡𝐝 for 𝑥 and 𝑦, and keep 𝑐.",
     SignOfC "sign-of-c": "𝑐 has the wrong sign: look at which side of the equation it is on.",
     OriginLeftOut "origin-left-out": "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
-    NotDivided "not-divided": "Divide by all that 𝑡 is multiplied with: 𝐝's step across the line.",
+    NotDivided "not-divided": "Divide by everything that multiplies 𝑡: 𝐝's step across the line.",
     TermLeftOut "term-left-out":
         "𝑡 is in the part of 𝑥 and in the part of 𝑦: add up both before you divide.",
     PAndDSwapped "p-and-d-swapped": "𝐩 and 𝐝 are exchanged: 𝑡 multiplies 𝐝.",

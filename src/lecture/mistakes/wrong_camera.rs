@@ -108,7 +108,7 @@ impl WrongCamera {
         self.made.u
     }
 
-    /// The wrong v; not always of length 1, nor at right angles to w.
+    /// The wrong v; not always of length 1, nor perpendicular to w.
     pub fn v(&self) -> DVec3 {
         self.made.v
     }

@@ -37,7 +37,7 @@ fn camera_name(before: &Camera, after: &Camera) -> String {
     let text = match is_other {
         _ if *after == Camera::CANONICAL => "canonical camera",
         [true, false, false, false] => "move eye",
-        [false, true, false, false] if is_turned_alone(before, after) => "look round",
+        [false, true, false, false] if is_turned_alone(before, after) => "look around",
         [false, true, false, false] => orientation_name(&before.orientation, &after.orientation),
         [true, true, false, false] => match (&before.orientation, &after.orientation) {
             (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
@@ -231,7 +231,7 @@ mod tests {
         assert_name("move at", true, |d| {
             d.camera.orientation = Orientation::At { at: DVec3::ONE, up: DVec3::Y };
         });
-        assert_name("look round", true, |d| {
+        assert_name("look around", true, |d| {
             let at = DVec3::new(2.0, 0.0, 1.0);
             d.camera.orientation = Orientation::At { at, up: DVec3::Y };
         });

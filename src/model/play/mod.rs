@@ -19,14 +19,14 @@ named_enum! {
     /// The kind of an animation, with its label, its name, and the name of its step in the history.
     pub enum Kind {
         /// Up turns once about the view direction.
-        SwingUp: "Swing up round the view", "swing-up", "swing up round the view";
+        SwingUp: "Roll: up turns around view", "swing-up", "roll";
         /// The eye moves once around at.
-        Orbit: "Orbit the camera round at", "orbit", "orbit round at";
+        Orbit: "Orbit the camera around at", "orbit", "orbit around at";
         /// The view goes up until it meets up, and over it: the picture flips. By at, the eye goes round
         /// at; by view, it stays.
-        OverTheTop: "Over the top: the view meets up", "over-the-top", "go over the top";
+        OverTheTop: "Tilt past up: the picture flips", "over-the-top", "tilt past up";
         /// A point runs along the selected ray, from the eye to what the ray hits.
-        Walk: "Run t along the ray", "walk", "run along the ray";
+        Walk: "Walk along the ray", "walk", "walk along the ray";
         /// The rays go out one after another, as a renderer sends them, and the picture appears.
         Scan: "Scan the pixels row by row", "scan", "scan the pixels";
     }

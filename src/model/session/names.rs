@@ -71,19 +71,19 @@ named_enum! {
         /// A wrong camera beside the right one.
         Mistakes: "Mistakes", "The classic wrong cameras beside the right one", "mistakes";
         /// The camera beside the ghost.
-        Compare: "Ghost", "The camera against the one that was frozen by G", "compare";
+        Compare: "Ghost", "The camera against its ghost, which G freezes", "compare";
         /// The translator.
-        Translator: "Translator", "The camera in other programs’ terms", "translator";
+        Translator: "Translator", "The camera in other programs' terms", "translator";
         /// The exercises.
         Exercises: "Exercises", "Questions, and what is wrong with an answer", "exercises";
         /// The error map and the table of methods.
         Accuracy: "Accuracy", "How right each method is here, and how fast", "";
         /// The counts of a frame.
-        Frame: "Work left out", "What the pictures left out, and what was left to do", "";
+        Frame: "Skipped work", "What work the renderer skipped for these pictures, and what it did", "";
         /// The derivation alone, for presenting.
         DerivationAlone: "Derivation alone", "Every number's derivation, without the views", "";
         /// A student's answers and their grade.
-        Answers: "Answers", "A student’s answers, and the mistake that explains them", "";
+        Answers: "Answers", "A student's answers, and the mistake that explains them", "";
     }
 }
 
@@ -129,7 +129,7 @@ named_enum! {
     pub enum ThemeName {
         /// The system's choice; dark if it has none.
         #[default]
-        System: "As the system";
+        System: "Same as the system";
         /// Dark.
         Dark: "Dark";
         /// Light.

@@ -129,7 +129,7 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
         !conventions.shape.starts_with("any"),
     );
     line(
-        "reckons in",
+        "computes in",
         "f64, exact where it matters".into(),
         conventions.lengths.into(),
         false,

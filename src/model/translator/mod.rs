@@ -149,8 +149,8 @@ pub struct Pasted {
 }
 
 /// The note on a left-handed camera among objects that stay as they are.
-const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: its every z is negated, and the \
-                     objects here are not: negate theirs, too, for the same picture";
+const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
+                     but the objects are not: negate their z, too, for the same picture";
 
 /// Reads the camera in a text. Fields that the text leaves open stay as in the camera `at_hand`;
 /// objects are not taken over. Returns no camera if the text has none or an invalid one.
@@ -170,7 +170,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
         };
     }
     let Some(importer) = importer_of(text) else {
-        return failed("This text is no camera: nothing is changed", unknown_form());
+        return failed("This text is not a camera: nothing was changed", unknown_form());
     };
     let text = Input { path: Path::new("pasted"), text };
     match importer.read(&text, at_hand) {
@@ -196,7 +196,7 @@ fn taken_over(
 ) -> (Option<Camera>, Pasted) {
     if objects > 0 {
         let noun = if objects == 1 { "object is" } else { "objects are" };
-        notes.push(format!("{objects} {noun} left out: a paste sets the camera alone"));
+        notes.push(format!("{objects} {noun} left out: a paste sets only the camera"));
     }
     (Some(camera), Pasted { title, notes, worked: true, camera, shown_at: None })
 }

@@ -56,11 +56,11 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
     let size = fs::metadata(path).map_or(0, |file| file.len());
     if size > MOST_BYTES {
         let problem = format!(
-            "{} has {} MB, and the window would stand still for long: pinhole check grades it",
+            "{} has {} MB, and the window would stop responding: grade it with pinhole check",
             path.display(),
             size / 1_000_000
         );
-        return Err(Message::new("These answers are too many", problem));
+        return Err(Message::new("Too many answers", problem));
     }
     let bytes = fs::read(path).map_err(|error| {
         let error = FileError::unreadable(path, &error);

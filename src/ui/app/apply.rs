@@ -152,8 +152,8 @@ impl App {
     /// Opens the unsaved changes that were found.
     fn restore(&mut self, ctx: &Context) -> Option<Dialog> {
         if self.scene.open.has_changes() {
-            let reason = "Save the changes of the open scene first.";
-            return Some(Dialog::message("The unsaved changes were not opened", reason));
+            let reason = "Save the changes to the open scene first.";
+            return Some(Dialog::message("The unsaved changes were not restored", reason));
         }
         self.history.settle(ctx, &self.scene.open.document);
         let before = self.scene.clone();
@@ -164,7 +164,7 @@ impl App {
                 self.history.went_elsewhere(before, &self.scene);
                 self.recovery.offer()
             }
-            Err(reason) => Some(Dialog::message("The unsaved changes cannot be opened", reason)),
+            Err(reason) => Some(Dialog::message("The unsaved changes cannot be restored", reason)),
         }
     }
 

@@ -175,7 +175,7 @@ impl DerivationPanel {
             ui.label(RichText::new("Derivation").strong().size(SIZE));
             for (exact, label, hint) in [
                 (true, "Exact", "Roots and fractions where they are short, such as 1/√2"),
-                (false, "Decimals", "Decimals alone; ≈ where they are rounded"),
+                (false, "Decimals", "Only decimals; ≈ where they are rounded"),
             ] {
                 ui.selectable_value(&mut settings.exact_forms, exact, label).on_hover_text(hint);
             }

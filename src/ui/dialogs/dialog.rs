@@ -210,7 +210,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
                 path.map(|path| Leave::Open(SceneSource::File(path)).into())
             }
             Dialog::Answers(field) => {
-                ui.heading("Check a student’s answers");
+                ui.heading("Check a student's answers");
                 let path = field.ui(ui, "Check", &mut close);
                 path.map(|path| AnswersAction::Check(path).into())
             }

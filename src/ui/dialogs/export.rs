@@ -152,7 +152,7 @@ impl ExportForm {
         match shown.subject {
             Subject::Derivation => {
                 ui.label("height");
-                ui.weak("as its lines need");
+                ui.weak("fits its lines");
                 ui.end_row();
             }
             subject => {

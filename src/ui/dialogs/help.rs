@@ -14,7 +14,7 @@ viewport, and the distance along the ray is 𝑡 |𝐝|.
 
 Row 0 is on top, column 0 on the left. A pixel's ray goes through its centre: \
 𝑢 = width ((column + ½)/W − ½), 𝑣 = height (½ − (row + ½)/H). The course counts from 1: \
-View, Numbers has a switch for that.
+The menu View has a switch for that, under Numbers.
 
 A hit is the smallest 𝑡 > 0. Touching a sphere is a hit; a plane parallel to the ray is none. Of objects \
 at the same 𝑡, the one listed first is hit.";
@@ -28,8 +28,8 @@ pub(crate) fn conventions() -> Dialog {
 pub(crate) fn about() -> Dialog {
     let text = format!(
         "Version {}\n\nPinhole shows what a pinhole camera sees, and why: how eye, at and up make u, v, w, \
-         and how a pixel's ray finds what it hits. Every decision in its pictures is the one of exact \
-         arithmetic.\n\nLicences: {}. The fonts have their own, which come with the program.",
+         and how a pixel's ray finds what it hits. Every hit or miss in its pictures is the one \
+         that exact arithmetic gives.\n\nLicences: {}. The fonts have their own, which come with the program.",
         env!("CARGO_PKG_VERSION"),
         env!("CARGO_PKG_LICENSE"),
     );

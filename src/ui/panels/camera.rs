@@ -39,7 +39,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> C
             // Below the grid, where the text wraps: in a cell it would widen the panel.
             ui.label(fault_text(ui, fault));
         }
-        let hint = "Editing width, height, W or H takes another of them along";
+        let hint = "Editing width, height, W or H changes another of them to match";
         ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
         pixel_shape(ui, camera);
     });

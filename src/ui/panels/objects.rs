@@ -190,7 +190,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     ui.horizontal(|ui| {
         let mut color = own;
         if own != shown {
-            let hint = "This colour scheme replaces its colour: edit it in another scheme";
+            let hint = "This colour scheme replaces the object's colour: edit it in another scheme";
             swatch(ui, shown).on_hover_text(hint);
         } else if ui.color_edit_button_srgb(&mut color).named("color").changed() {
             item.color = Some(color);

@@ -33,7 +33,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
     ui.horizontal(|ui| {
         let chosen = kinds(ui, player.kind);
-        let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
+        let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
         button(ui, [text, name, "Space"], PlayAction::Toggle, actions);
         button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1), actions);
         button(

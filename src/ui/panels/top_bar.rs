@@ -107,7 +107,7 @@ fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut V
 fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     let is_on = settings.layout == ViewLayout::Compare;
     ui.separator();
-    let hint = "Compare this camera with a frozen one: G freezes it";
+    let hint = "Compare the camera with a ghost of it: G freezes one";
     if ui.selectable_label(is_on, "Ghost").on_hover_text(hint).clicked() {
         settings.layout = if is_on { ViewLayout::Both } else { ViewLayout::Compare };
         if !is_on && !there.ghost {
@@ -195,13 +195,13 @@ fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &
 }
 
 fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
-    entry(ui, "Presenter mode", LookAction::Present, actions);
+    entry(ui, "Present", LookAction::Present, actions);
     entry(ui, "Frame all", Observe::FrameAll, actions);
     entry(ui, "Frame the camera", Observe::FrameCamera, actions);
     ui.separator();
-    possible_entry(ui, "Freeze the camera as ghost", GhostAction::Freeze, there, actions);
+    possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there, actions);
     possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there, actions);
-    possible_entry(ui, "Drop the ghost", GhostAction::Drop, there, actions);
+    possible_entry(ui, "Remove the ghost", GhostAction::Drop, there, actions);
     ui.separator();
     ui.menu_button("Drawn over the views", |ui| {
         for item in Item::ALL {

@@ -28,7 +28,7 @@ const NARROW: f32 = 440.0;
 const NARROWEST: f32 = 330.0;
 
 /// The text if there are no answers.
-const NONE: &str = "Drop a student’s answers on the window: CSV with the columns of a basis, of rays or of \
+const NONE: &str = "Drop a student's answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
 /// The text if the scene is invalid.
@@ -125,13 +125,13 @@ fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
         ui.button("Read again")
             .on_hover_text("Reads the file as it is now")
             .asks(AnswersAction::Check(answers.file.path.clone()), actions);
-        ui.button("Put away").asks(AnswersAction::PutAway, actions);
+        ui.button("Close the answers").asks(AnswersAction::PutAway, actions);
         if !answers.are_numbered() {
             return;
         }
         let mut from_one = answers.count_from == 1;
-        let hint = "The file’s first row and column have the number 1, as in the course";
-        if ui.checkbox(&mut from_one, "They count from 1").on_hover_text(hint).changed() {
+        let hint = "Its first row and column have the number 1, as in the course";
+        if ui.checkbox(&mut from_one, "The file counts from 1").on_hover_text(hint).changed() {
             answers.count_from = u32::from(from_one);
         }
     });
@@ -149,7 +149,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     if let Some(worst) = graded.worst() {
         ui.horizontal_top(|ui| {
             if let Some(pixel) = graded.worst_pixel()
-                && ui.button("Select the worst").clicked()
+                && ui.button("Select the worst pixel").clicked()
             {
                 *selection = Selection::Pixel(pixel);
             }

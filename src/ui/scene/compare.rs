@@ -25,7 +25,7 @@ const TEXT: f32 = 15.5;
 const DIGITS: usize = 4;
 
 /// The text if there is no ghost.
-const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
+const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
 
 /// Shows the choice of picture, above the picture beside the camera view.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
@@ -55,10 +55,10 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     fault::no_picture(ui, rect, &text);
 }
 
-/// Returns `12345 of 90000 pixels see another object`.
+/// Returns `12345 of 90000 screen pixels see a different object`.
 fn seen(against: &AgainstGhost) -> String {
     let [differing, pixels] = [against.seen.differing, against.seen.pixels];
-    format!("{differing} of {pixels} pixels see another object")
+    format!("{differing} of {pixels} screen pixels see a different object")
 }
 
 /// Shows the buttons of the ghost, and both cameras in numbers.
@@ -104,9 +104,9 @@ pub(crate) fn ui(
 /// Shows the menu's commands as a row of buttons.
 fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     for (text, name, ghost, needs_one) in [
-        ("Freeze (G)", "Freeze the camera", GhostAction::Freeze, false),
+        ("Freeze (G)", "Freeze the camera as a ghost", GhostAction::Freeze, false),
         ("Swap", "Swap with the ghost", GhostAction::Swap, true),
-        ("Drop", "Drop it", GhostAction::Drop, true),
+        ("Remove", "Remove the ghost", GhostAction::Drop, true),
     ] {
         let button = egui::Button::new(text);
         ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost, actions);

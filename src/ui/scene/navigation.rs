@@ -282,8 +282,8 @@ fn uv_at(resolved: &ResolvedCamera, rect: Rect, at: Pos2) -> DVec2 {
 fn lines(way: Way, before: &Camera, now: &Camera, digits: usize) -> Vec<String> {
     let by_at = matches!(now.orientation, Orientation::At { .. });
     let title = match way {
-        Way::Look => "look round",
-        Way::Orbit if by_at => "orbit round at",
+        Way::Look => "look around",
+        Way::Orbit if by_at => "orbit around at",
         Way::Orbit => "orbit",
         Way::Zoom => "zoom: the field of view",
         Way::Dolly => "dolly along 𝐰",

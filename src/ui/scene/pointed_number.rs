@@ -39,7 +39,7 @@ pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
         "u" => Concept::U,
         "v" => Concept::V,
         "w" => Concept::W,
-        "angle(up, view)" | "conditioning" => Concept::Up,
+        "angle(up, view)" | "sensitivity" => Concept::Up,
         "pixel" | "(u, v)" => Concept::Pixel,
         "p" => Concept::Eye,
         "d" | "|d|" => Concept::Direction,

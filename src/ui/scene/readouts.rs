@@ -108,11 +108,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
 pub(crate) fn steps(steps: Steps) -> String {
     let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
     if steps.beyond_f64() == 0 {
-        return format!("Decisions in the picture: {f64}, all by f64");
+        return format!("Hit or miss: {f64} decisions, all in f64");
     }
-    format!(
-        "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
-    )
+    format!("Hit or miss: {f64} decisions in f64, {double_double} in double-double, {exact} exact")
 }
 
 /// Shows a block's title with a button that copies its lines.
@@ -166,7 +164,7 @@ fn basis_lines(
     ];
     if let Some(angle) = angle {
         lines.push(("angle(up, view)", degrees(angle, style)));
-        lines.push(("conditioning", style.number(angle.conditioning)));
+        lines.push(("sensitivity", style.number(angle.conditioning)));
     }
     lines
 }
@@ -205,7 +203,7 @@ fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: 
             "up and view are well apart".to_owned()
         } else {
             let roll = style.number(conditioning);
-            format!("{roll}° of roll for each degree that up is tipped sideways, for small tips")
+            format!("{roll}° of roll for each degree that up is tipped sideways, for small angles")
         };
         ui.weak(text);
     }
@@ -222,7 +220,7 @@ fn ray_lines(
             Some(pixel) => style.pixel(pixel),
             None => match position.touching(resolved.image()).len() {
                 4 => "the corner of four pixels".to_owned(),
-                _ => "on the edge between pixels".to_owned(),
+                _ => "on an edge between pixels".to_owned(),
             },
         },
     };

@@ -365,8 +365,8 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
         });
     };
     if let Some(rect) = rects.world {
-        let hint = "Drag: orbit; Shift or the right button: pan; wheel: zoom; F: everything in sight. \
-                    Handles are dragged.";
+        let hint = "Drag: orbit. Shift+drag or right drag: pan. Wheel: zoom. F: show everything. Drag a \
+                    handle to move it.";
         strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
     if let Some(rect) = rects.camera_area {
@@ -374,8 +374,8 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
             true => CAMERA.to_owned(),
             false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
         };
-        let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
-                    wheel: look at pixels more closely; Ctrl and wheel: field of view.";
+        let hint = "Click: select a pixel. Right drag: look around. Middle drag or Shift+right drag: orbit \
+                    around at. Wheel: enlarge pixels. Ctrl+wheel: field of view.";
         strip(rect, text, hint, ViewLayout::Camera);
     }
 }
@@ -386,8 +386,8 @@ fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
         EyeKeeps::At => "Eye orbits at",
         EyeKeeps::View => "Eye travels",
     };
-    let hint = "Whether a moved eye goes round what it looks at, or takes the view along (K, or Alt while \
-                dragging, for the other)";
+    let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
+                direction. K switches, Alt switches while dragging.";
     if ui.small_button(text).on_hover_text(hint).clicked() {
         *keeps = keeps.other();
     }

@@ -20,10 +20,10 @@ const LINES: [Line; 13] = [
          circles and does not trace them",
         |c, _| c.spheres.to_string(),
     ),
-    ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| c.behind.to_string()),
+    ("behind the eye", "Skipped: they lie wholly behind the eye", |c, _| c.behind.to_string()),
     (
         "outside the picture, or between two rows",
-        "Left out: they lie outside the picture, or are so small that they fall between the centres \
+        "Skipped: they lie outside the picture, or are so small that they fall between the centres \
          of two rows of its pixels",
         |c, _| c.outside.to_string(),
     ),
@@ -31,29 +31,29 @@ const LINES: [Line; 13] = [
         c.in_view.to_string()
     }),
     (
-        "passed over as hidden",
+        "hidden by nearer spheres",
         "Nearer spheres hide all of it in a band of rows. Counted once for each such band, so it can \
          be more than there are spheres; scenes of fewer than 256 spheres are not tested for it",
         |c, _| c.hidden.to_string(),
     ),
     (
-        "index blocks left out",
-        "Many spheres are kept in blocks of neighbours, and of a block left out none is looked at; \
-         a scene of few spheres needs no index",
+        "index blocks skipped",
+        "Many spheres are kept in blocks of neighbours; a block is skipped as a whole; a scene of few \
+         spheres needs no index",
         |c, _| match c.blocks {
             0 => "no index".to_owned(),
             blocks => share(c.blocks_left_out, blocks),
         },
     ),
-    ("planes asked", "A plane that is the same as an earlier one is left out", |c, _| {
+    ("planes tested", "A plane that is the same as an earlier one is skipped", |c, _| {
         share(c.planes_asked, c.planes)
     }),
     (
         "bands without a hit",
-        "Threads trace bands of rows; in one that nothing reaches there is background alone",
+        "Threads trace bands of rows; one that nothing reaches is only background",
         |c, _| share(c.bands_untouched, c.bands),
     ),
-    ("rows that nothing reaches", "No object's outline reaches them: background alone", |c, _| {
+    ("rows that nothing reaches", "No object's outline reaches them: only background", |c, _| {
         share(c.rows_untouched, c.rows)
     }),
     (
@@ -67,7 +67,9 @@ const LINES: [Line; 13] = [
     ("exactly", "Too close for that too: settled in whole numbers, without rounding", |_, s| {
         s.exact.to_string()
     }),
-    ("all decisions", "What one ray decides about one object is one", |_, s| s.total().to_string()),
+    ("all decisions", "Each is what one ray decides about one object", |_, s| {
+        s.total().to_string()
+    }),
 ];
 
 fn share(part: u64, all: u64) -> String {
@@ -82,7 +84,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived) {
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().interact_size.y = 19.0;
         Grid::new("counts").striped(true).num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
-            ui.strong("Left out, and left to do");
+            ui.strong("Skipped, and done");
             for name in [CAMERA, WORLD] {
                 ui.strong(name);
             }
@@ -132,9 +134,9 @@ mod tests {
             "behind the eye: 250000",
             "outside the picture, or between two rows: 738000",
             "in view: 12000",
-            "passed over as hidden: 4321",
-            "index blocks left out: 40000 of 62500",
-            "planes asked: 1 of 2",
+            "hidden by nearer spheres: 4321",
+            "index blocks skipped: 40000 of 62500",
+            "planes tested: 1 of 2",
             "bands without a hit: 5 of 34",
             "rows that nothing reaches: 163 of 1080",
             "decided in f64: 2100000",
@@ -148,6 +150,6 @@ mod tests {
     #[test]
     fn a_small_scene_has_no_index() {
         let lines = said(&Counts::default(), &Steps::default());
-        assert!(lines.contains(&"index blocks left out: no index".to_owned()), "{lines:?}");
+        assert!(lines.contains(&"index blocks skipped: no index".to_owned()), "{lines:?}");
     }
 }

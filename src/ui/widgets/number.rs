@@ -233,7 +233,7 @@ fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f
     }
     let [value, from, to] = [value, *range.start(), *range.end()].map(written_whole);
     match is_in_range {
-        true => Err(format!("{value} is no whole number")),
+        true => Err(format!("{value} is not a whole number")),
         false => Err(format!("{value} is not between {from} and {to}")),
     }
 }

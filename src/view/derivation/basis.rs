@@ -154,7 +154,7 @@ fn checked(derivation: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
         let Some(check) = check else { continue };
         let line = Line::new(concept, row([dot(a, b), numbers.equals(check.value)]));
-        lines.push(verdict(line, check.passes, "at right angles", "must be 0"));
+        lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
     }
     if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);

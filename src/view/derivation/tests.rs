@@ -203,9 +203,9 @@ fn the_lectures_forty_five_degrees() {
               |𝐮| = 1; of length 1
               |𝐯| = 1; of length 1
               |𝐰| = 1; of length 1
-              𝐮 · 𝐯 = 0; at right angles
-              𝐯 · 𝐰 = 0; at right angles
-              𝐰 · 𝐮 = 0; at right angles
+              𝐮 · 𝐯 = 0; perpendicular
+              𝐯 · 𝐰 = 0; perpendicular
+              𝐰 · 𝐮 = 0; perpendicular
               (𝐮 × 𝐯) · 𝐰 = 1; right-handed
 
             Pixel to ray
@@ -418,9 +418,9 @@ fn as_latex_and_as_markdown() {
           \left| \mathbf{u} \right| &= 1 && \text{of length 1} \\
           \left| \mathbf{v} \right| &= 1 && \text{of length 1} \\
           \left| \mathbf{w} \right| &= 1 && \text{of length 1} \\
-          \mathbf{u} \cdot \mathbf{v} &= 0 && \text{at right angles} \\
-          \mathbf{v} \cdot \mathbf{w} &= 0 && \text{at right angles} \\
-          \mathbf{w} \cdot \mathbf{u} &= 0 && \text{at right angles} \\
+          \mathbf{u} \cdot \mathbf{v} &= 0 && \text{perpendicular} \\
+          \mathbf{v} \cdot \mathbf{w} &= 0 && \text{perpendicular} \\
+          \mathbf{w} \cdot \mathbf{u} &= 0 && \text{perpendicular} \\
           \left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} &= 1 && \text{right-handed}
         \end{align*}
         \subsection*{Pixel to ray}
@@ -446,9 +446,9 @@ fn as_latex_and_as_markdown() {
         - $\left| \mathbf{u} \right| = 1$; of length 1
         - $\left| \mathbf{v} \right| = 1$; of length 1
         - $\left| \mathbf{w} \right| = 1$; of length 1
-        - $\mathbf{u} \cdot \mathbf{v} = 0$; at right angles
-        - $\mathbf{v} \cdot \mathbf{w} = 0$; at right angles
-        - $\mathbf{w} \cdot \mathbf{u} = 0$; at right angles
+        - $\mathbf{u} \cdot \mathbf{v} = 0$; perpendicular
+        - $\mathbf{v} \cdot \mathbf{w} = 0$; perpendicular
+        - $\mathbf{w} \cdot \mathbf{u} = 0$; perpendicular
         - $\left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} = 1$; right-handed
 
         ### Pixel to ray

@@ -19,7 +19,7 @@ pub fn label(handle: Handle, document: &Document) -> String {
             _ => "at",
         },
         Handle::Up => "up",
-        Handle::Roll => "roll round w",
+        Handle::Roll => "roll around w",
         Handle::Dolly => "dolly along w",
         Handle::Corner(ViewportCorner::TopLeft) => "viewport, top left corner",
         Handle::Corner(ViewportCorner::TopRight) => "viewport, top right corner",

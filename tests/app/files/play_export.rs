@@ -64,7 +64,7 @@ fn rgb(dot: &Color32) -> [u8; 3] {
 fn an_animated_png_has_the_figures_of_its_phases() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("swing.png");
-    let mut window = asked("Swing up round the view", 4, 200);
+    let mut window = asked("Roll: up turns around view", 4, 200);
     export_to(&mut window, &path);
     window.run();
     assert!(!says(&window, "Export the animation") && !says(&window, "Exporting the animation"));
@@ -154,7 +154,7 @@ fn a_number_typed_as_soon_as_the_dialog_is_open_is_no_part_of_the_path() {
 fn cancelled_it_leaves_nothing() {
     for numbered in [false, true] {
         let folder = tempfile::tempdir().unwrap();
-        let mut window = asked("Orbit the camera round at", 500, 120);
+        let mut window = asked("Orbit the camera around at", 500, 120);
         if numbered {
             window.get_by_label("numbered PNGs").click();
             window.run();

@@ -75,7 +75,7 @@ fn r_puts_back_what_a_step_sets_beside_the_scene() {
             window.run();
         }),
         (1, 1, |window| {
-            window.get_by_label("Teaching").click();
+            window.get_by_label("Experiments").click();
             window.run();
         }),
         (11, 4, |window| {

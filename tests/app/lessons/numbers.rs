@@ -139,7 +139,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             "What are u, v and w, and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t does it meet the plane z = 4?",
         )],
     ),
-    (7, 1, &[("swing up", "0°"), ("up from view", "90°"), ("d", "(0, 0, −1)")]),
+    (7, 1, &[("roll", "0°"), ("up from view", "90°"), ("d", "(0, 0, −1)")]),
     (7, 2, &[("−view", "(0, 1, 0)"), ("𝐰", "(0, 1, 0)")]),
     // √2 sin(45°) = 1.
     (7, 3, &[("up × 𝐰", "(0, 0, 1)"), ("|up × 𝐰|", "1"), ("𝐮", "(0, 0, 1)")]),
@@ -153,7 +153,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             ("v", "(1, 0, 0)"),
             ("w", "(0, 1, 0)"),
             ("angle(up, view)", "135°"),
-            ("conditioning", "1.4142"),
+            ("sensitivity", "1.4142"),
         ],
     ),
     (7, 6, &[(SAYS, "A camera looks along view = (3, 0, 0), with up = (−1, 3, 4).")]),
@@ -170,9 +170,9 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         )],
     ),
     // The eye is √52 from at, and 4 off the vertical through it: √52/4.
-    (9, 1, &[("conditioning", "1.8° of roll per 1° of up"), ("conditioning", "1.8028")]),
+    (9, 1, &[("sensitivity", "1.8° of roll per 1° of up"), ("sensitivity", "1.8028")]),
     // √(8² + 0.05²)/0.05, and 180° less atan(0.05/8).
-    (9, 2, &[("conditioning", "160° of roll per 1° of up"), ("angle(up, view)", "179.64°")]),
+    (9, 2, &[("sensitivity", "160° of roll per 1° of up"), ("angle(up, view)", "179.64°")]),
     (
         9,
         3,
@@ -240,7 +240,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (12, 2, &[(SAYS, "D > 0: in at t = 4, out at t = 6"), ("p + t d", "(0, 0, −4)")]),
     // At (1, -0.5, -5): 1 + 0.25 - 1.
     (12, 3, &[(SAYS, "D < 0: f is never 0: missed"), (SAYS, "at t = 5: f = 0.25 > 0: outside")]),
-    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent: hit")]),
+    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent, a hit")]),
     // 1 - 4 and 1 + 4; -2 - 1/2 and -2 + 1/2.
     (
         12,

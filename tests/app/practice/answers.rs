@@ -80,7 +80,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     assert!(map_says(&window).contains("Look at which root"), "{}", map_says(&window));
     let worst = texts_with(&window, "right is t = ");
     assert!(worst[0].starts_with("Worst: row 199, column 199 is t = 5.99"), "{worst:?}");
-    click(&mut window, "Select the worst");
+    click(&mut window, "Select the worst pixel");
     let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
     // The map shows the image as the camera view does, and is clicked likewise.
@@ -121,7 +121,7 @@ fn the_grade_follows_the_camera() {
     click(&mut window, "See it: 𝐰 as printed");
     assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
     click(&mut window, "Answers");
-    click(&mut window, "Put away");
+    click(&mut window, "Close the answers");
     assert_eq!(window.state().session().settings.layout, ViewLayout::Both);
     assert!(!says(&window, "Answers"));
 }
@@ -131,11 +131,11 @@ fn answers_that_count_from_one_are_read_again_as_such() {
     let (folder, mut window) = alone();
     drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(1)));
     assert_says(&window, "Mistake: counted-from-one, far-root");
-    window.get_by_role_and_label(Role::CheckBox, "They count from 1").click();
+    window.get_by_role_and_label(Role::CheckBox, "The file counts from 1").click();
     window.run();
     assert_says(&window, "Mistake: far-root");
     assert!(texts_with(&window, "right is t = ")[0].starts_with("Worst: row 200, column 200 is"));
-    click(&mut window, "Select the worst");
+    click(&mut window, "Select the worst pixel");
     let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
     fs::write(folder.path().join("mine.csv"), "row,column,t\n1,1,\n").unwrap();
@@ -154,7 +154,7 @@ fn a_wrong_answer_stands_in_the_world_view_beside_the_right_one() {
     drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
     // The selected ray is no pixel's: the worst one is shown, with its own ray.
     assert_eq!(drawn(&window), "drawn: your hit (dashed), right ray");
-    click(&mut window, "Select the worst");
+    click(&mut window, "Select the worst pixel");
     assert_eq!(drawn(&window), "drawn: your hit (dashed)", "the selected ray is the right one");
     let basis = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
     drop_file(&mut window, &write(folder.path(), "basis.csv", basis));
@@ -170,7 +170,7 @@ fn answers_from_zero_that_are_read_from_one_are_told_so() {
     let (folder, mut window) = alone();
     drop_file(&mut window, &write(folder.path(), "mine.csv", &near_roots()));
     assert_says(&window, "800 of 800 hits agree, within 0.00001 of their distance");
-    window.get_by_role_and_label(Role::CheckBox, "They count from 1").click();
+    window.get_by_role_and_label(Role::CheckBox, "The file counts from 1").click();
     window.run();
     let told = texts_with(&window, "They count from 0, and then all agree");
     assert!(!told.is_empty(), "{:?}", texts_with(&window, "count"));
@@ -235,6 +235,6 @@ fn answers_by_the_million_are_for_the_command() {
     // Holes take no room on a disk.
     file.set_len(200_000_000).unwrap();
     drop_file(&mut window, &path);
-    assert_says(&window, "These answers are too many");
+    assert_says(&window, "Too many answers");
     assert_eq!(window.state().session().answers, None);
 }

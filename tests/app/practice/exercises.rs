@@ -163,7 +163,7 @@ fn classic_mistakes_and_bad_input_are_named() {
     assert!(said(&window, "v").starts_with("“zero” is not a number"), "{}", said(&window, "v"));
     answer(&mut window, "v z", "0");
     click(&mut window, "Check");
-    let up_as_v = "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.";
+    let up_as_v = "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is perpendicular to 𝐰.";
     assert!(said(&window, "v").starts_with(up_as_v), "{}", said(&window, "v"));
     assert_eq!(texts_with(&window, "All correct"), Vec::<String>::new());
 }
@@ -176,7 +176,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
             "5.5",
             ["1.2", "0", "-6"],
             "Wrong: at this 𝑡, 𝑧 is −5.5, not the wall's −6.",
-            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 beside it.",
+            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 away from it.",
         ),
         (
             "8",
@@ -199,7 +199,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
              radius is 1.";
     assert_eq!(said(&window, "t"), t);
     let point = "Wrong: it is not on the sphere: it is 5 from the centre, and the radius is 1; it is \
-                 not on the ray, but 5 beside it.";
+                 not on the ray, but 5 away from it.";
     assert_eq!(said(&window, "point"), point);
     let normal = "Wrong: 𝑦 should be another number; 𝑧 should be another number; it is 36.87° off the \
                   direction from the centre to the hit.";
@@ -229,7 +229,7 @@ fn a_part_that_is_right_is_not_blamed_for_another() {
     click(&mut window, "Check");
     assert_eq!(said(&window, "v"), "Right.");
     assert_eq!(said(&window, "u"), follows("𝐰"));
-    assert!(said(&window, "w").starts_with("Wrong: 𝐰 is made of view without the minus"));
+    assert!(said(&window, "w").starts_with("Wrong: 𝐰 is made from view without the minus"));
     // up × w as it is, which is of length 2 here.
     answers(&mut window, "w", &["0", "1", "0"]);
     answers(&mut window, "u", &["0", "0", "2"]);

@@ -100,7 +100,7 @@ fn handles_follow_the_pointer() {
 #[test]
 fn a_handle_goes_by_halves_where_that_is_asked_for() {
     let mut window = open();
-    window.get_by_role_and_label(Role::CheckBox, "drag by halves").click();
+    window.get_by_role_and_label(Role::CheckBox, "drag in steps of 0.5").click();
     window.run();
     let unit = scale(&window);
     drag(&mut window, "move p", egui::vec2(-1.46 * unit, 0.55 * unit));
@@ -161,7 +161,7 @@ fn arrow_keys_slide_t_by_halves_along_every_line() {
     let mut window = open();
     window.get_by_role_and_label(Role::Button, "Coincident").click();
     window.run();
-    window.get_by_role_and_label(Role::CheckBox, "drag by halves").click();
+    window.get_by_role_and_label(Role::CheckBox, "drag in steps of 0.5").click();
     window.run();
     window.get_by_role_and_label(Role::Slider, "slide t").focus();
     window.run();

@@ -88,7 +88,7 @@ fn tangent_and_behind_explain_themselves() {
     select(&mut window, "0", "0");
     type_into(&mut window, "eye x", "1");
     type_into(&mut window, "at x", "1");
-    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent: hit");
+    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent, a hit");
     type_into(&mut window, "eye x", "0");
     type_into(&mut window, "at x", "0");
     type_into(&mut window, "at z", "-9");
@@ -110,8 +110,8 @@ fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
     assert_eq!(t_in_the_world_view(&window).as_deref(), Some("t = 4.5"));
     assert_reads(&window, "p + t d = (0, 0, −4.5)");
     assert_reads(&window, "at t = 4.5: f = −0.75 < 0: inside");
-    assert_reads(&window, "at t = 4.5: f = 1.5 > 0: where n points to");
-    assert_says(&window, "inside of sphere 0 “ball”");
+    assert_reads(&window, "at t = 4.5: f = 1.5 > 0: on the side that n points to");
+    assert_says(&window, "inside sphere 0 “ball”");
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
     assert_eq!(t_in_the_world_view(&window), None);

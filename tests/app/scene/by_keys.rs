@@ -66,7 +66,7 @@ fn keys_steer_the_camera_in_its_view_and_say_what_they_do() {
     let orbited = camera(&harness);
     assert_eq!((at_of(&orbited), orbited.up()), (at_of(&before), before.up()));
     assert!((orbited.eye - before.eye).dot(basis.u) > 0.0, "the eye goes to the right");
-    assert_says(&harness, "orbit round at");
+    assert_says(&harness, "orbit around at");
     press(&mut harness, Modifiers::NONE, Key::Escape);
     assert_eq!(camera(&harness), before, "Escape takes back what keys have just done");
     press(&mut harness, Modifiers::COMMAND, Key::ArrowUp);
@@ -194,7 +194,7 @@ fn what_is_kept_is_switched() {
     assert_eq!(harness.state().session().settings.eye_keeps, EyeKeeps::View);
     command(&mut harness, "eye travels");
     assert_eq!(harness.state().session().settings.eye_keeps, EyeKeeps::At);
-    command(&mut harness, "keep pixels’ shape");
+    command(&mut harness, "keep pixels' shape");
     assert!(!harness.state().session().settings.keep_pixel_shape);
     command(&mut harness, "keep the picture");
     assert!(harness.state().session().settings.keep_picture);
@@ -204,7 +204,7 @@ fn what_is_kept_is_switched() {
 fn the_strip_of_an_animation_is_worked_by_commands() {
     let mut harness = window("canonical");
     let before = camera(&harness);
-    command(&mut harness, "play: swing up");
+    command(&mut harness, "play: roll");
     let player = |harness: &Harness<'_, App>| harness.state().player().unwrap().clone();
     assert!(player(&harness).loops && player(&harness).speed == 1.0);
     press(&mut harness, Modifiers::NONE, Key::L);
@@ -224,7 +224,7 @@ fn the_strip_of_an_animation_is_worked_by_commands() {
     command(&mut harness, "play and compare: stop");
     assert!(harness.state().player().is_none());
     assert_eq!(camera(&harness), before);
-    command(&mut harness, "play: swing up");
+    command(&mut harness, "play: roll");
     press(&mut harness, Modifiers::NONE, Key::Period);
     command(&mut harness, "play and compare: keep");
     assert_eq!(camera(&harness), stepped);

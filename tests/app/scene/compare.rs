@@ -111,7 +111,7 @@ fn pixels_that_differ_are_counted() {
     let (here, there) = (objects(&harness.state().document().camera), objects(&ghost));
     let differing = here.iter().zip(&there).filter(|(a, b)| a != b).count();
     assert!(differing > 0 && here.iter().all(|object| *object != NO_OBJECT));
-    let said = format!("{differing} of 400 pixels see another object");
+    let said = format!("{differing} of 400 screen pixels see a different object");
     assert_eq!(ghost_says(&harness), said);
     assert_says(&harness, &said);
     let picture = harness.state().derived().ghost_view.clone().unwrap().image;
@@ -141,8 +141,8 @@ fn camera_and_ghost_change_places_in_one_step() {
 fn without_a_ghost_the_layout_says_how_to_get_one() {
     let mut harness = window("canonical");
     show(&mut harness, ViewLayout::Compare);
-    assert_says(&harness, "Freeze the camera to compare with it: press G.");
-    click(&mut harness, "Freeze the camera");
+    assert_says(&harness, "Press G to freeze the camera as a ghost, then change it and compare.");
+    click(&mut harness, "Freeze the camera as a ghost");
     assert!(harness.state().derived().against_ghost.is_some());
     let traced = harness.state().pictures_traced();
     harness.run_steps(3);

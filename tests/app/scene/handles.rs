@@ -243,7 +243,7 @@ fn control_snaps_to_round_numbers() {
 fn the_camera_is_rolled_by_the_tip_of_v() {
     let mut harness = window("canonical");
     let before = camera(&harness);
-    let from = take(&mut harness, "roll round w handle");
+    let from = take(&mut harness, "roll around w handle");
     with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
     pull(&mut harness, from + vec2(-45.0, 20.0));
     drop_it(&mut harness, from + vec2(-45.0, 20.0));
@@ -366,7 +366,7 @@ fn at_dragged_to_the_tip_of_up_takes_up_along_and_says_so() {
     assert!(view.y > 0.999, "{view:?}");
     assert!(v.z > 0.999, "the view was pitched up, and v with it: {v:?}");
     assert_ne!(above.up(), DVec3::Y);
-    assert_says(&harness, "up turns along");
+    assert_says(&harness, "up turns with the camera");
     harness.key_up(Key::X);
     with_modifiers(&mut harness, Modifiers::NONE);
     drop_it(&mut harness, pole);
@@ -398,7 +398,7 @@ fn every_handle_is_moved_by_keys() {
     let names = [
         "at handle",
         "up handle",
-        "roll round w handle",
+        "roll around w handle",
         "dolly along w handle",
         "viewport, bottom left corner handle",
         "viewport's distance handle",
@@ -437,7 +437,7 @@ fn handles_that_are_switched_off_are_not_there() {
 fn pointing_at_handles_traces_no_picture() {
     let mut harness = window("canonical");
     let traced = harness.state().pictures_traced();
-    for handle in ["eye handle", "roll round w handle", "viewport, top left corner handle"] {
+    for handle in ["eye handle", "roll around w handle", "viewport, top left corner handle"] {
         let at = node_at(&harness, handle);
         harness.hover_at(at);
         harness.run();
@@ -515,7 +515,7 @@ fn escape_gives_back_the_camera_of_the_camera_view() {
     harness.hover_at(from + vec2(60.0, 0.0));
     harness.run();
     assert_ne!(camera(&harness), before);
-    assert_says(&harness, "look round");
+    assert_says(&harness, "look around");
     harness.key_press(Key::Escape);
     harness.run();
     assert_eq!(camera(&harness), before);

@@ -141,7 +141,7 @@ fn a_picture_by_another_method_is_marked() {
     let derived = window.state().derived().clone();
     let wrong = derived.drawn_by.unwrap().comparison.wrong;
     assert!(wrong > 1, "the scene is there to show that");
-    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong pixels shown"));
+    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong screen pixels"));
     assert_ne!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
     draw_by(&mut window, "ladder");
     let derived = window.state().derived().clone();
@@ -264,16 +264,16 @@ fn the_window_says_how_far_up_the_ladder_its_picture_went() {
     let [f64, double_double, exact] =
         [steps.f64, steps.double_double, steps.exact].map(|count| count.to_string());
     let said = if steps.beyond_f64() == 0 {
-        format!("Decisions in the picture: {f64}, all by f64")
+        format!("Hit or miss: {f64} decisions, all in f64")
     } else {
         format!(
-            "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
+            "Hit or miss: {f64} decisions in f64, {double_double} in double-double, {exact} exact"
         )
     };
     assert_says(&window, &said);
     open(&mut window);
     let steps = window.state().derived().steps.unwrap();
-    let said = texts_with(&window, "Decisions in the picture: ");
+    let said = texts_with(&window, "Hit or miss: ");
     assert!(!said.is_empty());
     assert!(said.iter().all(|text| text.contains(&steps.f64.to_string())), "{said:?}");
 }

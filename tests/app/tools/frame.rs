@@ -21,10 +21,10 @@ fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: 
         ("behind the eye", counts.behind.to_string()),
         ("outside the picture, or between two rows", counts.outside.to_string()),
         ("in view", counts.in_view.to_string()),
-        ("planes asked", share(counts.planes_asked, counts.planes)),
+        ("planes tested", share(counts.planes_asked, counts.planes)),
         ("bands without a hit", share(counts.bands_untouched, counts.bands)),
         ("rows that nothing reaches", share(counts.rows_untouched, counts.rows)),
-        ("index blocks left out", "no index".to_owned()),
+        ("index blocks skipped", "no index".to_owned()),
         ("in double-double", steps.double_double.to_string()),
         ("exactly", steps.exact.to_string()),
     ] {

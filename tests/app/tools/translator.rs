@@ -140,8 +140,8 @@ fn a_paste_says_what_it_could_not_take_over() {
     paste(&mut harness, left_handed);
     assert_says(
         &harness,
-        "Its world is left-handed, Pinhole's is right-handed: its every z is negated, and the objects \
-         here are not: negate theirs, too, for the same picture.",
+        "Its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, but \
+         the objects are not: negate their z, too, for the same picture.",
     );
     let mut harness = window("canonical");
     paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
@@ -164,7 +164,7 @@ fn the_notice_of_a_paste_goes_by_itself_and_an_error_stays() {
     assert!(!says(&harness, "Camera pasted: POV-Ray"));
     paste(&mut harness, "to whom it may concern");
     harness.run_steps(100);
-    assert_says(&harness, "This text is no camera: nothing is changed");
+    assert_says(&harness, "This text is not a camera: nothing was changed");
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn a_bad_paste_changes_nothing() {
     let mut harness = window("canonical");
     let before = harness.state().document().clone();
     paste(&mut harness, "to whom it may concern");
-    assert_says(&harness, "This text is no camera: nothing is changed");
+    assert_says(&harness, "This text is not a camera: nothing was changed");
     assert_eq!(harness.state().document(), &before);
     paste(&mut harness, "gluLookAt(0, 0);");
     assert_says(&harness, "Not pasted: this camera of gluLookAt + gluPerspective cannot be read");
@@ -200,7 +200,7 @@ fn a_scene_of_our_own_is_a_camera_too() {
                 [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
     paste(&mut harness, text);
     assert_says(&harness, "Camera pasted: a scene of Pinhole");
-    assert_says(&harness, "1 object is left out: a paste sets the camera alone.");
+    assert_says(&harness, "1 object is left out: a paste sets only the camera.");
     assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
     paste(&mut harness, "pinhole = 1\n[camera]\neye = 3\n");
     assert_says(&harness, "Not pasted: this scene cannot be read");

@@ -31,13 +31,13 @@ fn steering() -> Vec<UiCommand> {
             [key(CameraView, ALT, Key::ArrowLeft)], Steer::Look(-1, 0);
         Hand, "Look right", "Turns the camera to its right.",
             [key(CameraView, ALT, Key::ArrowRight)], Steer::Look(1, 0);
-        Hand, "Orbit upwards", "Takes the eye up round what it looks at.",
+        Hand, "Orbit upwards", "Takes the eye up around what it looks at.",
             [key(CameraView, CTRL, Key::ArrowUp)], Steer::Orbit(0, 1);
-        Hand, "Orbit downwards", "Takes the eye down round what it looks at.",
+        Hand, "Orbit downwards", "Takes the eye down around what it looks at.",
             [key(CameraView, CTRL, Key::ArrowDown)], Steer::Orbit(0, -1);
-        Hand, "Orbit to the left", "Takes the eye to its left round what it looks at.",
+        Hand, "Orbit to the left", "Takes the eye to its left around what it looks at.",
             [key(CameraView, CTRL, Key::ArrowLeft)], Steer::Orbit(-1, 0);
-        Hand, "Orbit to the right", "Takes the eye to its right round what it looks at.",
+        Hand, "Orbit to the right", "Takes the eye to its right around what it looks at.",
             [key(CameraView, CTRL, Key::ArrowRight)], Steer::Orbit(1, 0);
         Hand, "Narrow the field of view", "Makes the viewport smaller, and what is seen larger.",
             [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
@@ -56,13 +56,13 @@ fn observing() -> Vec<UiCommand> {
     commands![
         Views, "Frame the camera", "Puts the observer where eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
-        Views, "Observer upwards", "Takes the observer up round what it looks at.",
+        Views, "Observer upwards", "Takes the observer up around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowUp)], Observe::Orbit(0, 1);
-        Views, "Observer downwards", "Takes the observer down round what it looks at.",
+        Views, "Observer downwards", "Takes the observer down around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowDown)], Observe::Orbit(0, -1);
-        Views, "Observer to the left", "Takes the observer to the left round what it looks at.",
+        Views, "Observer to the left", "Takes the observer to the left around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowLeft)], Observe::Orbit(-1, 0);
-        Views, "Observer to the right", "Takes the observer to the right round what it looks at.",
+        Views, "Observer to the right", "Takes the observer to the right around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowRight)], Observe::Orbit(1, 0);
         Views, "Pan upwards", "Shows what is above the world view.",
             [key(WorldView, ALT, Key::ArrowUp)], Observe::Pan(0, 1);
@@ -83,15 +83,15 @@ fn observing() -> Vec<UiCommand> {
 fn objects() -> Vec<UiCommand> {
     use When::View;
     commands![
-        Objects, "Previous object", "Chooses the object before in the list.",
+        Objects, "Previous object", "Chooses the previous object in the list.",
             [plain(View, Key::OpenBracket)], ObjectAction::Next(-1);
-        Objects, "Next object", "Chooses the next object of the list.",
+        Objects, "Next object", "Chooses the next object in the list.",
             [plain(View, Key::CloseBracket)], ObjectAction::Next(1);
         Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.",
             [], ObjectAction::AddSphere;
         Objects, "+ Plane", "Adds a plane below the origin, and chooses it.",
             [], ObjectAction::AddPlane;
-        Objects, "Remove the chosen one", "Takes the chosen object out of the scene.",
+        Objects, "Remove the chosen object", "Removes it from the scene.",
             [], ObjectAction::Remove;
     ]
 }
@@ -100,14 +100,15 @@ fn objects() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
     commands![
-        Hand, "Eye travels", "Lets a moved eye take the view along; off, it orbits at.",
+        Hand, "Eye travels", "On: a moved eye keeps its view direction. Off: it orbits at.",
             [], LookAction::Toggle(Switch::EyeTravels);
-        Hand, "Keep the pixels’ shape", "Lets width, height and image keep their proportions.",
+        Hand, "Keep the pixels' shape", "Lets width, height and image keep their proportions.",
             [], LookAction::Toggle(Switch::KeepPixelShape);
         Hand, "Keep the picture",
             "Scales distance, width and height together, so that the picture stays.",
             [], LookAction::Toggle(Switch::KeepPicture);
-        Hand, "Keep up", "Leaves up as it is given where eye or at are dragged; off, it goes along near the view.",
+        Hand, "Keep up",
+            "On: up stays as given while eye or at is dragged. Off: it turns with the camera where view comes close.",
             [], LookAction::Toggle(Switch::KeepUp);
     ]
 }
@@ -117,11 +118,11 @@ fn switches() -> Vec<UiCommand> {
 pub(super) fn strip() -> Vec<UiCommand> {
     use When::Untyped;
     commands![
-        Play, "Faster", "Lets the open animation run faster.",
+        Play, "Faster", "Runs the open animation faster.",
             [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
-        Play, "Slower", "Lets the open animation run slower.",
+        Play, "Slower", "Runs the open animation more slowly.",
             [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
-        Play, "Loop", "Lets the open animation begin again after its end, or not.",
+        Play, "Loop", "Repeats the open animation, or not.",
             [plain(Untyped, Key::L)], PlayAction::Loop;
         Play, "Keep", "Closes the animation with everything as it is now.",
             [], PlayAction::Keep;

@@ -52,20 +52,20 @@ pub struct Gesture {
 /// All gestures.
 pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Views, how: "Drag in the world view", does: "Orbit the observer" },
-    Gesture { group: Group::Views, how: "Shift+drag there", does: "Pan the observer" },
-    Gesture { group: Group::Views, how: "Wheel there", does: "Zoom" },
+    Gesture { group: Group::Views, how: "Shift+drag in the world view", does: "Pan the observer" },
+    Gesture { group: Group::Views, how: "Wheel in the world view", does: "Zoom" },
     Gesture { group: Group::Views, how: "Click", does: "Select the pixel there" },
-    Gesture { group: Group::Hand, how: "Drag a handle", does: "Move it in the picture's plane" },
+    Gesture { group: Group::Hand, how: "Drag a handle", does: "Move it parallel to the screen" },
     Gesture { group: Group::Hand, how: "X, Y, Z, U, V, W", does: "Along this axis" },
     Gesture { group: Group::Hand, how: "Shift+one of them", does: "In the plane of the other two" },
-    Gesture { group: Group::Hand, how: "Ctrl", does: "In round steps" },
+    Gesture { group: Group::Hand, how: "Ctrl", does: "In fixed steps" },
     Gesture { group: Group::Hand, how: "K, Alt", does: "Eye orbits at, or travels" },
-    Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move the one in focus a step" },
+    Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move it by one step" },
     Gesture { group: Group::Hand, how: "Escape", does: "Cancel the drag" },
-    Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look round" },
-    Gesture { group: Group::Hand, how: "Middle drag there", does: "Orbit round at" },
-    Gesture { group: Group::Hand, how: "Wheel there", does: "Look at pixels more closely" },
-    Gesture { group: Group::Hand, how: "Ctrl+wheel there", does: "Field of view" },
+    Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look around" },
+    Gesture { group: Group::Hand, how: "Middle drag in the camera view", does: "Orbit around at" },
+    Gesture { group: Group::Hand, how: "Wheel in the camera view", does: "Enlarge pixels" },
+    Gesture { group: Group::Hand, how: "Ctrl+wheel in the camera view", does: "Field of view" },
     Gesture { group: Group::Program, how: "Tab, Shift+Tab", does: "Next and previous control" },
     Gesture { group: Group::Program, how: "Enter, Space", does: "Press the control in focus" },
 ];
@@ -107,7 +107,7 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs;
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], FileAction::Save;
-        File, "Check answers…", "Asks which file of a student’s answers to grade.",
+        File, "Check answers…", "Asks which file of a student's answers to grade.",
             [], AnswersAction::Ask;
         File, "Export a figure…", "Asks which figure to write to which file.",
             [key(Anywhere, CTRL, Key::E)], FigureAction::Ask;
@@ -115,13 +115,13 @@ fn program() -> Vec<UiCommand> {
             [], FigureAction::CopyDerivation(Markup::Latex);
         File, "Copy the derivation as Markdown", "Puts the derivation on the clipboard as Markdown.",
             [], FigureAction::CopyDerivation(Markup::Markdown);
-        File, "Save the camera for another program…", "Asks which file to write the translator's text to.",
+        File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
             [], ExchangeAction::AskSave;
         File, "Quit", "Closes the window.",
             [key(Anywhere, CTRL, Key::Q)], Leave::Quit;
-        Edit, "Undo", "Takes back the last change of the scene.",
+        Edit, "Undo", "Undoes the last change to the scene.",
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
-        Edit, "Redo", "Does again what was taken back last.",
+        Edit, "Redo", "Makes the change again that was undone last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
         Edit, "Paste a camera", "Sets the camera from another program's text on the clipboard.",
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
@@ -129,7 +129,7 @@ fn program() -> Vec<UiCommand> {
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
         Lesson, "Show all of the step", "Shows the answer, and the derivation's lines that are still to come.",
             [plain(LessonUntyped, Key::End)], LessonAction::ShowAll;
-        Lesson, "Previous step", "Goes to the lesson's step before this one.",
+        Lesson, "Previous step", "Goes to the lesson's previous step.",
             [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], LessonAction::Previous;
         Lesson, "Back to the step", "Sets everything as the lesson's step says.",
             [plain(LessonUntyped, Key::R)], Leave::BackToStep;
@@ -150,7 +150,7 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
             [key(Anywhere, CTRL, Key::Minus)], LookAction::ZoomBy(-1);
-        Program, "Reset zoom", "Makes everything in the window as large as at first.",
+        Program, "Reset zoom", "Shows everything in the window at its normal size.",
             [key(Anywhere, CTRL, Key::Num0)], LookAction::ZoomBy(0);
     ]
 }
@@ -159,22 +159,22 @@ fn program() -> Vec<UiCommand> {
 fn presenting() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Presenting, "Presenter mode",
-            "Puts panels away and makes text and lines large; once more gives back the window as it was.",
+        Presenting, "Present",
+            "Fills the screen, without panels and with large text and lines; again: the window as it was.",
             [plain(Anywhere, Key::F5)], LookAction::Present;
-        Presenting, "Derivation full", "Fills the window with the derivation.",
+        Presenting, "Maximise the derivation", "Fills the window with the derivation.",
             [plain(Presenting, Key::Num1)], LookAction::Fill(ViewLayout::DerivationAlone);
-        Presenting, "World view full", "Fills the window with the world view.",
+        Presenting, "Maximise the world view", "Fills the window with the world view.",
             [plain(Presenting, Key::Num2)], LookAction::Fill(ViewLayout::World);
-        Presenting, "Camera view full", "Fills the window with the camera view.",
+        Presenting, "Maximise the camera view", "Fills the window with the camera view.",
             [plain(Presenting, Key::Num3)], LookAction::Fill(ViewLayout::Camera);
-        Presenting, "Both views full", "Fills the window with both views.",
+        Presenting, "Maximise both views", "Fills the window with both views.",
             [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
         Presenting, "Numbers", "Shows or hides the numbers below the views.",
             [plain(Presenting, Key::N)], LookAction::Toggle(Switch::PresentedNumbers);
         Presenting, "Pen", "Draws over the views; Escape wipes it off.",
             [plain(Presenting, Key::P)], LookAction::Toggle(Switch::Pen);
-        Presenting, "Spotlight", "Dims all but what is round the pointer.",
+        Presenting, "Spotlight", "Dims everything but what is around the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]
 }
@@ -183,25 +183,25 @@ fn presenting() -> Vec<UiCommand> {
 fn playing() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Play, "Swing up", "Turns up round the view: all these cameras look along one line.",
+        Play, "Roll", "Turns up around view: the camera rolls, and looks along the same line.",
             [], PlayAction::Open(Kind::SwingUp);
-        Play, "Orbit", "Takes the camera once round what it looks at.", [], PlayAction::Open(Kind::Orbit);
-        Play, "Over the top", "Takes the view up until it meets up, and over it: the picture flips.",
+        Play, "Orbit", "Takes the camera once around what it looks at.", [], PlayAction::Open(Kind::Orbit);
+        Play, "Tilt past up", "Tilts the camera until view meets up, and past it: the picture flips.",
             [], PlayAction::Open(Kind::OverTheTop);
         Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], PlayAction::Open(Kind::Walk);
         Play, "Scan the pixels", "Sends out the rays row by row, as a renderer does.",
             [], PlayAction::Open(Kind::Scan);
-        Play, "Play or pause", "Lets the open animation run, or rest.",
+        Play, "Play or pause", "Runs or pauses the open animation.",
             [plain(View, Key::Space)], PlayAction::Toggle;
-        Play, "Step forward", "Takes the open animation a step on.",
+        Play, "Step forward", "Moves the open animation one step forward.",
             [plain(Untyped, Key::Period)], PlayAction::Step(1);
-        Play, "Step back", "Takes the open animation a step back.",
+        Play, "Step back", "Moves the open animation one step back.",
             [plain(Untyped, Key::Comma)], PlayAction::Step(-1);
-        Play, "Freeze the camera as a ghost", "Makes the camera the ghost, to compare with.",
+        Play, "Freeze the camera as a ghost", "Keeps the camera as it is now as a ghost, to compare with.",
             [plain(Untyped, Key::G)], GhostAction::Freeze;
-        Play, "Drop the ghost", "Takes the frozen camera away.",
+        Play, "Remove the ghost", "Takes the ghost away.",
             [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
-        Play, "Swap camera and ghost", "Lets camera and frozen camera change places.",
+        Play, "Swap camera and ghost", "Lets camera and ghost change places.",
             [], GhostAction::Swap;
     ]
 }
@@ -263,7 +263,7 @@ fn switches() -> Vec<UiCommand> {
         commands.push(command(Group::Overlay, name, format!("Shows or hides {name}."), action));
     }
     for section in DerivationSection::ALL {
-        let name = format!("derivation’s part “{}”", section.label());
+        let name = format!("derivation's part “{}”", section.label());
         let about = format!("Shows or hides the {name}.");
         let action = LookAction::Toggle(Switch::Section(section));
         commands.push(command(Group::Layout, name, about, action));
@@ -317,9 +317,14 @@ fn destinations() -> Vec<UiCommand> {
     }
     for &exercise in Exercise::ALL {
         let name = title(exercise);
-        commands.push(command(Group::Exercise, name, "Asks this.", LookAction::Exercise(exercise)));
+        commands.push(command(
+            Group::Exercise,
+            name,
+            "Asks this question.",
+            LookAction::Exercise(exercise),
+        ));
     }
-    let about = "Vote: a wrong picture, and four mistakes of which one made it.";
+    let about = "Vote: a wrong picture, and four mistakes, one of which made it.";
     commands.push(command(Group::Mistake, "Guess which", about, LookAction::Vote));
     for &mistake in Mistake::GALLERY {
         let action = LookAction::Mistake(mistake);

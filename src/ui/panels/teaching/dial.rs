@@ -47,11 +47,11 @@ fn words(ui: &mut Ui, conditioning: f64) {
     let number = format!("{}° of roll per 1° of up", written(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
-    response.on_hover_text(hint).named("conditioning").spoken(number);
+    response.on_hover_text(hint).named("sensitivity").spoken(number);
     let meaning = if conditioning < SENSITIVE {
         "Calm: up and view are well apart."
     } else if conditioning < VERY_SENSITIVE {
-        "Sensitive: up is near the view's line."
+        "Sensitive: up is close to the line of view."
     } else {
         "Very sensitive: up and view are almost parallel."
     };

@@ -1,4 +1,4 @@
-//! The camera panel's part for teaching: edits that change a single property of the camera, and the
+//! The camera panel's experiments: edits that change a single property of the camera, and the
 //! camera's conditioning.
 
 mod dial;
@@ -13,15 +13,15 @@ use crate::view::typesetting::theme::error_color;
 
 /// Shows the teaching part, folded unless the settings say otherwise.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
-    let header = CollapsingHeader::new("Teaching").open(Some(settings.teaching));
+    let header = CollapsingHeader::new("Experiments").open(Some(settings.teaching));
     let response = header.show(ui, |ui| {
         let text = "Keep the picture: scale distance, width and height together";
-        let hint = "The same picture: d is scaled, and t is divided by as much";
+        let hint = "The picture stays: d is scaled, and t is divided by the same factor";
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
         // A basis set by hand has no up.
         if !matches!(camera.orientation, Orientation::Basis(_)) {
-            let hint = "Dragging eye or at leaves up as it is given, so that the view can meet it; \
-                        off, up goes along where they come near each other";
+            let hint = "On: up stays as given while eye or at is dragged, so that view can meet it. \
+                        Off: up turns with the camera where view comes close to it";
             ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
             swing(ui, camera);
             tilt(ui, camera);
@@ -84,12 +84,12 @@ impl Kept {
 fn swing(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
-    let hint = "Turns up about the view: the camera rolls, and looks along the same line";
-    row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
+    let hint = "Turns up around view: the camera rolls, and looks along the same line";
+    row(ui, "roll", hint, camera.basis().is_ok(), |ui| {
         let slider = ui
             .add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false))
-            .named("swing up slider");
-        let field = NumberField::new("swing up", &mut degrees).suffix("°").width(FIELD).show(ui);
+            .named("roll slider");
+        let field = NumberField::new("roll", &mut degrees).suffix("°").width(FIELD).show(ui);
         if !(slider.changed() || field.changed()) {
             return;
         }

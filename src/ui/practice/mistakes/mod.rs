@@ -39,7 +39,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if mistakes_view.is_revealed() {
-                let hint = "Dark where the pixel sees another object than in the right picture";
+                let hint = "Dark where the pixel sees a different object";
                 let wanted = &mut mistakes_view.wants_differences;
                 ui.toggle_value(wanted, "Differences").on_hover_text(hint);
             }
@@ -75,7 +75,7 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
         true => why,
-        false => "This mistake shows nothing with this camera: press Another one.".to_owned(),
+        false => "This mistake changes nothing with this camera: press Another one.".to_owned(),
     })
 }
 
@@ -84,9 +84,9 @@ fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     let (differing, pixels) = (seen.differing, seen.pixels);
     Some(match seen.differing {
-        0 => format!("none of {pixels} pixels shown differs"),
-        1 => format!("1 of {pixels} pixels shown differs"),
-        _ => format!("{differing} of {pixels} pixels shown differ"),
+        0 => format!("none of {pixels} screen pixels differs"),
+        1 => format!("1 of {pixels} screen pixels differs"),
+        _ => format!("{differing} of {pixels} screen pixels differ"),
     })
 }
 

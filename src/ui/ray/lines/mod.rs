@@ -83,7 +83,7 @@ fn fields(ui: &mut Ui, lab: &mut LinesLab) {
     });
     let form = match (line.check(), line.slope_form()) {
         (Err(_), _) => "no line".to_owned(),
-        (Ok(()), None) => "upright: no y = m x + q".to_owned(),
+        (Ok(()), None) => "vertical: there is no y = m x + q".to_owned(),
         (Ok(()), Some((m, q))) => {
             let sign = if q < 0.0 { '−' } else { '+' };
             format!("y = {} x {sign} {}", number(m, 5), number(q.abs(), 5))
@@ -122,9 +122,9 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
         for step in [1.0, 0.5, 0.25, 0.1] {
             ui.selectable_value(&mut lab.trail.step, step, number(step, 5));
         }
-        if ui.button("Clear").on_hover_text("Take away the points left behind").clicked() {
+        if ui.button("Clear").on_hover_text("Remove the points left behind").clicked() {
             lab.clear_trail();
         }
-        ui.checkbox(&mut lab.snap, "drag by halves");
+        ui.checkbox(&mut lab.snap, "drag in steps of 0.5");
     });
 }

@@ -105,7 +105,7 @@ fn inside(plot: &Plot, values: &[f64]) -> String {
     if names.is_empty() {
         "outside all objects".to_owned()
     } else {
-        format!("inside of {}", names.join(", "))
+        format!("inside {}", names.join(", "))
     }
 }
 

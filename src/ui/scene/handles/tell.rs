@@ -123,7 +123,7 @@ impl HandInput {
             lines.push("the picture stays".to_owned());
         }
         if last.is_some_and(|last| last.up_went_along) {
-            lines.push("up turns along".to_owned());
+            lines.push("up turns with the camera".to_owned());
         }
     }
 }
@@ -137,20 +137,25 @@ fn written_axis(axis: Axis) -> String {
 fn eye_keeps(keep: Keep) -> &'static str {
     match keep {
         Keep::At => "orbit: at stays",
-        Keep::View => "travel: the view stays",
+        Keep::View => "travel: view stays",
     }
 }
 
 fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
     let what = match handle {
         Handle::Eye => {
-            format!("{}; K or Alt: the other", eye_keeps(session.settings.eye_keeps.into()))
+            let keeps = session.settings.eye_keeps.into();
+            let other = match keeps {
+                Keep::At => "travel",
+                Keep::View => "orbit",
+            };
+            format!("{}; K or Alt: {other}", eye_keeps(keeps))
         }
         Handle::At => "the camera turns to it".to_owned(),
         Handle::Up => "the tip of up".to_owned(),
-        Handle::Roll => "roll: round 𝐰".to_owned(),
+        Handle::Roll => "roll: around 𝐰".to_owned(),
         Handle::Dolly => "dolly: the eye along 𝐰".to_owned(),
-        Handle::Corner(_) => "the viewport's corner; U, V: one of them".to_owned(),
+        Handle::Corner(_) => "the viewport's corner; U: width; V: height".to_owned(),
         Handle::Distance => "along 𝐰".to_owned(),
         Handle::Pixel => "the selected pixel, on the viewport".to_owned(),
         Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => String::new(),
@@ -158,10 +163,12 @@ fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
     };
     lines.extend((!what.is_empty()).then_some(what));
     if handle.is_free() {
-        lines.push("X Y Z U V W: along that axis; with Shift: not along it".to_owned());
+        lines.push(
+            "X Y Z U V W: along that axis; with Shift: in the plane of the other two".to_owned(),
+        );
     }
     if session.hand.together > 1 {
-        lines.push(format!("{} handles lie here; click: the next", session.hand.together));
+        lines.push(format!("{} handles are here; click for the next", session.hand.together));
     }
 }
 

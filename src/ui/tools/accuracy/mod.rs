@@ -90,7 +90,7 @@ pub(crate) fn summary(compared: &Compared) -> String {
         Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
         None => String::new(),
     };
-    format!("{method}: {wrong} of {all} pixels shown wrong{errors}")
+    format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
 /// Returns the text on a picture that the ladder did not draw, or drew in place of the chosen
@@ -102,8 +102,8 @@ pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
     }
     let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
     Some(match comparison.wrong {
-        1 => format!("drawn by {method}: 1 wrong pixel shown"),
-        wrong => format!("drawn by {method}: {wrong} wrong pixels shown"),
+        1 => format!("drawn by {method}: 1 wrong screen pixel"),
+        wrong => format!("drawn by {method}: {wrong} wrong screen pixels"),
     })
 }
 

@@ -13,7 +13,7 @@ use crate::view::typesetting::theme::error_color;
 
 /// The columns' names and their explanations.
 const COLUMNS: [(&str, &str); 7] = [
-    ("wrong", "Decisions (hit or miss, which object is first) that exact arithmetic does not make"),
+    ("wrong", "Decisions (hit or miss, which object is first) that differ from exact arithmetic"),
     ("share", "Wrong decisions as a share of all"),
     ("median", "Error in t, in ulps of the method's own precision: half are at most this"),
     ("p99", "Error in t, in ulps of the method's own precision: 99 of 100 are at most this"),

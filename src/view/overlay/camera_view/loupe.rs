@@ -177,7 +177,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         4 => "corner of 4 pixels",
         2 => "between 2 pixels",
         1 if is_centre => "centre of a pixel",
-        _ => "inside of a pixel",
+        _ => "inside a pixel",
     };
     let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
     texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));

@@ -69,7 +69,7 @@ fn the_loupe_says_what_kind_of_place_it_is() {
     for (uv, said) in [
         (DVec2::new(0.2, -0.12), "between 2 pixels"),
         (DVec2::new(0.25, -0.15), "centre of a pixel"),
-        (DVec2::new(0.23, -0.16), "inside of a pixel"),
+        (DVec2::new(0.23, -0.16), "inside a pixel"),
     ] {
         let (drawing, _) = drawing(uv, 10, 300, false);
         assert_eq!(texts(&drawing).last(), Some(&said), "{uv}");
