@@ -127,7 +127,7 @@ pub(crate) fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
 /// Sets the description of a view for screen readers.
 pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
     let id = ui.scope_id().with(name);
-    ui.ctx().accesskit_node_builder(id, |node| node.set_value(text));
+    ui.ctx().accesskit_node_builder(id, |node| node.set_description(text));
 }
 
 /// Returns the description of the selected ray for screen readers.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
 
@@ -51,7 +51,7 @@ fn click(window: &mut Harness<'_, App>, label: &str) {
 }
 
 fn map_says(window: &Harness<'_, App>) -> String {
-    window.get_by_role_and_label(Role::Image, "Answers").value().unwrap()
+    window.get_by_role_and_label(Role::Image, "Answers").accesskit_node().description().unwrap()
 }
 
 /// The open scene, without the objects that would be in the way.
