@@ -96,13 +96,13 @@ fn the_views_say_the_selected_pixel_its_hit_and_t() {
     press(&mut harness, Modifiers::NONE, Key::ArrowUp);
     for view in ["World view", "Camera view"] {
         let node = harness.get_by_role_and_label(Role::Image, view);
-        let value = node.accesskit_node().value().unwrap_or_default();
-        assert!(value.starts_with("row ") && value.contains("column "), "{view}: {value}");
-        assert!(value.contains("hits"), "{view}: {value}");
+        let said = node.accesskit_node().description().unwrap_or_default();
+        assert!(said.starts_with("row ") && said.contains("column "), "{view}: {said}");
+        assert!(said.contains("hits"), "{view}: {said}");
     }
     press(&mut harness, Modifiers::NONE, Key::F5);
     let node = harness.get_by_role_and_label(Role::Image, "Camera view");
-    assert!(node.accesskit_node().value().is_some());
+    assert!(node.accesskit_node().description().is_some());
 }
 
 #[test]

@@ -11,10 +11,10 @@ use egui::vec2;
 use pinhole::model::store::{RememberedRay, Store};
 use pinhole_core::{Pixel, shortest};
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::builtin;
 
+use crate::memory::InMemory;
 use crate::screen::{Screen, wait_for};
-use crate::window::{Setting, Window, binary};
+use crate::window::{Setting, Window, binary, built_in};
 
 /// Points the mouse moves in the long drag, one a frame.
 const DRAG: i32 = 100;
@@ -22,17 +22,18 @@ const DRAG: i32 = 100;
 pub(crate) fn drive(setting: &Setting) {
     println!("real window, {}: {}", setting.name, binary().display());
     let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("scene.toml");
-    fs::write(&scene, builtin::find("canonical").unwrap().text).unwrap();
+    let scene = built_in(folder.path(), "canonical");
     let before = scene_file::load(&scene).unwrap();
     let screen = Screen::start();
-    let mut window = Window::open(&screen, &scene, folder.path(), setting);
+    let mut window = Window::open(&screen, &[scene.as_os_str()], folder.path(), setting);
+    sleep(Duration::from_secs(2));
+    let memory = InMemory::like(&window, &scene);
 
-    window.drag_right(window.position(Role::SpinButton, "eye x", vec2(0.5, 0.5)), DRAG);
+    window.drag_right(memory.position(Role::SpinButton, "eye x", vec2(0.5, 0.5)), DRAG);
     // The mouse goes by whole dots, so the pixel is the one under such a dot.
-    let at = window.position(Role::Image, "Camera view", vec2(0.25, 0.75)).floor();
+    let at = memory.position(Role::Image, "Camera view", vec2(0.25, 0.75)).floor();
     window.click(at);
-    let pixel = window.pixel_at(at, before.camera.image);
+    let pixel = memory.pixel_at(at, before.camera.image);
     screen.press("key", "ctrl+s");
     let saved = wait_for("the saved file", || {
         let saved = scene_file::load(&scene).ok()?;

@@ -1,7 +1,7 @@
 //! The camera taken in the hand by the mouse, taken back, presented and exported. Each is judged by
 //! what it leaves behind: the saved scene, the exported file, what the next run remembers.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 use std::thread::sleep;
@@ -14,10 +14,10 @@ use pinhole::model::store::Store;
 use pinhole_core::Orientation;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::builtin;
 
+use crate::memory::InMemory;
 use crate::screen::{SIZE, Screen, wait_for};
-use crate::window::{Setting, Window};
+use crate::window::{Setting, Window, built_in};
 
 /// The scene as Ctrl+S has written it over one that was other.
 fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
@@ -29,11 +29,18 @@ fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
 }
 
 /// Drags a handle, found by its name in the same window in memory, and saves.
-fn drag(window: &mut Window, handle: &str, by: Vec2, scene: &Path, before: &Document) -> Document {
-    let at = window.position(Role::Slider, handle, vec2(0.5, 0.5));
+fn drag(
+    (window, memory): (&Window, &mut InMemory),
+    handle: &str,
+    by: Vec2,
+    scene: &Path,
+    before: &Document,
+) -> Document {
+    let at = memory.position(Role::Slider, handle, vec2(0.5, 0.5));
     window.drag(at, by);
+    memory.drag(at, by);
     let saved = saved(window, scene, before);
-    let expected = window.layout.state().document();
+    let expected = memory.0.state().document();
     assert_eq!(saved, *expected, "{handle}: by mouse as in memory");
     saved
 }
@@ -52,20 +59,21 @@ fn exported(window: &Window, path: &Path) -> [u32; 2] {
 }
 
 /// How large the world view is in memory, in dots.
-fn world_view(window: &Window) -> Vec2 {
-    window.layout.get_by_role_and_label(Role::Image, "World view").rect().size()
+fn world_view(memory: &InMemory) -> Vec2 {
+    memory.0.get_by_role_and_label(Role::Image, "World view").rect().size()
 }
 
 pub(crate) fn drive(setting: &Setting) {
     println!("real window, {}", setting.name);
     let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("scene.toml");
-    fs::write(&scene, builtin::find("canonical").unwrap().text).unwrap();
+    let scene = built_in(folder.path(), "canonical");
     let before = scene_file::load(&scene).unwrap();
     let screen = Screen::start();
-    let mut window = Window::open(&screen, &scene, folder.path(), setting);
+    let mut window = Window::open(&screen, &[scene.as_os_str()], folder.path(), setting);
+    sleep(Duration::from_secs(2));
+    let mut memory = InMemory::like(&window, &scene);
 
-    let moved = drag(&mut window, "eye handle", vec2(36.0, -22.0), &scene, &before);
+    let moved = drag((&window, &mut memory), "eye handle", vec2(36.0, -22.0), &scene, &before);
     let at = |document: &Document| match document.camera.orientation {
         Orientation::At { at, .. } => at,
         _ => panic!("not given by at: {:?}", document.camera),
@@ -73,7 +81,8 @@ pub(crate) fn drive(setting: &Setting) {
     assert!(moved.camera.eye.distance(before.camera.eye) > 0.05, "{:?}", moved.camera);
     assert_eq!((at(&moved), moved.camera.up()), (at(&before), before.camera.up()));
 
-    let rolled = drag(&mut window, "roll around w handle", vec2(40.0, 24.0), &scene, &moved);
+    let rolled =
+        drag((&window, &mut memory), "roll around w handle", vec2(40.0, 24.0), &scene, &moved);
     assert_eq!((rolled.camera.eye, at(&rolled)), (moved.camera.eye, at(&moved)));
     let [old, new] = [&moved, &rolled].map(|document| document.camera.basis().unwrap());
     assert!(old.w.distance(new.w) < 1e-12 && old.v.angle_between(new.v) > 0.1, "{old:?} {new:?}");
@@ -94,14 +103,14 @@ pub(crate) fn drive(setting: &Setting) {
     window.key("n");
     window.key("F5");
     sleep(Duration::from_millis(500));
-    let shown = world_view(&window);
+    let shown = world_view(&memory);
     let as_before = exported(&window, &folder.path().join("world.png"));
     assert_eq!(as_before.map(|dots| dots as f32), <[f32; 2]>::from(shown), "the window is back");
 
     window.quit();
     assert_eq!(scene_file::load(&scene).unwrap(), before);
     let remembered = Store::at(&folder.path().join("pinhole/state.json")).load();
-    let layout = window.layout.state().session().settings.layout;
+    let layout = memory.0.state().session().settings.layout;
     assert_eq!(remembered.settings.layout, layout, "presenting leaves no trace");
     assert!(remembered.renderer.starts_with(setting.drawn_by), "{}", remembered.renderer);
 }

@@ -7,9 +7,18 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot drive its window has failed")]
 #![allow(clippy::print_stdout, reason = "says what it ran on, and how fast")]
 
+mod bus;
 mod fields;
 mod hands;
+mod hearing;
+mod memory;
+mod pen;
+mod pointing;
+mod reader;
+mod reveal;
 mod screen;
+mod typing;
+mod vote;
 #[path = "../support/whole_window.rs"]
 mod whole_window;
 mod window;
@@ -47,4 +56,34 @@ fn the_camera_is_taken_in_the_hand_presented_and_exported() {
         environment: NO_DRIVER,
         drawn_by: "cpu (",
     });
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn a_pixel_is_pointed_at_and_pinned() {
+    pointing::hover_and_pin();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn an_answer_and_a_derivation_are_revealed_key_by_key() {
+    reveal::key_by_key();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn a_given_number_is_typed_into_the_derivation() {
+    typing::a_given_number();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn the_pen_draws_and_escape_wipes_it_off() {
+    pen::stroke();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn a_vote_is_given_and_told_by_a_key() {
+    vote::guess_which();
 }

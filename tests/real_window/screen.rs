@@ -1,14 +1,21 @@
 //! A virtual screen with a window manager, driven by xdotool.
 
+use std::fs;
 use std::io::Read as _;
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use egui::Pos2;
+use tempfile::TempDir;
+
+use crate::bus::Bus;
 
 /// Width and height of the screen, in dots.
 pub(crate) const SIZE: [u32; 2] = [1400, 1000];
+
+/// A colour a dot, of rows from the top.
+pub(crate) type Dots = Vec<Vec<[u8; 3]>>;
 
 /// A process that ends with the test.
 pub(crate) struct Running(pub(crate) Child);
@@ -23,18 +30,25 @@ impl Drop for Running {
 /// A screen that nobody sees, with a window manager.
 pub(crate) struct Screen {
     pub(crate) display: String,
-    _server: Running,
+    /// Where its programs meet.
+    pub(crate) bus: Bus,
     _manager: Running,
+    _server: Running,
+    folder: TempDir,
 }
 
 impl Screen {
     pub(crate) fn start() -> Screen {
+        let folder = tempfile::tempdir().unwrap();
         let [width, height] = SIZE;
         let size = format!("{width}x{height}x24");
         let mut server = Command::new("Xvfb")
             // Without a reset when its only client so far goes away, under the feet of the next.
             .args(["-displayfd", "1", "-screen", "0", &size, "-nolisten", "tcp"])
             .arg("-noreset")
+            // What is on the screen, as a file at all times.
+            .arg("-fbdir")
+            .arg(folder.path())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -51,10 +65,26 @@ impl Screen {
             .stderr(Stdio::null())
             .spawn()
             .expect("openbox is installed: .ci/run does it");
-        let screen = Screen { display, _server: Running(server), _manager: Running(manager) };
+        let bus = Bus::start(&display, folder.path());
+        let (_server, _manager) = (Running(server), Running(manager));
+        let screen = Screen { display, bus, _manager, _server, folder };
         // Only a window manager knows of desktops.
         wait_for("the window manager", || screen.try_say(&["get_num_desktops"]));
         screen
+    }
+
+    /// What is on the screen now: red, green and blue of its dots, row by row.
+    pub(crate) fn dots(&self) -> Dots {
+        let file = fs::read(self.folder.path().join("Xvfb_screen0")).unwrap();
+        // X11/XWDFile.h: numbers of four bytes, the colour map behind them, then the rows.
+        let number =
+            |k: usize| u32::from_be_bytes(file[4 * k..4 * k + 4].try_into().unwrap()) as usize;
+        let (header, row_length, colors) = (number(0), number(12), number(19));
+        assert_eq!([number(7), number(11)], [0, 32], "blue first, four bytes a dot");
+        let rows = &file[header + 12 * colors..];
+        let [width, height] = SIZE.map(|size| size as usize);
+        let row = |y: usize| rows[y * row_length..][..4 * width].chunks_exact(4);
+        (0..height).map(|y| row(y).map(|dot| [dot[2], dot[1], dot[0]]).collect()).collect()
     }
 
     pub(crate) fn xdotool(&self, arguments: &[&str]) -> Output {
@@ -77,13 +107,26 @@ impl Screen {
     }
 }
 
-pub(crate) fn wait_for<T>(what: &str, mut ready: impl FnMut() -> Option<T>) -> T {
+#[track_caller]
+pub(crate) fn wait_for<T>(what: &str, ready: impl FnMut() -> Option<T>) -> T {
+    wait_or_say(what, ready, String::new)
+}
+
+/// Waits; if in vain, says what there is instead.
+#[track_caller]
+pub(crate) fn wait_or_say<T>(
+    what: &str,
+    mut ready: impl FnMut() -> Option<T>,
+    instead: impl FnOnce() -> String,
+) -> T {
     let start = Instant::now();
     loop {
         if let Some(value) = ready() {
             return value;
         }
-        assert!(start.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
+        if start.elapsed() > Duration::from_secs(60) {
+            panic!("waited in vain for {what} {}", instead());
+        }
         sleep(Duration::from_millis(50));
     }
 }

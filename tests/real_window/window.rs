@@ -1,22 +1,16 @@
-//! The program in a window of that screen, and the same window in memory.
+//! The program in a window of that screen.
 
+use std::ffi::OsStr;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread::sleep;
 use std::time::Duration;
 
-use egui::accesskit::Role;
 use egui::{Pos2, Vec2, vec2};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
-use pinhole::model::files::OpenDocument;
-use pinhole::model::store::Remembered;
-use pinhole::ui::app::App;
-use pinhole_core::{ImageSize, Pixel};
-use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 use crate::screen::{Running, Screen, wait_for};
-use crate::whole_window;
 
 /// One way to start the program.
 pub(crate) struct Setting {
@@ -41,26 +35,33 @@ pub(crate) fn binary() -> PathBuf {
     std::env::var_os("PINHOLE_BINARY").map_or(env!("CARGO_BIN_EXE_pinhole").into(), PathBuf::from)
 }
 
-/// The window on `scene`, and where everything in it is.
+/// Writes a built-in scene into a folder, as a file that may be changed.
+pub(crate) fn built_in(folder: &Path, name: &str) -> PathBuf {
+    let path = folder.join("scene.toml");
+    fs::write(&path, builtin::find(name).unwrap().text).unwrap();
+    path
+}
+
+/// The window.
 pub(crate) struct Window<'a> {
     pub(crate) screen: &'a Screen,
     process: Running,
     id: String,
-    /// It does what is said here; by [`Window::drag`] both do the same.
-    pub(crate) layout: Harness<'static, App>,
 }
 
 impl<'a> Window<'a> {
+    /// Opens it with these arguments besides the setting's; it has the keyboard.
     pub(crate) fn open(
         screen: &'a Screen,
-        scene: &Path,
+        arguments: &[&OsStr],
         state: &Path,
         setting: &Setting,
     ) -> Window<'a> {
         let mut command = Command::new(binary());
-        command.arg(scene).args(setting.arguments).envs(setting.environment.iter().copied());
+        command.args(arguments).args(setting.arguments).envs(setting.environment.iter().copied());
         let process = command
             .env("DISPLAY", &screen.display)
+            .env("DBUS_SESSION_BUS_ADDRESS", &screen.bus.address)
             .env_remove("WAYLAND_DISPLAY")
             .env("WINIT_X11_SCALE_FACTOR", "1")
             .env("XDG_STATE_HOME", state)
@@ -70,33 +71,22 @@ impl<'a> Window<'a> {
         let process = Running(process);
         // The title carries the scene's name from the first frame on.
         let id = wait_for("the window", || {
-            screen.try_say(&["search", "--onlyvisible", "--name", "scene.toml - Pinhole"])
+            screen.try_say(&["search", "--onlyvisible", "--name", " - Pinhole"])
         });
         let id = id.lines().next().unwrap().to_owned();
         screen.press("windowactivate", &id);
-        sleep(Duration::from_secs(2));
-        let geometry = screen.try_say(&["getwindowgeometry", "--shell", &id]).unwrap();
+        wait_for("the keyboard", || screen.try_say(&["getwindowfocus"]).filter(|has| *has == id));
+        Window { screen, process, id }
+    }
+
+    /// Its width and height, in dots.
+    pub(crate) fn size(&self) -> Vec2 {
+        let geometry = self.screen.try_say(&["getwindowgeometry", "--shell", &self.id]).unwrap();
         let value = |key: &str| {
             let line = geometry.lines().find_map(|line| line.strip_prefix(key)).unwrap();
             line.trim_start_matches('=').parse::<f32>().unwrap()
         };
-        let layout = laid_out(scene, vec2(value("WIDTH"), value("HEIGHT")));
-        Window { screen, process, id, layout }
-    }
-
-    pub(crate) fn position(&self, role: Role, label: &str, share: Vec2) -> Pos2 {
-        let rect = self.layout.get_by_role_and_label(role, label).rect();
-        rect.min + share * rect.size()
-    }
-
-    /// The pixel of the camera view at a position of the window.
-    pub(crate) fn pixel_at(&self, at: Pos2, image: ImageSize) -> Pixel {
-        let rect = self.layout.get_by_role_and_label(Role::Image, "Camera view").rect();
-        let share = (at - rect.min) / rect.size();
-        Pixel {
-            row: (share.y * image.height() as f32) as u32,
-            column: (share.x * image.width() as f32) as u32,
-        }
+        vec2(value("WIDTH"), value("HEIGHT"))
     }
 
     pub(crate) fn drag_right(&self, from: Pos2, points: i32) {
@@ -111,30 +101,23 @@ impl<'a> Window<'a> {
         sleep(Duration::from_millis(300));
     }
 
-    /// Drags by so much, with the mouse here and in memory; from whole dots, as the mouse goes.
-    pub(crate) fn drag(&mut self, from: Pos2, by: Vec2) {
-        const MOVES: u8 = 8;
-        let (from, by) = (from.floor(), by.round());
-        let on_the_way = |k: u8| (from + f32::from(k) / f32::from(MOVES) * by).floor();
+    /// Drags by so much, from whole dots, as the mouse goes.
+    pub(crate) fn drag(&self, from: Pos2, by: Vec2) {
+        let [from, on_the_way @ ..] = way(from, by);
         self.screen.mouse(&self.id, from);
         sleep(Duration::from_millis(300));
         self.screen.press("mousedown", "1");
-        for k in 1..=MOVES {
-            self.screen.mouse(&self.id, on_the_way(k));
+        for at in on_the_way {
+            self.screen.mouse(&self.id, at);
             sleep(Duration::from_millis(100));
         }
         self.screen.press("mouseup", "1");
         sleep(Duration::from_millis(500));
-        self.layout.hover_at(from);
-        self.layout.run();
-        self.layout.drag_at(from);
-        self.layout.run();
-        for k in 1..=MOVES {
-            self.layout.hover_at(on_the_way(k));
-            self.layout.run();
-        }
-        self.layout.drop_at(from + by);
-        self.layout.run();
+    }
+
+    /// Moves the mouse there.
+    pub(crate) fn point_at(&self, at: Pos2) {
+        self.screen.mouse(&self.id, at);
     }
 
     /// Presses a key, as xdotool calls it, here alone.
@@ -164,15 +147,8 @@ impl<'a> Window<'a> {
     }
 }
 
-/// The same window in memory: where each label is.
-fn laid_out(scene: &Path, size: Vec2) -> Harness<'static, App> {
-    let source = SceneSource::File(scene.to_owned());
-    let open = OpenDocument::new(source.load().unwrap(), source);
-    let mut layout = Harness::builder()
-        .with_size(size)
-        .with_max_steps(30)
-        .with_context_setup(|ctx| App::set_up(ctx, &Default::default()))
-        .build_ui_state(whole_window::show, App::new(open, Remembered::default(), None));
-    layout.run();
-    layout
+/// Where a drag begins, and where the mouse stops on its way.
+pub(crate) fn way(from: Pos2, by: Vec2) -> [Pos2; 9] {
+    let (from, by) = (from.floor(), by.round());
+    std::array::from_fn(|k| (from + k as f32 / 8.0 * by).floor())
 }

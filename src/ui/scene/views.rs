@@ -127,7 +127,7 @@ pub(crate) fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
 /// Sets the description of a view for screen readers.
 pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
     let id = ui.scope_id().with(name);
-    ui.ctx().accesskit_node_builder(id, |node| node.set_value(text));
+    ui.ctx().accesskit_node_builder(id, |node| node.set_description(text));
 }
 
 /// Returns the description of the selected ray for screen readers.
@@ -152,6 +152,15 @@ pub(crate) fn spoken(shown: &Derived) -> String {
     }
 }
 
+/// Returns the middle of the dot that the mouse points at in a view, in dots. A picture shows in each dot
+/// the pixel in its middle.
+fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
+    // A whole dot, divided by the zoom and multiplied by it, may be a little less.
+    const ROUNDING: Vec2 = Vec2::splat(1.0 / 64.0);
+    let at = (pointer - rect.min) * ui.ctx().pixels_per_point();
+    (at + ROUNDING).floor() + Vec2::splat(0.5)
+}
+
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
     if session.hand.is_busy {
         return;
@@ -162,9 +171,8 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
     else {
         return;
     };
-    let per_point = ui.ctx().pixels_per_point();
-    let size = (response.rect.size() * per_point).round();
-    let at = (pointer - response.rect.min) * per_point;
+    let size = (response.rect.size() * ui.ctx().pixels_per_point()).round();
+    let at = dot_under(ui, response.rect, pointer);
     let uv = overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], [at.x, at.y]);
     if let Some(position) = resolved.pixel_of_uv(uv) {
         session.selection = Selection::Pixel(position.pixel);
@@ -175,11 +183,10 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     if session.hand.is_busy {
         return;
     }
-    let per_point = ui.ctx().pixels_per_point();
     if let (true, Some(pointer), Some(frame), Some(resolved)) =
         (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.resolved)
     {
-        let at = (pointer - response.rect.min) * per_point;
+        let at = dot_under(ui, response.rect, pointer);
         let uv = overlay::pick(resolved, frame, [at.x, at.y]);
         if let Some(position) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
             session.selection = Selection::Pixel(position.pixel);
@@ -296,7 +303,7 @@ pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option
     let at = |rect: Option<Rect>, name: &str| {
         let response = ui.ctx().read_response(ui.scope_id().with(name))?;
         let pointer = response.hover_pos().filter(|_| response.hovered())?;
-        Some(((pointer - rect?.min) * per_point, rect?.size() * per_point))
+        Some((dot_under(ui, rect?, pointer), rect?.size() * per_point))
     };
     let uv = match at(rects.camera, CAMERA) {
         Some((at, size)) => {

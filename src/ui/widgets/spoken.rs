@@ -1,16 +1,20 @@
-//! The names and values of widgets, for screen readers and tests, and the arrow keys that a focused
+//! The names, values and descriptions of widgets, for screen readers and tests, and the arrow keys that a focused
 //! widget keeps.
 
 use egui::accesskit::Role;
 use egui::{EventFilter, Response};
 
-/// Accessible name, value and role of a widget.
+/// Accessible name, value, description and role of a widget.
 pub(crate) trait Spoken: Sized {
     /// Sets the name.
     fn named(self, name: impl Into<String>) -> Self;
 
     /// Sets the value: of a text, what is read in its place.
     fn spoken(self, value: impl Into<String>) -> Self;
+
+    /// Sets the description: what a picture shows, or where a handle is. Of those, screen readers get no
+    /// value but a number (AT-SPI).
+    fn described(self, text: impl Into<String>) -> Self;
 
     /// Sets the kind of widget.
     fn with_role(self, role: Role) -> Self;
@@ -24,6 +28,11 @@ impl Spoken for Response {
 
     fn spoken(self, value: impl Into<String>) -> Self {
         self.ctx.accesskit_node_builder(self.id, |node| node.set_value(value.into()));
+        self
+    }
+
+    fn described(self, text: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_description(text.into()));
         self
     }
 

@@ -303,13 +303,14 @@ fn reads(text: &str, (name, reading): Reads) -> bool {
         || rest.rsplit(" ≈ ").next() == Some(reading)
 }
 
-/// Every text on the screen, and every value with its label.
+/// Every text on the screen, and every value or description with its label.
 fn texts(window: &Window) -> Vec<(String, Option<String>)> {
     let nodes = window.root().children_recursive();
     // A space that breaks no line reads like any other.
     let plain = |text: Option<String>| text.map(|text| text.replace('\u{a0}', " "));
-    let texts =
-        nodes.map(|node| node.accesskit_node()).map(|n| (plain(n.label()), plain(n.value())));
+    let texts = nodes
+        .map(|node| node.accesskit_node())
+        .map(|n| (plain(n.label()), plain(n.value().or(n.description()))));
     texts
         .filter_map(|texts| match texts {
             (Some(label), value) => Some((label, value)),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
 
@@ -51,7 +51,7 @@ fn click(window: &mut Harness<'_, App>, label: &str) {
 }
 
 fn map_says(window: &Harness<'_, App>) -> String {
-    window.get_by_role_and_label(Role::Image, "Answers").value().unwrap()
+    window.get_by_role_and_label(Role::Image, "Answers").accesskit_node().description().unwrap()
 }
 
 /// The open scene, without the objects that would be in the way.
@@ -91,9 +91,11 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     let share = image.pixels.iter().filter(|color| **color == wrong).count() as f32
         / image.pixels.len() as f32;
     assert!((0.5 * 0.005..=1.1 * 0.005).contains(&share), "{share}");
-    click_at(&mut window, rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3));
+    click_at(&mut window, rect.min + egui::vec2(71.3, 211.3));
     let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
-    assert_eq!((pixel.row, pixel.column), (300, 100));
+    let [rows, columns] = [rect.height(), rect.width()].map(|dots| dots.round() as u32);
+    let shown = (423 * 400 / (2 * rows), 143 * 400 / (2 * columns));
+    assert_eq!((pixel.row, pixel.column), shown, "what the dots 211 and 71 show");
 }
 
 #[test]

@@ -306,7 +306,7 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
 
 /// What is drawn in the question's scene.
 fn drawn(window: &Harness<'_, App>) -> String {
-    window.get_by_role_and_label(Role::Image, "World view").value().unwrap()
+    window.get_by_role_and_label(Role::Image, "World view").accesskit_node().description().unwrap()
 }
 
 #[test]

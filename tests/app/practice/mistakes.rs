@@ -25,7 +25,11 @@ fn open(scene: &str) -> Harness<'static, App> {
 }
 
 fn wrong_says(window: &Harness<'_, App>) -> String {
-    window.get_by_role_and_label(Role::Image, "Wrong camera").value().unwrap()
+    window
+        .get_by_role_and_label(Role::Image, "Wrong camera")
+        .accesskit_node()
+        .description()
+        .unwrap()
 }
 
 /// Everything that is said of a check or number by its value for screen readers.

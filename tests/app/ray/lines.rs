@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lines::LinesLab;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
@@ -143,7 +143,7 @@ fn all_points_in_sight_are_drawn_however_far_t_has_gone() {
     let mut window = open();
     let seen = |window: &Harness<'_, App>| {
         let plane = window.get_by_label("Plane with both lines");
-        plane.value().unwrap_or_default()
+        plane.accesskit_node().description().unwrap_or_default()
     };
     assert_eq!(seen(&window), "a point at t = 0.5");
     type_into(&mut window, "t", "-900");

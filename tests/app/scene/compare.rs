@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, NO_OBJECT, Outputs, Raster, trace};
@@ -29,7 +29,7 @@ fn comparing(scene: &str) -> Harness<'static, App> {
 }
 
 fn ghost_says(harness: &Harness<'_, App>) -> String {
-    harness.get_by_role_and_label(Role::Image, "Ghost").value().unwrap()
+    harness.get_by_role_and_label(Role::Image, "Ghost").accesskit_node().description().unwrap()
 }
 
 /// The names that the world view writes.

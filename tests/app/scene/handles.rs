@@ -6,7 +6,7 @@ use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Vec2, vec2,
 };
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::hand::Handle;
 use pinhole::model::session::{Selection, Settings};
@@ -386,8 +386,8 @@ fn a_handle_with_the_focus_is_moved_by_keys() {
     harness.key_press(Key::ArrowUp);
     harness.step();
     assert_eq!(camera(&harness).eye.y, 2.0 * eye.y);
-    let value = harness.get_by_role_and_label(Role::Slider, "eye handle").value();
-    assert!(value.unwrap().starts_with("eye = (0, "));
+    let handle = harness.get_by_role_and_label(Role::Slider, "eye handle");
+    assert!(handle.accesskit_node().description().unwrap().starts_with("eye = (0, "));
     // More of the same soon after it is the same step.
     undo(&mut harness);
     assert_eq!(camera(&harness).eye, DVec3::ZERO);

@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::{MethodName, Selection, Settings, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
@@ -46,7 +46,7 @@ fn choose(window: &mut Harness<'_, App>, combo: &str, method: &str) {
 }
 
 fn map_says(window: &Harness<'_, App>) -> String {
-    window.get_by_role_and_label(Role::Image, "Error map").value().unwrap()
+    window.get_by_role_and_label(Role::Image, "Error map").accesskit_node().description().unwrap()
 }
 
 #[test]

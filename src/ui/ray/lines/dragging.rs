@@ -25,7 +25,8 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     canvas.painter.rect_filled(rect, 0.0, background);
     let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
     if let Some(seen) = paint(&canvas, lab, &ink, held, digits) {
-        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
+        let id = ui.scope_id().with("plane");
+        ui.ctx().accesskit_node_builder(id, |node| node.set_description(seen));
     }
     for (handle, response) in grabbed {
         response.on_hover_text(handle.name());
@@ -86,7 +87,7 @@ fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option
     }
     let position = lab.position_of(handle)?;
     let value = format!("({}, {})", number(position.x, 5), number(position.y, 5));
-    Some(response.with_role(Role::Slider).named(handle.name()).spoken(value))
+    Some(response.with_role(Role::Slider).named(handle.name()).described(value))
 }
 
 /// Returns true if the pointer or the keyboard focus is on a handle.

@@ -140,7 +140,7 @@ fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
         }
     }
     let text = ray_point_t.map_or("nobody walks".to_owned(), |t| format!("walked to t = {t}"));
-    response.with_role(Role::Image).named("Plot of f(p + t d)").spoken(text);
+    response.with_role(Role::Image).named("Plot of f(p + t d)").described(text);
 }
 
 /// Draws the numbers of t and f, the line f = 0, and the grey area behind the eye.

@@ -209,7 +209,7 @@ pub(crate) fn say(
     });
 }
 
-/// Makes every handle focusable, with a label and a value for screen readers.
+/// Makes every handle focusable, with a label and a description for screen readers.
 fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &Session) {
     let settings = &session.settings;
     for grip in grips(&view.stage(document, shown.resolved.as_ref(), session), &session.hand) {
@@ -220,7 +220,7 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
         let value = value(grip.handle, &part, settings.digits, settings.count_from_one);
         let response = ui.interact(rect, id, Sense::focusable_noninteractive());
         keep_arrows(&response, true, true);
-        let response = response.with_role(Role::Slider).spoken(value);
+        let response = response.with_role(Role::Slider).described(value);
         response.named(format!("{} handle", label(grip.handle, document)));
     }
 }

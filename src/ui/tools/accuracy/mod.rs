@@ -163,7 +163,7 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     } else if let Some(share) = measuring.share() {
         ui.label("Measuring: so far");
         let bar = ProgressBar::new(share).desired_width(180.0).show_percentage();
-        ui.add(bar).spoken(format!("measured {:.0} %", 100.0 * share));
+        ui.add(bar).named(format!("measured {:.0} %", 100.0 * share));
         if measuring.report().is_some() && !measuring.is_current() {
             ui.weak("until then the last scene's numbers");
         }

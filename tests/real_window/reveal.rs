@@ -1,0 +1,70 @@
+//! A step that asks before an audience: its answer comes by a key, then the derivation line by line.
+
+use std::fs;
+
+use crate::hearing::{Heard, says};
+use crate::screen::Screen;
+
+const LESSON: &str = r#"
+pinhole_lesson = 1
+title = "Mine"
+
+[[step]]
+title = "One"
+text = "Look."
+scene = "canonical"
+layout = "derivation"
+derivation = ["basis"]
+ask = "Where does **w** point?"
+answer = "Backwards."
+"#;
+
+const QUESTION: &str = "Where does w point?";
+const ANSWER: &str = "Backwards.";
+
+/// The derivation of the canonical camera's basis.
+const LINES: [&str; 10] = [
+    "eye = (0, 0, 0)",
+    "at = (0, 0, −5)",
+    "up = (0, 1, 0)",
+    "view = at − eye = (0, 0, −5) − (0, 0, 0) = (0, 0, −5)",
+    "−view = (0, 0, 5)",
+    "𝐰 = normalize(−view) = (0, 0, 5)/5 = (0, 0, 1)",
+    "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
+    "|up × 𝐰| = |up| sin(angle) = 1 · sin(90°) = 1",
+    "𝐮 = normalize(up × 𝐰) = (1, 0, 0)/1 = (1, 0, 0)",
+    "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
+];
+
+/// Waits until so many lines are shown, which are the first ones; question and answer are as said.
+fn wait_for_lines(heard: &Heard, count: usize, is_asking: bool) {
+    let what = format!("{count} lines, asking: {is_asking}");
+    let nodes = heard.wait(&what, |nodes| {
+        let is_so = says(nodes, QUESTION) == is_asking && says(nodes, ANSWER) != is_asking;
+        let shown = LINES.iter().filter(|line| says(nodes, line)).count();
+        (is_so && shown == count).then(|| heard.nodes())
+    });
+    for (k, line) in LINES.iter().enumerate() {
+        assert_eq!(says(&nodes, line), k < count, "{line}, with {count} lines shown");
+    }
+}
+
+pub(crate) fn key_by_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let lesson = folder.path().join("mine.toml");
+    fs::write(&lesson, LESSON).unwrap();
+    let screen = Screen::start();
+    let arguments = ["--lesson".as_ref(), lesson.as_os_str()];
+    let mut heard = Heard::open(&screen, &arguments, folder.path());
+    heard.key("F5");
+    wait_for_lines(&heard, 0, true);
+    heard.key("Next");
+    wait_for_lines(&heard, 0, false);
+    for count in 1..=3 {
+        heard.key("Next");
+        wait_for_lines(&heard, count, false);
+    }
+    heard.key("End");
+    wait_for_lines(&heard, LINES.len(), false);
+    heard.window.quit();
+}
