@@ -15,6 +15,7 @@ mod memory;
 mod pen;
 mod pointing;
 mod reader;
+mod repeats;
 mod reveal;
 mod screen;
 mod typing;
@@ -86,4 +87,10 @@ fn the_pen_draws_and_escape_wipes_it_off() {
 #[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
 fn a_vote_is_given_and_told_by_a_key() {
     vote::guess_which();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
+fn a_held_key_that_does_nothing_costs_no_frame() {
+    repeats::cost_no_frame();
 }
