@@ -162,6 +162,19 @@ impl Observer {
         Observer { distance: distance.min(LONGEST_STEP_BACK * self.distance), ..*self }.in_range()
     }
 
+    /// Returns true if the camera's eye, and the point that it looks at if it is given by one, are in
+    /// sight in a view of this size.
+    pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
+        let at = match camera.orientation {
+            Orientation::At { at, .. } => Some(at),
+            Orientation::View { .. } | Orientation::Basis(_) => None,
+        };
+        [camera.eye].into_iter().chain(at).all(|center| {
+            let ball = Ball { center, radius: 0.0 };
+            self.distance_for_ball(&ball, size.aspect(), 0.0) <= self.distance
+        })
+    }
+
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the
     /// picture.
     pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {

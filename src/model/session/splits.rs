@@ -65,6 +65,11 @@ impl Splits {
         self.0[split as usize]
     }
 
+    /// Returns true if a boundary is where it is by default.
+    pub fn is_default(&self, split: Split) -> bool {
+        self.get(split) == TABLE[split as usize].1
+    }
+
     /// Moves a boundary, clamped to its range; to its default if `to` is not finite.
     pub fn set(&mut self, split: Split, to: f32) {
         let (_, first, range) = &TABLE[split as usize];

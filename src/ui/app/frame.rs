@@ -259,7 +259,8 @@ impl App {
         let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
         let (scene, shown) = (&mut self.scene, &self.views.derived);
         if let Some(rect) = rects.world {
-            scene.frame(views::size_of(rect));
+            let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();
+            scene.frame(views::size_of(rect), is_at_rest);
         }
         let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;

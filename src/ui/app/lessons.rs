@@ -159,9 +159,12 @@ impl OpenScene {
         opened
     }
 
-    /// Closes the strip; the step's scene stays, and counts as a scene like any other.
+    /// Closes the strip; the step's scene stays, and counts as a scene like any other. It is seen from
+    /// where a hand has moved the observer, or fitted to the layout from before the lesson.
     pub(super) fn close_lesson(&mut self) {
-        self.lessons.open = None;
+        if self.lessons.open.take().is_some() && self.session.observer == self.lessons.seen_from {
+            self.session.observer = None;
+        }
         if let Some(before) = self.lessons.before.take() {
             apply::restore(&before, &mut self.session);
         }

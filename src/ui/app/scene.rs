@@ -43,6 +43,8 @@ pub(super) struct OpenScene {
 struct Framed {
     observer: Observer,
     size: ViewSize,
+    /// The camera that was in sight.
+    camera: Camera,
     /// The observer that a lesson's step names, from which this one steps back if it must.
     named: Option<Observer>,
 }
@@ -109,16 +111,19 @@ impl OpenScene {
     }
 
     /// Lets the observer, if there is none yet, see everything in a world view of this size. In a view
-    /// of another size it is fitted anew, unless it was moved by hand.
-    pub(super) fn frame(&mut self, size: ViewSize) {
+    /// of another size it is fitted anew, unless it was moved by hand; and, while nothing is dragged
+    /// or played, where eye or at were moved out of sight.
+    pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
         let shown = self.session.observer;
         let own = self.framed.filter(|framed| shown == Some(framed.observer));
-        if own.is_some_and(|framed| framed.size == size) {
+        let lost = is_at_rest && own.is_some_and(|framed| self.is_lost_to(&framed));
+        if own.is_some_and(|framed| framed.size == size) && !lost {
             return;
         }
         let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
         let named = match (own, shown) {
-            (Some(framed), _) => framed.named,
+            // What a step names was for another camera.
+            (Some(framed), _) => framed.named.filter(|_| !lost),
             (None, None) => None,
             (None, Some(_)) if of_step == shown => shown,
             (None, Some(_)) => return,
@@ -132,9 +137,16 @@ impl OpenScene {
             (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
             (None, None) => Observer::frame_all(camera, &scene(), size),
         };
-        self.framed = Some(Framed { observer, size, named });
+        self.framed = Some(Framed { observer, size, camera: *camera, named });
         self.session.observer = Some(observer);
         self.lessons.framed(shown, observer);
+    }
+
+    /// Returns true if eye or at were moved since, out of this observer's sight.
+    fn is_lost_to(&self, framed: &Framed) -> bool {
+        let camera = &self.open.document.camera;
+        let sees = |camera| framed.observer.sees_eye_and_at(camera, framed.size);
+        *camera != framed.camera && sees(&framed.camera) && !sees(camera)
     }
 
     /// Moves the observer of a world view of this size.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
+use egui::{Align, Button, Color32, FontId, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
@@ -16,6 +16,8 @@ use crate::ui::widgets::spoken::Spoken as _;
 const TEXT: f32 = 18.0;
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
+const NEXT: &str = "Next →";
+const SHOW_ANSWER: &str = "Show the answer";
 /// Number of lines that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
@@ -33,7 +35,10 @@ pub(crate) fn ui(
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             buttons(ui, open, file, is_asking, changed, actions);
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open));
+            // The titles are the same before and after the answer.
+            let [next, answer] = [NEXT, SHOW_ANSWER].map(|text| width(ui, text, BUTTON));
+            let reserved = if is_asking { 0.0 } else { answer - next };
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open, reserved));
         });
     });
     text(ui, open, is_asking);
@@ -42,7 +47,7 @@ pub(crate) fn ui(
 /// Shows the strip while presenting: the text without buttons.
 pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
-    ui.horizontal(|ui| titles(ui, open));
+    ui.horizontal(|ui| titles(ui, open, 0.0));
     text(ui, open, is_asking);
 }
 
@@ -67,13 +72,27 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
 }
 
-fn titles(ui: &mut Ui, open: &OpenLesson) {
-    ui.spacing_mut().item_spacing.x = 10.0;
-    ui.label(RichText::new(open.title()).size(TEXT).strong());
-    let (step, steps) = (open.id().step + 1, open.lesson().steps.len());
-    ui.label(RichText::new(format!("{step} of {steps}")).size(TEXT).weak());
+/// Shows the titles of the lesson and the step. In a lesson of which not every step has room for both,
+/// `reserved` points kept free, the lesson has only its number.
+fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
+    let gap = 10.0;
+    ui.spacing_mut().item_spacing.x = gap;
+    let steps = &open.lesson().steps;
+    let number = format!("{} of {}", open.id().step + 1, steps.len());
+    let longest = steps.iter().map(|step| width(ui, &step.title, TEXT)).fold(0.0, f32::max);
+    let title = open.title();
+    let row = width(ui, &title, TEXT) + width(ui, &number, TEXT) + longest + 2.0 * gap + reserved;
+    let title = if row <= ui.available_width() { title } else { open.short_title() };
+    ui.label(RichText::new(title).size(TEXT).strong());
+    ui.label(RichText::new(number).size(TEXT).weak());
     let title = RichText::new(&open.step().title).size(TEXT).strong();
     ui.add(Label::new(title).truncate());
+}
+
+/// Returns the width of a text of this size.
+fn width(ui: &Ui, text: &str, size: f32) -> f32 {
+    let font = FontId::proportional(size);
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// Shows the buttons from right to left.
@@ -105,8 +124,8 @@ fn buttons(
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     let next = (is_asking || open.next().is_some()).then_some(LessonAction::Next.into());
     let (text, name, about) = match is_asking {
-        true => ("Show the answer", "Show the answer", "The answer to the question"),
-        false => ("Next →", "Next", "The next step"),
+        true => (SHOW_ANSWER, SHOW_ANSWER, "The answer to the question"),
+        false => (NEXT, "Next", "The next step"),
     };
     button(ui, text, name, &hint(about, LessonAction::Next), next);
     let previous = open.previous().map(|_| LessonAction::Previous.into());

@@ -196,6 +196,7 @@ fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &
 
 fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     entry(ui, "Present", LookAction::Present, actions);
+    entry(ui, "Vote: guess which mistake", LookAction::Vote, actions);
     entry(ui, "Frame all", Observe::FrameAll, actions);
     entry(ui, "Frame the camera", Observe::FrameCamera, actions);
     ui.separator();

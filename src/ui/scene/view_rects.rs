@@ -94,7 +94,10 @@ impl Divider<'_> {
             let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));
             return Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest };
         }
-        let (views, rest) = self.above(split);
+        let (views, rest) = match self.splits.is_default(split) {
+            true => self.above_with(split, self.rest_below_pictures(split)),
+            false => self.above(split),
+        };
         let (left, right) = self.across(views, Split::PracticeViews, "views handle");
         let (middle, right) = halves(right);
         Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest }
@@ -120,9 +123,22 @@ impl Divider<'_> {
 
     /// The views, and below them what the workspace has there, as high as it was last dragged to.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
+        self.above_with(split, self.splits.get(split))
+    }
+
+    /// Returns the height below three views that leaves the pictures no more than they need for a
+    /// square image, and is at least the boundary's own.
+    fn rest_below_pictures(&self, split: Split) -> f32 {
+        let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
+        let picture = 0.5 * (1.0 - share) * self.whole.width();
+        self.splits.get(split).max(self.whole.height() - picture - STRIP - HANDLE)
+    }
+
+    /// The same, at this height unless it is dragged.
+    fn above_with(&mut self, split: Split, height: f32) -> (Rect, Rect) {
         let area = self.whole;
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
-        let height = self.splits.get(split).clamp(80.0, most);
+        let height = height.clamp(80.0, most);
         let boundary = area.bottom() - height;
         let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
         self.move_by(split, height, -drag(self.ui, handle, "readouts handle").y);

@@ -8,6 +8,7 @@ use super::number::vector_color;
 use super::spoken::Spoken as _;
 use crate::model::letters;
 use crate::view::typesetting::fonts;
+use crate::view::typesetting::notation::unbroken;
 
 /// A run of letters with the same style.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,7 @@ pub(crate) fn height(ui: &Ui, text: &str, size: f32) -> f32 {
 }
 
 fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
-    let runs = runs(text);
+    let runs = runs(&unbroken(text));
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
     for run in &runs {

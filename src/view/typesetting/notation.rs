@@ -38,7 +38,7 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
 
 /// Adds text with typeset formulas as a label; screen readers and tests get it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
-    let response = ui.label(formula(text, size, color));
+    let response = ui.label(formula(&unbroken(text), size, color));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
     response
 }
@@ -46,6 +46,54 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Respo
 /// Returns the text for screen readers: without subscript marks.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('_', "")
+}
+
+/// Maximum number of characters of a formula that is never broken across lines.
+const UNBROKEN: usize = 30;
+
+/// Returns the text with spaces that break no line inside its formulas: around operators, between
+/// coordinates, and between a factor and a vector. A formula too long for that is
+/// broken before an operator.
+pub(crate) fn unbroken(text: &str) -> String {
+    const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
+    let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
+    let is_factor = |word: &str| word.starts_with('*') && without_marks(word).chars().count() == 1;
+    let mut joined = String::new();
+    let (mut length, mut before, mut is_in_tuple) = (0, "", false);
+    for word in text.split_whitespace() {
+        let own = without_marks(word).chars().count();
+        let operates = is_operator(word) || is_operator(before);
+        let is_vector = begins_tuple(word) || word.starts_with("**");
+        let joins = operates || is_factor(before) && is_vector;
+        let has_room = length + 1 + own <= UNBROKEN || !is_operator(word);
+        if is_in_tuple || joins && has_room && length > 0 {
+            joined.push('\u{a0}');
+            length += 1 + own;
+        } else {
+            if !joined.is_empty() {
+                joined.push(' ');
+            }
+            length = own;
+        }
+        joined.push_str(word);
+        is_in_tuple = (is_in_tuple || begins_tuple(word)) && !word.contains(')');
+        before = word;
+    }
+    joined
+}
+
+fn without_marks(text: &str) -> String {
+    text.replace(['*', '_'], "")
+}
+
+/// Returns true if a word begins a vector in coordinates: a parenthesis with a number or a letter, and
+/// a comma.
+fn begins_tuple(word: &str) -> bool {
+    let first = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(','));
+    first.is_some_and(|first| {
+        let first = without_marks(first);
+        first.chars().count() == 1 || first.starts_with(|c: char| c == '−' || c.is_ascii_digit())
+    })
 }
 
 /// Returns a letter of the mathematical alphabets; a vector's coordinate is a scalar.
@@ -64,5 +112,26 @@ mod tests {
         assert_eq!(text("p_x = 2"), "𝑝x = 2");
         assert_eq!(text("h, D"), "ℎ, 𝐷");
         assert_eq!(plain("p_x + t d_x"), "px + t dx");
+    }
+
+    #[test]
+    fn no_line_breaks_inside_a_short_formula() {
+        let lines =
+            |text: &str| unbroken(text).split(' ').map(without_marks).collect::<Vec<_>>().join("|");
+        let formulas = |text: &str| lines(text).replace('\u{a0}', " ");
+        assert_eq!(
+            formulas("ahead, (0, 0, 0) + *t* (0, 0, −1)."),
+            "ahead,|(0, 0, 0) + t (0, 0, −1)."
+        );
+        assert_eq!(
+            formulas("to (1, 2,\n3) and (as said, here)"),
+            "to|(1, 2, 3)|and|(as|said,|here)"
+        );
+        assert_eq!(formulas("the eye, **p** = (0, 0, 0), and"), "the|eye,|p = (0, 0, 0),|and");
+        assert_eq!(
+            formulas("*u* = 199.5/400 − 1/2 = −0.00125 = 2 − 3 and *v*"),
+            "u = 199.5/400 − 1/2 = −0.00125|= 2 − 3|and|v"
+        );
+        assert_eq!(formulas("= 1 at *t*"), "= 1|at|t");
     }
 }

@@ -2,11 +2,13 @@
 
 use egui::Key;
 use egui::accesskit::Role;
+use egui::epaint::Shape;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::derivation_sections::DerivationSection;
 use pinhole::model::lessons::LessonArgument;
 use pinhole::model::overlay_items::Item;
 
-use super::{Window, key, press};
+use super::{Window, at_step, go_to, key, press};
 use crate::harness::{assert_says, says, texts_with, type_into, window};
 
 /// A window on a lesson of two steps, of which the first one asks.
@@ -84,4 +86,34 @@ fn end_shows_all_that_a_step_keeps_back() {
     assert_says(&window, "Backwards: (0, 0, 1).");
     assert_says(&window, "Look.");
     assert!(shows_basis(&window));
+}
+
+#[test]
+fn what_a_step_before_has_derived_is_not_derived_line_by_line_again() {
+    let mut window = at_step(2, 1);
+    let sections = |window: &Window| -> Vec<DerivationSection> {
+        let derivation = window.state().derived().derivation.clone().unwrap();
+        derivation.sections.iter().map(|section| section.section).collect()
+    };
+    assert_eq!(sections(&window), [DerivationSection::PixelToRay]);
+    go_to(&mut window, 2, 4);
+    assert_eq!(sections(&window), [DerivationSection::Objects], "the ray is the same one");
+}
+
+#[test]
+fn a_line_of_text_ends_in_no_short_formula() {
+    let mut window = at_step(12, 2);
+    key(&mut window, Key::F5);
+    for width in [560.0, 600.0, 640.0, 680.0] {
+        window.set_size(egui::vec2(width, 512.0));
+        window.run();
+        let rows = |shape: &Shape| match shape {
+            Shape::Text(text) => text.galley.rows.iter().map(|row| row.text()).collect(),
+            _ => Vec::new(),
+        };
+        let rows: Vec<String> =
+            window.output().shapes.iter().flat_map(|clipped| rows(&clipped.shape)).collect();
+        let whole = "(0,\u{a0}0,\u{a0}0)\u{a0}+\u{a0}𝑡\u{a0}(0,\u{a0}0,\u{a0}−1)";
+        assert!(rows.iter().any(|row| row.contains(whole)), "{width}: {rows:?}");
+    }
 }

@@ -1,16 +1,17 @@
 //! The exercises: typed answers, what is said of them, seeds, and opening a question's camera.
 
 use egui::accesskit::Role;
+use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::practice::exercises::LARGEST_SEED;
-use pinhole::model::session::{Selection, ViewLayout};
+use pinhole::model::session::{Selection, ThemeName, ViewLayout};
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
 use crate::harness::{
-    assert_reads, assert_says, drag_from, open_scene, show, texts_with, type_into, window,
+    assert_reads, assert_says, command, drag_from, open_scene, show, texts_with, type_into, window,
 };
 
 fn click(window: &mut Harness<'_, App>, label: &str) {
@@ -255,11 +256,14 @@ fn a_part_that_is_right_is_not_blamed_for_another() {
 fn scalars_are_italic_and_a_question_is_read_without_marks() {
     let mut window = open(Exercise::WarmUpRay);
     assert_reads(&window, "What is the viewing ray p + t d through (u, v) = (0.2,\u{a0}−0.1)?");
-    let shown = "What is the viewing ray p + 𝑡 d through (𝑢, 𝑣) = (0.2,\u{a0}−0.1)?";
-    assert_eq!(texts_with(&window, shown), [shown]);
+    // No line breaks inside a formula.
+    let formulas = ["p + 𝑡 d", "(𝑢, 𝑣) = (0.2, −0.1)?"].map(|text| text.replace(' ', "\u{a0}"));
+    let shown = &format!("What is the viewing ray {} through {}", formulas[0], formulas[1]);
+    assert_eq!(texts_with(&window, shown), [shown.as_str()]);
     click(&mut window, title(Exercise::Lines));
-    let shown = "The line 𝑥 + 𝑦 − 2 = 0 and the ray (0,\u{a0}0) + 𝑡 (1,\u{a0}1).";
-    assert_eq!(texts_with(&window, shown), [shown]);
+    let formulas = ["𝑥 + 𝑦 − 2 = 0", "(0, 0) + 𝑡 (1, 1)."].map(|text| text.replace(' ', "\u{a0}"));
+    let shown = &format!("The line {} and the ray {}", formulas[0], formulas[1]);
+    assert_eq!(texts_with(&window, shown), [shown.as_str()]);
     assert_says(&window, "𝑡 =");
     for &exercise in Exercise::ALL {
         for paragraph in question(&Question::new(exercise, None).given) {
@@ -458,5 +462,25 @@ fn a_vectors_fields_stand_side_by_side() {
         }
         window.key_press(egui::Key::F5);
         window.run();
+    }
+}
+
+#[test]
+fn an_answer_field_has_a_frame_that_is_seen() {
+    for theme in [ThemeName::Light, ThemeName::Dark] {
+        let mut window = open(Exercise::WarmUpRay);
+        command(&mut window, theme.label());
+        let field = window.get_by_label("answer p x").rect();
+        let frame = |shape: &Shape| match shape {
+            Shape::Rect(shape) => {
+                shape.rect.contains_rect(field.shrink(1.0))
+                    && shape.rect.width() < field.width() + 10.0
+                    && shape.stroke.width > 0.0
+                    && shape.stroke.color.a() > 60
+            }
+            _ => false,
+        };
+        let shapes = &window.output().shapes;
+        assert!(shapes.iter().any(|clipped| frame(&clipped.shape)), "{theme:?}");
     }
 }

@@ -1,6 +1,7 @@
 //! The mistakes view: the gallery, its checks, and guessing which.
 
 use egui::accesskit::Role;
+use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::practice::mistakes_view::OpenVote;
@@ -317,4 +318,44 @@ fn a_vote_that_is_revealed_stays_as_it_was_given() {
     click(&mut window, "Reveal");
     click(&mut window, &names[1]);
     assert_eq!(open_vote(&window).answer, Some(0));
+}
+
+#[test]
+fn a_mistake_and_all_its_checks_fit_a_small_window() {
+    let mut window = open("canonical");
+    window.set_size(vec2(1024.0, 768.0));
+    window.run();
+    let bottom = window.ctx.content_rect().bottom();
+    let checks: Vec<egui::Rect> = window
+        .query_all_by(|node| node.value().is_some_and(|value| value.ends_with(" passes")))
+        .map(|node| node.rect())
+        .collect();
+    assert_eq!(checks.len(), 13);
+    for check in checks {
+        assert!(check.bottom() <= bottom, "{check} of {bottom}");
+    }
+    let titles: Vec<&egui::epaint::TextShape> = window
+        .output()
+        .shapes
+        .iter()
+        .filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) if text.galley.job.text.starts_with("Wrong camera") => {
+                Some(text)
+            }
+            _ => None,
+        })
+        .collect();
+    assert!(!titles.is_empty() && titles.iter().all(|title| !title.galley.elided), "{titles:?}");
+}
+
+#[test]
+fn the_vote_is_in_a_menu() {
+    let mut window = open("canonical");
+    show(&mut window, ViewLayout::Both);
+    window.get_by_label("View").click();
+    window.run();
+    window.get_by_label_contains("Vote: guess which mistake").click();
+    window.run();
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert!(!open_vote(&window).is_revealed);
 }

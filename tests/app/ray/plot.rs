@@ -3,15 +3,18 @@
 use std::sync::Arc;
 
 use egui::accesskit::Role;
+use egui::epaint::Shape;
+use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::concept::Concept;
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::world_position_of;
 
-use crate::harness::{assert_reads, assert_says, show, type_into, window};
+use crate::harness::{assert_reads, assert_says, says, show, type_into, window};
 
 fn open(scene: &str) -> Harness<'static, App> {
     let mut window = window(scene);
@@ -112,6 +115,10 @@ fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
     assert_reads(&window, "at t = 4.5: f = −0.75 < 0: inside");
     assert_reads(&window, "at t = 4.5: f = 1.5 > 0: on the side that n points to");
     assert_says(&window, "inside sphere 0 “ball”");
+    type_into(&mut window, "walked t", "4");
+    assert_says(&window, "on sphere 0 “ball”");
+    assert!(!says(&window, "outside all objects"), "at t = 4: f = 0: on it");
+    type_into(&mut window, "walked t", "4.5");
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
     assert_eq!(t_in_the_world_view(&window), None);
@@ -181,4 +188,86 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
     let walked = window.state().session().ray_point_t.unwrap();
     assert!((walked - 4.5).abs() < 0.05, "{walked}");
     assert_eq!(window.state().session().observer, observer, "the observer stays");
+}
+
+/// A window of this size on a step of lesson 12, counted from 1, with its question answered.
+fn lesson(step: usize, size: egui::Vec2) -> Harness<'static, App> {
+    let mut window = window("canonical");
+    window.set_size(size);
+    window.state_mut().open_lesson(StepId { lesson: Which::Builtin(11), step: step - 1 }, None);
+    window.run();
+    if window.state().session().is_asking {
+        window.key_press(Key::PageDown);
+        window.run();
+    }
+    window
+}
+
+/// The labels in the plot, without the numbers of its axes.
+fn labels(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
+    let plot = window.get_by_label("Plot of f(p + t d)").rect();
+    let label = |shape: &Shape| {
+        let Shape::Vec(shapes) = shape else { return None };
+        let Some(Shape::Text(text)) = shapes.last() else { return None };
+        let rect = text.visual_bounding_rect();
+        plot.contains_rect(rect).then(|| (text.galley.job.text.clone(), rect))
+    };
+    window.output().shapes.iter().filter_map(|clipped| label(&clipped.shape)).collect()
+}
+
+#[test]
+fn two_objects_that_are_met_at_one_t_share_its_number() {
+    for step in [2, 4] {
+        let window = lesson(step, vec2(1280.0, 1000.0));
+        let numbers: Vec<String> = labels(&window).into_iter().map(|(text, _)| text).collect();
+        let shared = if step == 2 { "6" } else { "8" };
+        let count = numbers.iter().filter(|text| *text == shared).count();
+        assert_eq!(count, 1, "12.{step}: {numbers:?}");
+    }
+}
+
+#[test]
+fn of_two_equal_curves_both_are_seen() {
+    let mut window = lesson(4, vec2(1280.0, 1000.0));
+    window.remove_cursor();
+    window.run();
+    let plot = window.get_by_label("Plot of f(p + t d)").rect();
+    // Where the parabolas rise, at the right of what they touch.
+    let part =
+        Rect::from_min_max(plot.lerp_inside(vec2(0.6, 0.1)), plot.lerp_inside(vec2(0.95, 0.4)));
+    let colors: Vec<[u8; 3]> = window.state().derived().plot.as_ref().unwrap().curves[..2]
+        .iter()
+        .map(|c| c.named.color)
+        .collect();
+    let image = window.render().unwrap();
+    for color in colors {
+        let near = |x: u32, y: u32| {
+            let pixel = image.get_pixel(x, y).0;
+            (0..3).all(|k| pixel[k].abs_diff(color[k]) < 12)
+        };
+        let pixels = (part.top() as u32..part.bottom() as u32)
+            .flat_map(|y| (part.left() as u32..part.right() as u32).map(move |x| (x, y)));
+        let count = pixels.filter(|(x, y)| near(*x, *y)).count();
+        assert!(count > 30, "{color:?}: {count} pixels");
+    }
+}
+
+#[test]
+fn no_name_or_text_is_cut_off_in_a_small_window() {
+    let mut window = lesson(5, vec2(1024.0, 768.0));
+    let right = window.ctx.content_rect().right();
+    for text in ["the first hit", "on sphere 0 “large”"] {
+        assert!(window.get_by_label(text).rect().right() <= right, "{text}");
+    }
+    let title = window.get_by_label("From inside, and behind").rect();
+    assert!(title.width() > 180.0, "the step's title is there: {title}");
+    assert_says(&window, "Lesson 12");
+    window.key_press(Key::F5);
+    window.run();
+    window.set_size(vec2(1024.0, 768.0) / window.ctx.zoom_factor());
+    window.run();
+    let bottom = window.ctx.content_rect().bottom();
+    let behind = "small: 0 only at t = −2.5 and −1.5, not ahead of the eye: no hit";
+    let last = window.get_by_label(behind).rect();
+    assert!(last.bottom() <= bottom, "{last} of {bottom}");
 }

@@ -10,9 +10,10 @@ use pinhole::model::session::ViewLayout;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{UP_LENGTH, arrow_length};
+use pinhole_core::DVec3;
 
 use super::camera;
-use crate::harness::{click_at, show, window_with};
+use crate::harness::{click_at, show, type_into, window_with};
 
 /// Sizes of the window: wide, high, ordinary.
 const SIZES: [egui::Vec2; 3] = [vec2(1920.0, 1080.0), vec2(900.0, 1000.0), vec2(1024.0, 768.0)];
@@ -87,6 +88,58 @@ fn an_observer_that_a_hand_has_moved_stays() {
         harness.set_size(size);
         harness.run();
         assert_eq!(observer(&harness), moved);
+    }
+}
+
+/// Whether a point of the scene is in the world view.
+fn is_in_sight(harness: &Harness<'_, App>, point: DVec3) -> bool {
+    let frame = harness.state().derived().world_frame.clone().unwrap();
+    let seen = frame.camera();
+    let uv = seen.project(point).uv;
+    let share = [uv.x / seen.viewport().width, uv.y / seen.viewport().height];
+    (point - seen.eye()).dot(seen.basis().w) < 0.0 && share.iter().all(|s| s.abs() < 0.5)
+}
+
+#[test]
+fn eye_and_at_that_are_typed_out_of_sight_are_sought() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    for (field, text) in [("at x", "40"), ("eye y", "-60")] {
+        type_into(&mut harness, field, text);
+        let camera = camera(&harness);
+        for point in [camera.eye, super::at_of(&camera)] {
+            assert!(is_in_sight(&harness, point), "{field} = {text}: {point}");
+        }
+    }
+    // What stays in sight moves nothing.
+    let before = observer(&harness);
+    type_into(&mut harness, "at x", "39");
+    assert_eq!(observer(&harness), before);
+    // Nor does anything move an observer that a hand has moved.
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    click_at(&mut harness, view.left_bottom() + vec2(8.0, -8.0));
+    harness.key_press_modifiers(Modifiers::ALT, Key::ArrowLeft);
+    harness.run();
+    let moved = observer(&harness);
+    assert_ne!(moved, before);
+    type_into(&mut harness, "at x", "4000");
+    assert_eq!(observer(&harness), moved);
+}
+
+#[test]
+fn a_lesson_that_is_closed_at_an_exercise_leaves_scene_and_view_as_they_should_be() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.set_size(vec2(1024.0, 768.0));
+    for (lesson, step) in [(1, 4), (5, 5), (11, 5)] {
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step: 0 }, None);
+        harness.run();
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
+        harness.run();
+        assert_eq!(harness.state().session().settings.layout, ViewLayout::Exercises);
+        harness.get_by_role_and_label(Role::Button, "Close the lesson").click();
+        harness.run();
+        assert_eq!(harness.state().session().settings.layout, ViewLayout::Both);
+        assert!(is_in_sight(&harness, camera(&harness).eye), "{lesson}.{step}");
+        assert_tips_in_sight(&harness, &format!("after {}.{}", lesson + 1, step + 1));
     }
 }
 

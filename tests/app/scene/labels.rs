@@ -4,6 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::store::Remembered;
@@ -77,6 +78,7 @@ fn only_what_the_camera_is_made_of_has_a_name_until_a_lesson_is_open() {
     for name in ["top", "(0, 0)", "n", "view"] {
         assert!(!named.iter().any(|text| text == name), "{name} in {named:?}");
     }
+    assert!(!draws_normal(&harness), "an arrow without a name");
     harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 3 }, None);
     harness.run();
     if harness.state().session().is_asking {
@@ -84,4 +86,11 @@ fn only_what_the_camera_is_made_of_has_a_name_until_a_lesson_is_open() {
         harness.run();
     }
     assert!(labels(&harness).iter().any(|text| text == "n"), "{:?}", labels(&harness));
+    assert!(draws_normal(&harness));
+}
+
+/// Whether the normal is drawn at the hit.
+fn draws_normal(harness: &Harness<'_, App>) -> bool {
+    let drawing = harness.state().derived().world_view.clone().unwrap();
+    drawing.marks.iter().any(|mark| mark.concept == Some(Concept::Normal))
 }

@@ -4,8 +4,8 @@
 pub(crate) mod scene;
 
 use egui::{
-    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder,
-    pos2,
+    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, Stroke, TextEdit, Ui,
+    UiBuilder, pos2,
 };
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
@@ -196,6 +196,9 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal(|ui| {
+        // A field's own ground hardly stands out from a light page, nor from a black one.
+        let frame = Stroke::new(1.0, ui.visuals().weak_text_color());
+        ui.visuals_mut().widgets.inactive.bg_stroke = frame;
         if part.count() == 0 {
             ui.label(RichText::new(exercises::asked(part)).size(text_size(ui)));
             for (yes, text) in [(true, "yes"), (false, "no")] {

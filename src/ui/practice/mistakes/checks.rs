@@ -1,6 +1,6 @@
 //! The checks of the wrong camera: those that catch the mistake, and those that miss it.
 
-use egui::{RichText, Ui};
+use egui::{Label, RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::{TEXT, cell};
@@ -60,8 +60,11 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
             return;
         }
         ui.spacing_mut().item_spacing.y = 0.0;
-        ui.label(value.strong().color(error_color(ui)));
-        ui.label(format!("right: {}", wanted(here, right, style)));
+        ui.horizontal_wrapped(|ui| {
+            ui.label(value.strong().color(error_color(ui)));
+            let right = format!("right: {}", wanted(here, right, style));
+            ui.add(Label::new(right).extend());
+        });
     });
 }
 

@@ -4,7 +4,9 @@
 mod checks;
 pub(crate) mod vote;
 
-use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Align, Color32, Label, Layout, Rect, RichText, ScrollArea, TextStyle, Ui, UiBuilder, pos2, vec2,
+};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
@@ -34,6 +36,9 @@ const NARROW: f32 = 760.0;
 /// Width of a vector's letter, in points.
 const LETTER: f32 = 16.0;
 
+/// Width of the letter, the signs and the gaps in a row with two vectors, in points.
+const BESIDE_VECTORS: f32 = 84.0;
+
 /// Shows the title above the wrong picture, and the choice between it and the map of differences.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
@@ -44,8 +49,13 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
                 ui.toggle_value(wanted, "Differences").on_hover_text(hint);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let title = RichText::new(title(mistakes_view)).strong().color(error_color(ui));
-                ui.add(Label::new(title).truncate());
+                let full = title(mistakes_view);
+                // The gallery shows the mistake's name, too.
+                let fits = text_width(ui, &full) <= ui.available_width();
+                let short = full.split(':').next().unwrap_or_default();
+                let title = RichText::new(if fits { &full } else { short }).strong();
+                let title = ui.add(Label::new(title.color(error_color(ui))).truncate());
+                title.on_hover_text(&full).spoken(&full);
             });
         });
     });
@@ -56,6 +66,12 @@ fn title(mistakes_view: &MistakesView) -> String {
         None => format!("{}: {}", views::WRONG, mistakes_view.chosen.name()),
         Some(_) => "Wrong picture".to_owned(),
     }
+}
+
+/// Returns the width of a text in a label.
+fn text_width(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// Returns the description of the wrong picture for screen readers.
@@ -133,9 +149,13 @@ pub(crate) fn ui(
     });
     let Some(wrong) = derived.wrong.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
+        if is_narrow {
+            ui.spacing_mut().item_spacing.y = 1.0;
+        }
         explanation(ui, wrong, style);
         if is_narrow {
-            ui.add_space(6.0);
+            ui.add_space(4.0);
+            ui.spacing_mut().item_spacing.y = 0.0;
             checks::ui(ui, wrong, style);
         }
     });
@@ -187,7 +207,7 @@ fn sentence(text: &str) -> String {
         .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
-/// Shows u, v, w of both cameras, one above the other, because side by side they do not fit.
+/// Shows u, v, w of both cameras, side by side where there is room, otherwise one above the other.
 fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     let right = camera.right_camera().basis();
     let rows = [
@@ -198,21 +218,28 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     for ((name, letter, right, wrong), is_wrong) in rows.into_iter().zip(camera.wrong_vectors()) {
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
         let letter = RichText::new(letter).size(TEXT).color(color);
+        let (right, wrong) = (style.vector(right), style.vector(wrong));
+        let both = text_width(ui, &right) + text_width(ui, &wrong) + BESIDE_VECTORS;
+        let fits = both <= ui.available_width();
+        let wrong = |ui: &mut Ui| {
+            sign(ui, false);
+            let text = RichText::new(&wrong).strong().color(error_color(ui));
+            ui.add(Label::new(text).wrap()).spoken(format!("wrong {name} = {wrong}"));
+        };
         ui.horizontal_top(|ui| {
             cell(ui, LETTER, |ui| ui.label(letter));
             sign(ui, true);
-            ui.add(Label::new(style.vector(right)).wrap());
+            ui.add(Label::new(right).wrap());
+            if is_wrong && fits {
+                wrong(ui);
+            }
         });
-        if !is_wrong {
-            continue;
+        if is_wrong && !fits {
+            ui.horizontal_top(|ui| {
+                cell(ui, LETTER, |_| ());
+                wrong(ui);
+            });
         }
-        ui.horizontal_top(|ui| {
-            cell(ui, LETTER, |_| ());
-            sign(ui, false);
-            let text = RichText::new(style.vector(wrong)).strong().color(error_color(ui));
-            let spoken = format!("wrong {name} = {}", style.vector(wrong));
-            ui.add(Label::new(text).wrap()).spoken(spoken);
-        });
     }
     let (right, wrong) = (camera.right_camera().viewport().distance, camera.distance());
     if right != wrong {

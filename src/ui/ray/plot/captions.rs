@@ -22,10 +22,7 @@ pub(super) struct Captions {
 impl Captions {
     /// Writes the captions where no curve runs through them.
     pub(super) fn write(&self, drawn: &[Strokes], words: &mut LabelLayout) {
-        // The line f = 0 must not run through them either.
-        let (left, right) = (self.rect.left() as i32, self.rect.right() as i32);
-        let zero = (left..right).step_by(4).map(|x| pos2(x as f32, self.zero));
-        let curves: Vec<Pos2> = drawn.iter().flat_map(Strokes::closely).chain(zero).collect();
+        let curves: Vec<Pos2> = self.lines(drawn).collect();
         let right = |x: f32| self.rows(x + 5.0, Align2::LEFT_BOTTOM);
         let left = |x: f32| self.rows(x - 5.0, Align2::RIGHT_BOTTOM);
         let (eye, viewport) = (self.eye, self.viewport);
@@ -36,6 +33,13 @@ impl Captions {
         let anchors = right(viewport).chain(left(viewport));
         words.write_clear_of(&curves, "viewport: t = 1", font, anchors);
         words.write_clear_of(&curves, "eye: t = 0", font, right(eye).chain(left(eye)));
+    }
+
+    /// Returns points on what must not run through a caption: the curves and the line f = 0.
+    pub(super) fn lines(&self, drawn: &[Strokes]) -> impl Iterator<Item = Pos2> {
+        let (left, right) = (self.rect.left() as i32, self.rect.right() as i32);
+        let zero = (left..right).step_by(4).map(|x| pos2(x as f32, self.zero));
+        drawn.iter().flat_map(Strokes::closely).chain(zero)
     }
 
     /// Returns the positions of a caption, from the bottom upwards.

@@ -92,11 +92,12 @@ pub(super) fn ui(
     let captions = verticals(&inside, &axes, &mut words, colors.ink);
     let drawn: Vec<Strokes> = plot.samples.iter().map(|samples| strokes(&axes, samples)).collect();
     for (curve, strokes) in plot.curves.iter().zip(&drawn) {
+        // The casing has the curve's dashes, so that an equal curve below is seen in the gaps.
         for points in &strokes.points {
-            inside.add(Shape::line(points.clone(), Stroke::new(5.0, colors.halo)));
+            stroke(&inside, points, curve, Stroke::new(5.0, colors.halo));
         }
         for points in &strokes.points {
-            stroke(&inside, points, curve);
+            stroke(&inside, points, curve, line(curve));
         }
         for (at, upwards) in &strokes.leaves {
             arrowhead(&inside, *at, *upwards, color_of(curve));
@@ -107,12 +108,15 @@ pub(super) fn ui(
     if plot.ray_point_t.is_some() {
         point_that_walks(&inside, &axes, plot, &mut words, colors);
     }
+    let lines: Vec<Pos2> = captions.lines(&drawn).collect();
     for (curve, strokes) in plot.curves.iter().zip(&drawn) {
         let font = Font { size: TEXT, color: colors.ink, bold: true };
-        if let Some(name) = words.write(&curve.named.name, font, places_at(strokes, within)) {
+        let (name, places) = (&curve.named.name, places_at(strokes, within));
+        let clear = words.write_clear_of(&lines, name, font, places.iter().copied());
+        if let Some(name) = clear.or_else(|| words.write(name, font, places)) {
             // Underlined in the curve's own style.
             let y = name.bottom() - 1.0;
-            stroke(&inside, &[pos2(name.left(), y), pos2(name.right(), y)], curve);
+            stroke(&inside, &[pos2(name.left(), y), pos2(name.right(), y)], curve, line(curve));
         }
     }
 }
@@ -269,8 +273,13 @@ fn color_of(curve: &Curve) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
-    let stroke = Stroke::new(3.0, color_of(curve));
+/// Returns the look of a curve's line.
+fn line(curve: &Curve) -> Stroke {
+    Stroke::new(3.0, color_of(curve))
+}
+
+/// Draws a line with a curve's dashes.
+fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve, stroke: Stroke) {
     let (dash, gap) = DASHES[curve.index % DASHES.len()];
     if dash > 0.0 {
         painter.extend(Shape::dashed_line(points, stroke, dash, gap));
@@ -282,7 +291,7 @@ fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
 /// Draws a sample of the curve's line, as a key to the text beside the plot.
 pub(super) fn sample(ui: &Ui, rect: Rect, curve: &Curve) {
     let ends = [rect.left_center(), rect.right_center()];
-    stroke(ui.painter(), &ends, curve);
+    stroke(ui.painter(), &ends, curve, line(curve));
 }
 
 fn arrowhead(painter: &Painter, at: Pos2, upwards: bool, color: Color32) {
@@ -303,6 +312,15 @@ fn zeros(
 ) {
     let y = axes.y(0.0);
     let shown = |t: f64| axes.t.contains(&t);
+    let roots = || {
+        let all = curves.iter().flat_map(|c| c.derivation.roots().map(move |root| (c, root.t)));
+        all.filter(|(curve, t)| shown(*t) && first != Some((curve.named.object, *t)))
+    };
+    for (curve, t) in roots() {
+        let at = pos2(axes.x(t), y);
+        painter.circle(at, 5.5, colors.background, Stroke::new(3.0, color_of(curve)));
+        words.keep_free(Rect::from_center_size(at, Vec2::splat(13.0)));
+    }
     if let Some((object, t)) = first.filter(|(_, t)| shown(*t)) {
         let color = curves.iter().find(|c| c.named.object == object).map_or(colors.ink, color_of);
         let at = pos2(axes.x(t), y);
@@ -313,25 +331,21 @@ fn zeros(
         let font = Font { size: TEXT + 1.0, color: colors.ink, bold: true };
         let _ = texts.iter().any(|text| words.write(text, font, beside_hit(at)).is_some());
     }
-    for curve in curves {
-        for root in curve.derivation.roots().filter(|root| shown(root.t)) {
-            if first == Some((curve.named.object, root.t)) {
-                continue;
-            }
-            let at = pos2(axes.x(root.t), y);
-            painter.circle(at, 5.5, colors.background, Stroke::new(3.0, color_of(curve)));
-            let anchors = [
-                (at + vec2(0.0, 8.0), Align2::CENTER_TOP),
-                (at + vec2(0.0, -8.0), Align2::CENTER_BOTTOM),
-                (at + vec2(0.0, 27.0), Align2::CENTER_TOP),
-                (at + vec2(0.0, -27.0), Align2::CENTER_BOTTOM),
-            ];
-            words.write(
-                &number(root.t, 4),
-                Font { size: TEXT, color: colors.ink, bold: false },
-                anchors,
-            );
+    // Objects that are met at one t share its number.
+    let mut written: Vec<String> = Vec::new();
+    for (_, t) in roots() {
+        let (at, text) = (pos2(axes.x(t), y), number(t, 4));
+        if written.contains(&text) {
+            continue;
         }
+        let anchors = [
+            (at + vec2(0.0, 8.0), Align2::CENTER_TOP),
+            (at + vec2(0.0, -8.0), Align2::CENTER_BOTTOM),
+            (at + vec2(0.0, 27.0), Align2::CENTER_TOP),
+            (at + vec2(0.0, -27.0), Align2::CENTER_BOTTOM),
+        ];
+        words.write(&text, Font { size: TEXT, color: colors.ink, bold: false }, anchors);
+        written.push(text);
     }
 }
 
@@ -378,7 +392,7 @@ fn point_that_walks(
 
 /// Returns the positions for a curve's name: beside points along the curve, inside the plot.
 fn places_at(strokes: &Strokes, within: Rect) -> Vec<(Pos2, Align2)> {
-    let all: Vec<Pos2> = strokes.points.iter().flatten().copied().collect();
+    let all: Vec<Pos2> = strokes.closely().collect();
     let mut anchors = Vec::new();
     let mut around = |at: Pos2| {
         anchors.extend([

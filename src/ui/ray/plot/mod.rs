@@ -1,10 +1,14 @@
 //! The plot of f(p + t d) against t, and the point that walks along the ray: below both views, with
 //! every object on one axis of t, and beside it a text for each curve.
 
+mod brief;
 mod captions;
 mod drawing;
+mod position;
 
-use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Context, Id, Label, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2,
+};
 
 use super::lines::number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
@@ -13,12 +17,14 @@ use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::plot::{Curve, Plot};
-use crate::view::typesetting::notation;
+use crate::view::typesetting::{notation, theme};
 
 /// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 15.5;
 /// Maximum width of the text beside the plot, in points and as a share of the whole.
 const WORDS: (f32, f32) = (430.0, 0.44);
+/// Minimum width of the slider of t, in points.
+const SLIDER: f32 = 72.0;
 
 /// Shows the plot and the text beside it.
 pub(crate) fn ui(
@@ -40,13 +46,14 @@ pub(crate) fn ui(
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
     drawing::ui(ui, left, plot, first, ray_point_t);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        if theme::installed(ui.ctx()).presenting {
+            return brief::ui(ui, plot, inspection, first, digits);
+        }
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.ray_point_t {
-                let point = inspection.ray.at(*t);
-                let [x, y, z] = point.to_array().map(|x| number(x, digits));
-                text(ui, &format!("p + t d = ({x}, {y}, {z})"));
-                ui.label(RichText::new(inside(plot, values)).strong());
+                text(ui, &position::point(inspection, *t, digits));
+                ui.label(RichText::new(position::of(plot, values)).strong());
             }
             ui.separator();
             for k in 0..plot.curves.len() {
@@ -92,21 +99,14 @@ fn walk(
         let Some(t) = ray_point_t else { return };
         text(ui, "t =");
         NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
-        ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
+        // Without room for a slider, the line in the plot can be dragged.
+        if ui.available_width() < SLIDER {
+            return;
+        }
+        ui.spacing_mut().slider_width = ui.available_width() - 12.0;
         let slider = Slider::new(t, range).show_value(false);
         ui.add(slider.clamping(egui::SliderClamping::Never)).named("walk to t");
     });
-}
-
-/// Returns a text with the objects that contain the walking point, by the values of f there.
-fn inside(plot: &Plot, values: &[f64]) -> String {
-    let inside = plot.curves.iter().zip(values).filter(|(curve, f)| curve.is_inside(**f));
-    let names: Vec<&str> = inside.map(|(curve, _)| curve.named.title.as_str()).collect();
-    if names.is_empty() {
-        "outside all objects".to_owned()
-    } else {
-        format!("inside {}", names.join(", "))
-    }
 }
 
 /// Returns the concept that the mouse is on in the text beside the last frame's plot.
@@ -132,7 +132,7 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
         ui.label(RichText::new(&curve.named.title).strong());
         text(ui, &curve.unit_words(digits));
         if first.is_some_and(|(hit, _)| hit == object) {
-            ui.label(RichText::new("the first hit").strong());
+            ui.add(Label::new(RichText::new("the first hit").strong()).extend());
         }
     });
     let words = ui.indent(("said", object), |ui| {

@@ -93,6 +93,18 @@ impl Overlay<'_> {
     /// Draws the symbol of a vector along the line of sight: a dot in a ring towards the observer,
     /// a cross in a ring away from it.
     fn along_view(&mut self, at: DVec2, away: bool, pen: Pen, text: &str, toward: DVec2) {
+        self.ring_along_view(at, away, pen);
+        self.label(pen, text.to_owned(), at, toward, (POINT_TEXT, false));
+    }
+
+    /// Draws w, which points at the observer.
+    fn w_at_middle(&mut self, pen: Pen, toward: DVec2) {
+        let middle = self.middle();
+        self.ring_along_view(middle, false, pen);
+        self.label(pen, "w".to_owned(), middle, toward, (VECTOR_TEXT, true));
+    }
+
+    fn ring_along_view(&mut self, at: DVec2, away: bool, pen: Pen) {
         let scale = f64::from(self.view.scale);
         let pen = Pen { width: 2.4, ..pen };
         let radius = 9.0 * scale;
@@ -105,7 +117,6 @@ impl Overlay<'_> {
         } else {
             self.add(pen, Shape::Disc { center: dot(at), radius: (3.6 * scale) as f32 });
         }
-        self.label(pen, text.to_owned(), at, toward, (POINT_TEXT, false));
     }
 
     /// Highlights eye, at, view, up and -view.
@@ -140,7 +151,7 @@ impl Overlay<'_> {
         let basis = *self.view.resolved.basis();
         let below = DVec2::new(0.6, 1.0);
         match highlighted.concept {
-            Concept::W => self.along_view(middle, false, Self::pen(highlighted, w), "𝐰", below),
+            Concept::W => self.w_at_middle(Self::pen(highlighted, w), below),
             Concept::U | Concept::V => {
                 let (vector, color, name, k) = if highlighted.concept == Concept::U {
                     (basis.u, u, "u", 0)
@@ -162,7 +173,7 @@ impl Overlay<'_> {
                         &cross,
                         cross.first,
                         ("up", given),
-                        ("up × 𝐰", u),
+                        ("up × w", u),
                     );
                 } else if let Some(cross) = from_up.w_cross_u {
                     self.highlight_cross(
@@ -170,7 +181,7 @@ impl Overlay<'_> {
                         &cross,
                         cross.second,
                         ("u", u),
-                        ("𝐰 × 𝐮 = 𝐯", v),
+                        ("w × u = v", v),
                     );
                 }
             }
@@ -208,7 +219,7 @@ impl Overlay<'_> {
         let sine = cross.sine.unwrap_or_default();
         self.arrow(middle, sine * along(self, cross.product), pen, product, VECTOR_TEXT);
         let below = DVec2::new(-1.0, 1.0);
-        self.along_view(middle, false, Pen { color: w, ..pen }, "𝐰", below);
+        self.w_at_middle(Pen { color: w, ..pen }, below);
     }
 
     fn highlight_selected(&mut self, highlighted: Highlighted) {

@@ -146,6 +146,22 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     assert!(toward(eye, far).distance(seen(together)) < 0.05);
 }
 
+#[test]
+fn products_are_named_with_the_letters_of_their_factors() {
+    let up = DVec3::new(0.0, 1.0, 1.0);
+    let at = DVec3::new(0.0, 0.0, -1.0);
+    let camera = Camera { orientation: Orientation::At { at, up }, ..Camera::CANONICAL };
+    let stage = Stage::seen_by(camera, Scene::default(), Observer::new(DVec3::ZERO, 0.9, 0.5, 6.0));
+    for (concept, product) in [(Concept::UpCrossW, "up × w"), (Concept::WCrossU, "w × u = v")] {
+        let drawing = camera_drawing(&stage, Some(concept));
+        for text in [product, "w"] {
+            let label = drawing.labels.iter().find(|label| label.text == text);
+            let label = label.unwrap_or_else(|| panic!("{text}: {:?}", drawing.labels));
+            assert!(label.bold, "{text}");
+        }
+    }
+}
+
 /// The part of it that is in the picture is filled.
 #[test]
 fn a_parallelogram_that_leaves_the_picture_is_cut_off() {

@@ -213,9 +213,10 @@ impl Sketch<'_> {
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
         let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
-        let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
-        let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
+        // Where it has no name it would only be one arrow more.
         if self.names_all {
+            let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
+            let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
             self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
         }
         let pen = Pen { color, ..pen }.about(inspection.concept_of(hit));
