@@ -26,7 +26,7 @@
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
 //! | scenes | [`Scene`], [`Object`], [`Root`]: what any ray meets, and what first |
 //! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
-//! | colours | [`trace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
+//! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas beside it, to compare |
@@ -233,7 +233,7 @@ pub use render::frame::depth::Depth;
 pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::{HitShader, lambert, shade, shade_at_level};
-pub use render::{retrace, trace, trace_as, trace_at_level, trace_painted};
+pub use render::{retrace, retrace_painted, trace, trace_as, trace_at_level, trace_painted};
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::error::{ObjectError, SceneError};

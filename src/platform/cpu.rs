@@ -155,9 +155,11 @@ fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
     let rows = to.par_chunks_exact_mut(width).zip(from.par_chunks_exact(width));
     rows.with_min_len(32).for_each(|(to, from)| {
         let run = rect.left..rect.right;
-        for (to, from) in to[run.clone()].iter_mut().zip(&from[run]) {
-            // Converts red, green, blue in memory order to blue, green, red.
-            let rgb = u32::from_le_bytes(from.to_array());
+        let from: &[u32] = bytemuck::cast_slice(&from[run.clone()]);
+        for (to, from) in to[run].iter_mut().zip(from) {
+            // Converts red, green, blue in memory order to blue, green, red: of whole numbers, several
+            // at a time.
+            let rgb = u32::from_le(*from);
             *to = (rgb & 0xff) << 16 | rgb & 0xff00 | rgb >> 16 & 0xff;
         }
     });

@@ -107,28 +107,12 @@ pub fn trace_painted<T: Depth, P: Send>(
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
     pixels: &mut [P],
 ) -> Frame<T> {
-    let level = Level::new();
-    assert_eq!(pixels.len(), raster.len(), "a pixel for each of the raster's");
-    if paint.shade != Shade::T {
-        let mut frame = empty_frame(camera, raster, outputs);
-        let painter = Painter::new(level, paint, scene, camera, raster, f64::INFINITY);
-        let slice = SLICE_ROWS * raster.columns().len().max(1);
-        let slices: Vec<Mutex<&mut [P]>> = pixels.chunks_mut(slice).map(Mutex::new).collect();
-        let finish = |rows: Range<usize>, t: &[T], object: &[u32]| {
-            // Bands are whole slices: no two want the same one, and no lock is waited for.
-            let slices = slices[rows.start / SLICE_ROWS..].iter();
-            let hits = t.chunks(slice).zip(object.chunks(slice));
-            for ((start, (t, object)), pixels) in rows.step_by(SLICE_ROWS).zip(hits).zip(slices) {
-                let mut pixels = pixels.lock().unwrap_or_else(PoisonError::into_inner);
-                painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
-            }
-        };
-        T::fill(&mut frame, level, scene, Some(&finish), &|_| ());
-        return frame;
-    }
-    let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
-    T::fill(&mut frame, level, scene, None, &|_| ());
-    paint_frame(level, &frame, scene, paint, pixels);
+    let needed = match paint.shade {
+        Shade::T => Outputs { t: true, object: true, ..outputs },
+        _ => outputs,
+    };
+    let mut frame = empty_frame(camera, raster, needed);
+    retrace_painted(&mut frame, scene, camera, paint, pixels);
     if !outputs.t {
         frame.t = Vec::new();
     }
@@ -136,6 +120,44 @@ pub fn trace_painted<T: Depth, P: Send>(
         frame.object = Vec::new();
     }
     frame
+}
+
+/// Traces another camera or scene into a frame of the same raster and colours it: what
+/// [`trace_painted`] gives, without new memory.
+///
+/// # Panics
+/// Where there is not one pixel for each of the raster's, and where a frame without `t` or objects is
+/// coloured by [`Shade::T`].
+pub fn retrace_painted<T: Depth, P: Send>(
+    frame: &mut Frame<T>,
+    scene: &Scene,
+    camera: &ResolvedCamera,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+) {
+    let level = Level::new();
+    assert_eq!(pixels.len(), frame.raster.len(), "a pixel for each of the raster's");
+    frame.camera = *camera;
+    if paint.shade == Shade::T {
+        let is_whole = frame.t.len() == pixels.len() && frame.object.len() == pixels.len();
+        assert!(is_whole, "colours by t need t and objects");
+        T::fill(frame, level, scene, None, &|_| ());
+        return paint_frame(level, frame, scene, paint, pixels);
+    }
+    let raster = frame.raster.clone();
+    let painter = Painter::new(level, paint, scene, camera, &raster, f64::INFINITY);
+    let slice = SLICE_ROWS * raster.columns().len().max(1);
+    let slices: Vec<Mutex<&mut [P]>> = pixels.chunks_mut(slice).map(Mutex::new).collect();
+    let finish = |rows: Range<usize>, t: &[T], object: &[u32]| {
+        // Bands are whole slices: no two want the same one, and no lock is waited for.
+        let slices = slices[rows.start / SLICE_ROWS..].iter();
+        let hits = t.chunks(slice).zip(object.chunks(slice));
+        for ((start, (t, object)), pixels) in rows.step_by(SLICE_ROWS).zip(hits).zip(slices) {
+            let mut pixels = pixels.lock().unwrap_or_else(PoisonError::into_inner);
+            painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
+        }
+    };
+    T::fill(frame, level, scene, Some(&finish), &|_| ());
 }
 
 /// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without

@@ -121,6 +121,26 @@ fn painted_as_shaded<T: Depth>(outputs: Outputs) {
 }
 
 #[test]
+fn a_frame_painted_again_is_as_if_painted_anew() {
+    let outputs = Outputs { t: true, object: true, normal: false };
+    let scenes = scenes();
+    let (_, other, other_camera) = &scenes[0];
+    for (name, scene, camera) in &scenes {
+        let raster = Raster::full(camera.image());
+        for how in Shade::ALL {
+            let paint = Paint { shade: how, color_of, to_pixel: of_four };
+            let mut expected = vec![[0; 4]; raster.len()];
+            let new: Frame<f32> =
+                trace_painted(scene, camera, &raster, outputs, &paint, &mut expected);
+            let mut again = trace_as::<f32>(other, other_camera, &raster, outputs);
+            let mut pixels = vec![[7; 4]; raster.len()];
+            retrace_painted(&mut again, scene, camera, &paint, &mut pixels);
+            assert!(again == new && pixels == expected, "{name}, {}", how.name());
+        }
+    }
+}
+
+#[test]
 fn pixels_painted_while_tracing_are_those_of_the_shaded_frame() {
     for outputs in [Outputs::NONE, Outputs::default(), Outputs { normal: true, ..Outputs::NONE }] {
         painted_as_shaded::<f64>(outputs);

@@ -80,7 +80,8 @@ impl GhostPictures {
             *count += 1;
             let colors = (*mode, |i: u32| world.colors[i as usize]);
             let outputs = Outputs { object: true, ..Outputs::NONE };
-            let trace = |camera| picture(&world.scene, camera, raster, outputs, colors, watch);
+            let trace =
+                |camera| picture(&world.scene, camera, raster, outputs, colors, (None, watch));
             let ((now_frame, _), (frame, pixels)) = (trace(now), trace(seen));
             let then = (then, seen, &frame);
             let against =

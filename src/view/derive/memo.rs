@@ -27,6 +27,13 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
     }
 }
 
+impl<K: PartialEq, V> Memo<K, V> {
+    /// Takes the cached value out, unless it was made from `key`.
+    pub(super) fn take_other(&mut self, key: &K) -> Option<V> {
+        self.0.take_if(|(known, _)| known != key).map(|(_, value)| value)
+    }
+}
+
 impl<K, V> Memo<K, V> {
     /// Returns the cached value if it was made from a key that `is_same`.
     pub(super) fn known(&self, is_same: impl FnOnce(&K) -> bool) -> Option<&V> {

@@ -122,6 +122,9 @@ pub(super) struct Pictures {
     /// Frames by the picture's method, and by the map's method if it differs.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, Made>,
+    /// The last two pictures: a frame in new memory takes twice as long, and the one before the last
+    /// lends its own.
+    shown: Vec<Arc<Picture>>,
     map: Memo<(Method, TraceKey), Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
@@ -259,7 +262,8 @@ impl Pictures {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
         let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
-        self.picture.get(key.clone(), |(_, seen, ..)| {
+        let shown = &mut self.shown;
+        let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
             *made += 1;
             if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
                 let pixels = watch::repainted(&by.frame, scene, colors, watch);
@@ -267,16 +271,30 @@ impl Pictures {
             }
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
-            let frame = rough.get((seen.clone(), outputs.t), |((resolved, _, raster), _)| {
+            let key = (seen.clone(), outputs.t);
+            let spare = rough.take_other(&key).and_then(Arc::into_inner).zip(spare_pixels(shown));
+            let frame = rough.get(key, |((resolved, _, raster), _)| {
                 *traced += 1;
-                let traced = watch::picture(scene, resolved, raster, outputs, colors, watch);
+                let memory = (spare, watch);
+                let traced = watch::picture(scene, resolved, raster, outputs, colors, memory);
                 fresh = Some(traced.1);
                 Arc::new(traced.0)
             });
             let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
             (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
-        })
+        });
+        if !shown.last().is_some_and(|last| Arc::ptr_eq(last, &picture)) {
+            shown.push(Arc::clone(&picture));
+            shown.drain(..shown.len().saturating_sub(2));
+        }
+        (picture, steps, counts)
     }
+}
+
+/// Returns the pixels of a picture that nobody shows any more.
+fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
+    let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
+    Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
 }
 
 /// The method that draws the picture, and the answers compared with the ladder's.

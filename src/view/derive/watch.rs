@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use pinhole_core::{
-    Depth, Frame, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, shade, trace,
-    trace_painted,
+    Depth, Frame, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, retrace_painted,
+    shade, trace, trace_painted,
 };
 
 use super::opaque;
@@ -23,22 +23,39 @@ pub enum Work {
 /// A callback for work that was just done.
 pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
 
-/// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture.
+/// A picture's frame and its opaque pixels.
+pub(super) type Traced = (Frame<f32>, Vec<egui::Color32>);
+
+/// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture; both in the
+/// memory of a `spare` one, if that is as large.
 pub(super) fn picture(
     scene: &Scene,
     camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
-    watch: Watch<'_>,
-) -> (Frame<f32>, Vec<egui::Color32>) {
+    (spare, watch): (Option<Traced>, Watch<'_>),
+) -> Traced {
     watch(Work::Rest);
-    // Zeroed memory costs nothing until a thread fills its part.
-    let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
     let paint = Paint { shade, color_of, to_pixel: opaque };
-    let frame = trace_painted(scene, camera, raster, outputs, &paint, &mut pixels);
+    let fits = |(frame, pixels): &Traced| {
+        let has = |values: usize, asked: bool| values == if asked { raster.len() } else { 0 };
+        frame.raster() == raster
+            && pixels.len() == raster.len()
+            && has(frame.t.len(), outputs.t)
+            && has(frame.object.len(), outputs.object)
+            && has(frame.normal.len(), outputs.normal)
+    };
+    let traced = if let Some((mut frame, mut pixels)) = spare.filter(fits) {
+        retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
+        (frame, pixels)
+    } else {
+        // Zeroed memory costs nothing until a thread fills its part.
+        let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
+        (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
+    };
     watch(Work::Trace);
-    (frame, pixels)
+    traced
 }
 
 /// Returns opaque pixels of a frame, which must have all outputs that the shading reads.

@@ -68,7 +68,7 @@ impl WorldPictures {
                 let image = observer.image();
                 let raster = subsampling.raster(image, [image.width(), image.height()]);
                 let mut traced =
-                    picture(&scene, &observer, &raster, Outputs::default(), colors, watch);
+                    picture(&scene, &observer, &raster, Outputs::default(), colors, (None, watch));
                 watched(watch, Work::Trace, || {
                     key_light::paint(&traced.0, &scene, color_of, &mut traced.1);
                 });
