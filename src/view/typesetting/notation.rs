@@ -52,19 +52,23 @@ pub(crate) fn plain(text: &str) -> String {
 const UNBROKEN: usize = 30;
 
 /// Returns the text with spaces that break no line inside its formulas: around operators, between
-/// coordinates, and between a factor and a vector. A formula too long for that is
-/// broken before an operator.
+/// coordinates, and between factors. A formula too long for that is broken before an operator.
 pub(crate) fn unbroken(text: &str) -> String {
     const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
     let is_factor = |word: &str| word.starts_with('*') && without_marks(word).chars().count() == 1;
+    let is_letter = |word: &str| {
+        let plain = without_marks(word);
+        plain.chars().count() == 1 && plain.starts_with(|c: char| c.is_alphabetic())
+    };
     let mut joined = String::new();
     let (mut length, mut before, mut is_in_tuple) = (0, "", false);
     for word in text.split_whitespace() {
         let own = without_marks(word).chars().count();
         let operates = is_operator(word) || is_operator(before);
         let is_vector = begins_tuple(word) || word.starts_with("**");
-        let joins = operates || is_factor(before) && is_vector;
+        let are_letters = is_letter(before) && is_letter(word);
+        let joins = operates || is_factor(before) && is_vector || are_letters;
         let has_room = length + 1 + own <= UNBROKEN || !is_operator(word);
         if is_in_tuple || joins && has_room && length > 0 {
             joined.push('\u{a0}');
@@ -131,6 +135,10 @@ mod tests {
         assert_eq!(
             formulas("*u* = 199.5/400 − 1/2 = −0.00125 = 2 − 3 and *v*"),
             "u = 199.5/400 − 1/2 = −0.00125|= 2 − 3|and|v"
+        );
+        assert_eq!(
+            formulas("c = 24, D = b² − a c = −0.2 < 0: missed"),
+            "c = 24,|D = b² − a c = −0.2 < 0:|missed"
         );
         assert_eq!(formulas("= 1 at *t*"), "= 1|at|t");
     }

@@ -11,7 +11,7 @@ use crate::view::typesetting::theme::error_color;
 
 /// Widths of the verdict and of the formula, in points.
 const VERDICT: f32 = 76.0;
-const FORMULA: f32 = 176.0;
+const FORMULA: f32 = 192.0;
 
 /// Shows the checks as a table, those that catch the mistake first.
 pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {

@@ -28,7 +28,7 @@ const TEXT: f32 = 15.0;
 const GALLERY: f32 = 200.0;
 
 /// Width of the table of checks, in points.
-const CHECKS: f32 = 420.0;
+const CHECKS: f32 = 440.0;
 
 /// Width of the page, in points, below which the checks are below the explanation.
 const NARROW: f32 = 760.0;
@@ -37,7 +37,7 @@ const NARROW: f32 = 760.0;
 const LETTER: f32 = 16.0;
 
 /// Width of the letter, the signs and the gaps in a row with two vectors, in points.
-const BESIDE_VECTORS: f32 = 84.0;
+const BESIDE_VECTORS: f32 = 110.0;
 
 /// Shows the title above the wrong picture, and the choice between it and the map of differences.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
