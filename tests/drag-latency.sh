@@ -18,17 +18,15 @@ start_display "$size"
 width=${size%x*} height=${size#*x}
 
 # Moves the mouse in the right half of the window, where the camera view is in every layout here but
-# the derivation's.
+# the derivation's. One process does it all: one for each move would end, and the next begin, on the
+# cores that the frame needs.
 drag() {
   local x=$1 y=$2 k
-  xdotool mousemove "$x" "$y" mousedown 3
-  sleep 0.3
+  local -a moves=()
   for ((k = 1; k <= 150; k++)); do
-    xdotool mousemove $((x + k)) $((y + k % 7))
-    sleep 0.025
+    moves+=(mousemove $((x + k)) $((y + k % 7)) sleep 0.025)
   done
-  xdotool mouseup 3
-  sleep 0.5
+  xdotool mousemove "$x" "$y" mousedown 3 sleep 0.3 "${moves[@]}" mouseup 3 sleep 0.5
 }
 
 # The median of a column of the frames that answer a move with a new picture; `since_input` and `own`
