@@ -27,6 +27,7 @@ use crate::ui::view_texture::ViewTexture;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
+use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::{label_text, theme};
 
 /// Name of the world view, on the screen and for screen readers.
@@ -449,7 +450,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let galley = |size: f32| {
         let font = FontId::proportional(size);
         let width = (rect.width() - 32.0).max(1.0);
-        let mut job = LayoutJob::simple(text.to_owned(), font, Color32::WHITE, width);
+        let mut job = LayoutJob::simple(unbroken(text), font, Color32::WHITE, width);
         job.halign = egui::Align::Center;
         ui.painter().layout_job(job)
     };
@@ -462,5 +463,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
     let position =
         Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
-    ui.put(position, egui::Label::new(galley));
+    let response = ui.put(position, egui::Label::new(galley));
+    // Without the spaces that break no line.
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
 }
