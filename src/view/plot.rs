@@ -207,7 +207,7 @@ impl Curve {
             ObjectDerivation::Sphere(sphere) => match sphere.meeting {
                 SphereMeeting::Missed => "D < 0: f is never 0: missed".to_owned(),
                 SphereMeeting::Tangent => {
-                    format!("D = 0: f touches 0 once, at t = {}: tangent, a hit", zero(0))
+                    format!("D = 0: f touches 0 once, at t = {}: tangent, so it hits", zero(0))
                 }
                 SphereMeeting::Through => {
                     format!("D > 0: in at t = {}, out at t = {}", zero(0), zero(1))

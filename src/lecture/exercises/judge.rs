@@ -37,10 +37,18 @@ pub enum Verdict {
     Wrong(Vec<Finding>),
 }
 
+/// Least number of significant digits of an answer that counts as right: no more than the program shows
+/// of a number that has no short form.
+pub(super) const ENOUGH_DIGITS: usize = 4;
+
 impl Verdict {
     /// Returns whether the answer counts as right.
     pub fn is_right(&self) -> bool {
-        matches!(self, Verdict::Right | Verdict::Multiple { .. })
+        match self {
+            Verdict::Right | Verdict::Multiple { .. } => true,
+            Verdict::Rounded { digits } => *digits >= ENOUGH_DIGITS,
+            _ => false,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Verdicts in words.
 
 use super::conditions::Finding;
-use super::judge::Verdict;
+use super::judge::{ENOUGH_DIGITS, Verdict};
 use super::question::{Asked, QuestionPart};
 use super::question_texts::name;
 use super::short_numbers::short;
@@ -15,8 +15,10 @@ impl Verdict {
             Verdict::Multiple { times } => {
                 format!("Right: yours is {} times ours, the same ray.", short(*times))
             }
+            Verdict::Rounded { digits } if self.is_right() => format!("Right, to {digits} digits."),
             Verdict::Rounded { digits } => format!(
-                "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
+                "Right to {digits} digits: type at least {ENOUGH_DIGITS}, or give it exactly, as in \
+                 1/sqrt(2)."
             ),
             // What is −1 but for the last digits is written as −1.
             Verdict::Backwards { times } if short(*times) == "−1" => {

@@ -124,7 +124,8 @@ impl OpenScene {
         let is_same = self.open.document == step.document
             && session.selection == step.selection
             && step.view.derivation.is_none_or(|sections| sections == session.sections);
-        Some(session.revealed_lines.filter(|_| is_same).unwrap_or(0))
+        let was_derived = session.settings.layout.workspace() == Some(Workspace::Derivation);
+        if is_same && was_derived && !session.is_asking { session.revealed_lines } else { Some(0) }
     }
 
     /// Shows all that the step keeps back.

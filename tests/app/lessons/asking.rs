@@ -101,6 +101,17 @@ fn what_a_step_before_has_derived_is_not_derived_line_by_line_again() {
 }
 
 #[test]
+fn what_end_has_shown_stays_shown_in_the_next_step() {
+    let mut window = at_step(1, 3);
+    key(&mut window, Key::F5);
+    key(&mut window, Key::End);
+    assert_eq!(window.state().session().revealed_lines, None);
+    key(&mut window, Key::PageDown);
+    assert_says(&window, "4 of 4");
+    assert_eq!(window.state().session().revealed_lines, None, "the same derivation, whole");
+}
+
+#[test]
 fn a_line_of_text_ends_in_no_short_formula() {
     let mut window = at_step(12, 2);
     key(&mut window, Key::F5);

@@ -171,8 +171,8 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     ),
     // The eye is √52 from at, and 4 off the vertical through it: √52/4.
     (9, 1, &[("sensitivity", "1.8° of roll per 1° of up"), ("sensitivity", "1.8028")]),
-    // √(8² + 0.05²)/0.05, and 180° less atan(0.05/8).
-    (9, 2, &[("sensitivity", "160° of roll per 1° of up"), ("angle(up, view)", "179.64°")]),
+    // √(8² + 0.05²)/0.05.
+    (9, 2, &[("sensitivity", "160° of roll per 1° of up"), ("𝐮", "(1, 0, 0)")]),
     (
         9,
         3,
@@ -240,7 +240,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (12, 2, &[(SAYS, "D > 0: in at t = 4, out at t = 6"), ("p + t d", "(0, 0, −4)")]),
     // At (1, -0.5, -5): 1 + 0.25 - 1.
     (12, 3, &[(SAYS, "D < 0: f is never 0: missed"), (SAYS, "at t = 5: f = 0.25 > 0: outside")]),
-    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent, a hit")]),
+    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent, so it hits")]),
     // 1 - 4 and 1 + 4; -2 - 1/2 and -2 + 1/2.
     (
         12,

@@ -133,7 +133,7 @@ fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
         (["-0.4", "0.2", "2"], "Wrong: it points the opposite way: it is −2 times ours."),
         (
             ["0.195", "-0.0976", "-0.976"],
-            "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
+            "Right to 3 digits: type at least 4, or give it exactly, as in 1/sqrt(2).",
         ),
         (["0.2", "-0.1", "1"], "Wrong: 𝑧 has the wrong sign: the camera looks along −𝑧."),
         (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),

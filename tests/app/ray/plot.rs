@@ -91,7 +91,7 @@ fn tangent_and_behind_explain_themselves() {
     select(&mut window, "0", "0");
     type_into(&mut window, "eye x", "1");
     type_into(&mut window, "at x", "1");
-    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent, a hit");
+    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent, so it hits");
     type_into(&mut window, "eye x", "0");
     type_into(&mut window, "at x", "0");
     type_into(&mut window, "at z", "-9");

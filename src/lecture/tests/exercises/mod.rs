@@ -274,6 +274,7 @@ fn digits_cut_off_are_told_like_rounded_ones() {
     let u = |x: f64, z: f64| judged(Exercise::EyeAtUp, Asked::U, numbers(&[x, 0.0, z]));
     // 0.581238..., -0.813733...
     assert_eq!(u(0.5812, -0.8137), Verdict::Rounded { digits: 4 });
+    assert!(u(0.5812, -0.8137).is_right() && !u(0.581, -0.814).is_right());
     assert_eq!(u(0.58123, -0.81373), Verdict::Rounded { digits: 5 });
     assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
     // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...

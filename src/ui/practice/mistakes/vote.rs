@@ -194,7 +194,7 @@ fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
 fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     let text = |text: String| RichText::new(text).size(REASON);
     if !open.is_revealed {
-        let hint = "Compare it with the right picture to its left. Vote for A, B, C or D; then press \
+        let hint = "Compare it with the correct picture on its left. Vote for A, B, C or D; then press \
                     Enter or Page Down.";
         ui.label(text(hint.to_owned()));
         return;
