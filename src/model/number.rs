@@ -84,9 +84,23 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
     }
 }
 
+/// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. What is neither none nor all is never
+/// told as 0 % or 100 %.
+pub(crate) fn percent(count: usize, all: usize) -> String {
+    let percent = 100.0 * count as f64 / all.max(1) as f64;
+    match percent {
+        _ if count == 0 => "0 %".to_owned(),
+        _ if count == all => "100 %".to_owned(),
+        few if few < 0.1 => "less than 0.1 %".to_owned(),
+        few if few < 9.95 => format!("{few:.1} %"),
+        many if many > 99.0 => "more than 99 %".to_owned(),
+        some => format!("{some:.0} %"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Rounding, short, ungrouped};
+    use super::{Rounding, percent, short, ungrouped};
 
     #[test]
     fn counts_lose_their_commas_and_sentences_keep_theirs() {
@@ -136,5 +150,14 @@ mod tests {
         for (x, text) in cases {
             assert_eq!(short(x), text, "{x:?}");
         }
+    }
+
+    #[test]
+    fn a_share_is_told_in_per_cent_and_never_as_none_or_all_of_what_is_neither() {
+        let told = [(0, 9), (9, 9), (1, 90_000), (1, 3), (1, 25), (89_999, 90_000), (0, 0)];
+        let told = told.map(|(count, all)| percent(count, all));
+        let expected =
+            ["0 %", "100 %", "less than 0.1 %", "33 %", "4.0 %", "more than 99 %", "0 %"];
+        assert_eq!(told, expected);
     }
 }

@@ -9,6 +9,7 @@ use super::readouts::NumberStyle;
 use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
+use crate::model::number::percent;
 use crate::model::session::ghost::{Beside, Ghost};
 use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::asking::Asking as _;
@@ -55,10 +56,10 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     fault::no_picture(ui, rect, &text);
 }
 
-/// Returns `12345 of 90000 screen pixels see a different object`.
+/// Returns `33 % of the picture shows another object`.
 fn seen(against: &AgainstGhost) -> String {
-    let [differing, pixels] = [against.seen.differing, against.seen.pixels];
-    format!("{differing} of {pixels} screen pixels see a different object")
+    let seen = &against.seen;
+    format!("{} of the picture shows another object", percent(seen.differing, seen.pixels))
 }
 
 /// Shows the buttons of the ghost, and both cameras in numbers.

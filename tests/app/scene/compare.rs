@@ -96,7 +96,7 @@ fn the_selected_ray_hits_in_both() {
 #[test]
 fn pixels_that_differ_are_counted() {
     let mut harness = comparing("canonical");
-    assert!(ghost_says(&harness).starts_with("0 of "), "{}", ghost_says(&harness));
+    assert!(ghost_says(&harness).starts_with("0 % of "), "{}", ghost_says(&harness));
     type_into(&mut harness, "W", "20");
     type_into(&mut harness, "H", "20");
     type_into(&mut harness, "eye x", "1");
@@ -111,7 +111,9 @@ fn pixels_that_differ_are_counted() {
     let (here, there) = (objects(&harness.state().document().camera), objects(&ghost));
     let differing = here.iter().zip(&there).filter(|(a, b)| a != b).count();
     assert!(differing > 0 && here.iter().all(|object| *object != NO_OBJECT));
-    let said = format!("{differing} of 400 screen pixels see a different object");
+    let percent = 100.0 * differing as f64 / 400.0;
+    assert!((10.0..99.0).contains(&percent), "{percent}");
+    let said = format!("{percent:.0} % of the picture shows another object");
     assert_eq!(ghost_says(&harness), said);
     assert_says(&harness, &said);
     let picture = harness.state().derived().ghost_view.clone().unwrap().image;

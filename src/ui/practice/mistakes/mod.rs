@@ -10,6 +10,7 @@ use egui::{
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
+use crate::model::number::percent;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
@@ -95,15 +96,10 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
     })
 }
 
-/// Returns `12345 of 90000 pixels shown differ`.
+/// Returns `33 % of the picture differs`.
 fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
-    let (differing, pixels) = (seen.differing, seen.pixels);
-    Some(match seen.differing {
-        0 => format!("none of {pixels} screen pixels differs"),
-        1 => format!("1 of {pixels} screen pixels differs"),
-        _ => format!("{differing} of {pixels} screen pixels differ"),
-    })
+    Some(format!("{} of the picture differs", percent(seen.differing, seen.pixels)))
 }
 
 /// Shows, in place of the wrong picture, the reason why there is none.
