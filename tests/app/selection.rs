@@ -59,6 +59,25 @@ fn arrow_keys_move_the_selection_and_stop_at_the_edge() {
 }
 
 #[test]
+fn the_first_arrow_key_goes_its_own_way_from_a_corner_of_pixels() {
+    // (0.2, −0.1) is where rows 239 and 240 meet columns 279 and 280.
+    for (key, row, column) in [
+        (egui::Key::ArrowUp, 239, 280),
+        (egui::Key::ArrowDown, 240, 280),
+        (egui::Key::ArrowLeft, 240, 279),
+        (egui::Key::ArrowRight, 240, 280),
+    ] {
+        let mut window = window("canonical");
+        window.get_by_role_and_label(Role::Image, "Camera view").focus();
+        window.run();
+        window.key_press(key);
+        window.run();
+        let selection = window.state().session().selection;
+        assert_eq!(selection, Selection::Pixel(Pixel { row, column }), "{key:?}");
+    }
+}
+
+#[test]
 fn a_ray_is_selected_by_typing_row_and_column_or_uv() {
     let mut window = window("canonical");
     type_into(&mut window, "row", "99");

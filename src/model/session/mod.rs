@@ -10,7 +10,7 @@ mod splits;
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
 use pinhole_core::{
-    Camera, DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Shade, Viewport,
+    Camera, DVec2, ExactRay, ImageSize, Pixel, PixelOfUv, RayError, ResolvedCamera, Shade, Viewport,
 };
 use serde::{Deserialize, Serialize};
 
@@ -331,15 +331,22 @@ impl Selection {
         }
     }
 
-    /// Returns the pixel that many rows down and columns right, for the arrow keys; from a (u, v), first
-    /// the pixel that contains it.
+    /// Returns the pixel that many rows down and columns right, for the arrow keys. From a (u, v), the
+    /// first step goes to the next centre of a pixel in its direction.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
-        let Pixel { row, column } = match self {
-            Selection::Pixel(pixel) => pixel,
-            Selection::Uv(uv) => match camera.pixel_of_uv(uv) {
-                Some(position) => return Selection::Pixel(position.pixel),
-                None => return self,
-            },
+        let (Pixel { row, column }, rows, columns) = match self {
+            Selection::Pixel(pixel) => (pixel, rows, columns),
+            Selection::Uv(uv) => {
+                let Some(PixelOfUv { pixel, .. }) = camera.pixel_of_uv(uv) else { return self };
+                let off = camera.uv_of_pixel(pixel) - uv;
+                // A step towards the own pixel's centre stops there.
+                let beyond = |steps: i64, centre_is_ahead: bool| {
+                    if centre_is_ahead { steps - steps.signum() } else { steps }
+                };
+                let down = if rows > 0 { -off.y } else { off.y };
+                let right = if columns > 0 { off.x } else { -off.x };
+                (pixel, beyond(rows, down > 0.0), beyond(columns, right > 0.0))
+            }
         };
         let step = |from: u32, by: i64, count: u32| {
             (i64::from(from) + by).clamp(0, i64::from(count) - 1) as u32
