@@ -5,6 +5,7 @@ use egui::{Align, Layout, Ui};
 use super::page::{Desk, Page};
 use crate::figures::Subject;
 use crate::model::lessons::{StepId, Which};
+use crate::model::overlay_items::Item;
 use crate::model::session::ViewLayout;
 use crate::ui::action::{Leave, LookAction};
 use crate::ui::changed::Changed;
@@ -63,7 +64,9 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
     } else {
         number_strip::ui(ui, derived, document, style);
         ui.horizontal(|ui| {
-            ui.weak("Drag eye, at or up. Click a pixel.");
+            let shows_all = desk.session.settings.items.shows(Item::ViewAndUp);
+            let dragged = if shows_all { "eye, at or up" } else { "eye" };
+            ui.weak(format!("Drag {dragged}. Click a pixel."));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 switched = ui.button("All numbers").clicked();
                 if desk.has_lesson {

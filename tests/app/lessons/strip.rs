@@ -70,3 +70,11 @@ fn r_asks_nothing_where_no_lesson_is_open() {
     assert!(!says(&window, "Save the changes to canonical?"));
     assert_eq!(window.state().document().camera.eye.x, 7.0);
 }
+
+#[test]
+fn the_hint_names_only_what_is_there_to_be_dragged() {
+    let window = at_step(1, 1);
+    assert!(says(&window, "Drag eye. Click a pixel."));
+    let window = at_step(7, 1);
+    assert!(says(&window, "Drag eye, at or up. Click a pixel."));
+}
