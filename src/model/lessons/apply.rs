@@ -58,6 +58,10 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
+    // A vote is about the picture before, and has the room of the step's text.
+    if session.mistakes_view.open_vote.is_some() {
+        session.mistakes_view.close_vote();
+    }
     if let Some(asked) = view.exercise {
         session.exercises.show(asked.exercise, asked.seed);
     }

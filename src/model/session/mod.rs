@@ -260,6 +260,13 @@ impl Session {
     pub fn shown_selection(&self) -> Selection {
         self.pointed_ray.unwrap_or(self.selection)
     }
+
+    /// Returns true if a vote on a wrong picture is shown, or is about to be.
+    pub fn shows_vote(&self) -> bool {
+        let view = &self.mistakes_view;
+        self.settings.layout == ViewLayout::Mistakes
+            && (view.open_vote.is_some() || view.wants_vote)
+    }
 }
 
 impl Session {

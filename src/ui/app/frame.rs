@@ -310,7 +310,8 @@ impl App {
             changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         // Nothing is printed before the class has thought.
-        let shown = !desk.session.is_asking;
+        // A vote asks its own question, and tells nothing of the step's.
+        let shown = !desk.session.is_asking || desk.session.shows_vote();
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
             if shown {

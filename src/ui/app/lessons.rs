@@ -180,9 +180,13 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip; `differs`: the window is not as the step says.
+    /// Shows the lesson's strip; `differs`: the window is not as the step says. Before an audience a
+    /// vote has the strip's room: its question is another one.
     pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
         let Some(open) = &self.lessons.open else { return };
+        if self.session.presenting.is_some() && self.session.shows_vote() {
+            return;
+        }
         Panel::top("lesson").show(ui, |ui| {
             if self.session.presenting.is_some() {
                 lesson_strip::slim(ui, open, self.session.is_asking);

@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::practice::mistakes_view::OpenVote;
 use pinhole::model::session::ViewLayout;
+use pinhole::model::session::presenting::{self, SMALLEST_TEXT};
 use pinhole::ui::app::App;
 use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
@@ -288,6 +289,90 @@ fn a_vote_fits_a_projector() {
         let reveal = window.get_by_role_and_label(Role::Button, "Reveal").rect();
         assert!(whole.contains_rect(reveal), "{reveal} in {whole}");
         assert!(rects.iter().all(|rect| !rect.intersects(reveal)));
+    }
+}
+
+/// The window's size in points before an audience, on a projector of this many pixels.
+fn projected(pixels: [f32; 2]) -> egui::Vec2 {
+    egui::Vec2::from(pixels) / presenting::zoom(pixels, SMALLEST_TEXT.usual)
+}
+
+/// The texts on the screen that begin like this, each with its rectangle and what it is clipped to.
+fn painted(window: &Harness<'_, App>, begin: &str) -> Vec<(egui::Rect, egui::Rect)> {
+    let texts = window.output().shapes.iter().filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(text) if text.galley.job.text.starts_with(begin) => {
+            Some((text.visual_bounding_rect(), clipped.clip_rect))
+        }
+        _ => None,
+    });
+    texts.collect()
+}
+
+#[test]
+fn a_vote_has_room_beside_a_lesson() {
+    let steps = [
+        "From view and up, 5. A hint, not a vector of the basis",
+        "The canonical camera, 2. A point of the viewport",
+    ];
+    for (pixels, step) in [[1920.0, 1080.0], [1024.0, 768.0]]
+        .into_iter()
+        .flat_map(|pixels| steps.map(|step| (pixels, step)))
+    {
+        let mut window = window("look-at");
+        command(&mut window, step);
+        let title = window.state().lesson().unwrap().step().title.clone();
+        show(&mut window, ViewLayout::Mistakes);
+        window.key_press(egui::Key::F5);
+        window.run();
+        window.set_size(projected(pixels));
+        window.run();
+        assert!(!painted(&window, &title).is_empty(), "{title}");
+        command(&mut window, "Guess which");
+        let whole = window.ctx.content_rect();
+        let open = open_vote(&window);
+        for index in 0..4 {
+            let name = option(&open, index);
+            let rect = window.get_by_role_and_label(Role::Button, &name).rect();
+            assert!(whole.contains_rect(rect), "{name}: {rect} in {whole}, {step}");
+            assert!(rect.height() >= 36.0, "{name}: {rect}, {step}");
+            let texts = painted(&window, open.vote.options[index].name());
+            let is_whole = |(text, clip): &(egui::Rect, egui::Rect)| {
+                rect.contains_rect(*text) && clip.expand(1.0).contains_rect(*text)
+            };
+            assert!(texts.iter().any(is_whole), "{name}: {texts:?} in {rect}, {step}");
+        }
+        assert!(painted(&window, &title).is_empty(), "the step's text is of another question");
+        click(&mut window, "All mistakes");
+        assert!(!painted(&window, &title).is_empty());
+    }
+}
+
+#[test]
+fn another_step_ends_a_vote() {
+    let mut window = window("look-at");
+    command(&mut window, "From view and up, 5. A hint, not a vector of the basis");
+    command(&mut window, "Guess which");
+    assert!(!open_vote(&window).is_revealed);
+    command(&mut window, "From view and up, 4. Up in the picture: v");
+    assert_eq!(window.state().session().mistakes_view.open_vote, None);
+}
+
+#[test]
+fn the_right_values_are_whole_before_an_audience() {
+    for pixels in [[1920.0, 1080.0], [1024.0, 768.0]] {
+        let mut window = open("look-at");
+        window.key_press(egui::Key::F5);
+        window.run();
+        window.set_size(projected(pixels));
+        window.run();
+        for &mistake in Mistake::GALLERY {
+            click(&mut window, mistake.name());
+            for (text, clip) in painted(&window, "right: ") {
+                let is_whole =
+                    clip.x_range().contains(text.left()) && clip.x_range().contains(text.right());
+                assert!(is_whole, "{mistake}: {text} in {clip}");
+            }
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use egui::{Label, RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
-use super::{TEXT, cell};
+use super::{TEXT, cell, text_width};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -24,7 +24,7 @@ pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     let rows = || wrong.checks.iter().zip(&wrong.right_checks);
     for passes in [false, true] {
         for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
-            ui.horizontal_top(|ui| row(ui, here, right, style));
+            row(ui, here, right, style);
         }
     }
 }
@@ -43,26 +43,48 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 
-/// Shows the verdict, then the formula, then its value, which wraps if it is long.
+/// Shows the verdict, then the formula, then its value, and the right one if it differs: below them
+/// where they have no room beside them.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
+    let value = text_of(here.value, style);
+    let right = format!("right: {}", wanted(here, right, style));
+    let mut fits = true;
+    ui.horizontal_top(|ui| {
+        verdict_and_formula(ui, here, &value);
+        fits = text_width(ui, &value).max(text_width(ui, &right)) <= ui.available_width();
+        if here.passes {
+            let value = RichText::new(&value).size(TEXT);
+            cell(ui, ui.available_width(), |ui| ui.label(value));
+        } else if fits {
+            both(ui, &value, &right);
+        }
+    });
+    if !here.passes && !fits {
+        ui.horizontal_top(|ui| {
+            cell(ui, VERDICT, |_| ());
+            both(ui, &value, &right);
+        });
+    }
+}
+
+fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     let said = if here.passes { "passes" } else { "catches it" };
     let verdict = RichText::new(said).size(TEXT);
     let verdict =
         if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
     sign(ui, here.passes);
-    let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
+    let spoken = format!("{}: {value} {said}", here.check.formula());
     cell(ui, VERDICT, |ui| ui.label(verdict)).spoken(spoken);
     cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
-    let value = RichText::new(text_of(here.value, style)).size(TEXT);
+}
+
+/// Shows the wrong value and the right one, in two lines where there is no room for one.
+fn both(ui: &mut Ui, value: &str, right: &str) {
     cell(ui, ui.available_width(), |ui| {
-        if here.passes {
-            ui.label(value);
-            return;
-        }
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.horizontal_wrapped(|ui| {
-            ui.label(value.strong().color(error_color(ui)));
-            let right = format!("right: {}", wanted(here, right, style));
+            let value = RichText::new(value).size(TEXT).strong().color(error_color(ui));
+            ui.label(value);
             ui.add(Label::new(right).extend());
         });
     });

@@ -5,7 +5,8 @@ mod checks;
 pub(crate) mod vote;
 
 use egui::{
-    Align, Color32, Label, Layout, Rect, RichText, ScrollArea, TextStyle, Ui, UiBuilder, pos2, vec2,
+    Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
+    vec2,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
@@ -71,7 +72,7 @@ fn title(mistakes_view: &MistakesView) -> String {
 
 /// Returns the width of a text in a label.
 fn text_width(ui: &Ui, text: &str) -> f32 {
-    let font = TextStyle::Body.resolve(ui.style());
+    let font = FontSelection::Default.resolve(ui.style());
     ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
 }
 

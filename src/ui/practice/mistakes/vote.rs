@@ -31,6 +31,10 @@ const WHY: f32 = 78.0;
 const WHY_IF_WIDE: f32 = 70.0;
 const BAR: f32 = 32.0;
 
+/// Heights, in points, of an option and of the reason in a low window.
+const LEAST_OPTION: f32 = 36.0;
+const LEAST_REASON: f32 = 24.0;
+
 /// Width, in points, from which the reason needs fewer lines.
 const WIDE: f32 = 820.0;
 
@@ -91,6 +95,8 @@ pub(super) fn ui(
     let (head, rest) = whole.split_top_bottom_at_y(whole.top() + HEAD);
     let (above, bar) = rest.split_top_bottom_at_y(rest.bottom() - BAR);
     let why = if whole.width() < WIDE { WHY } else { WHY_IF_WIDE };
+    // In a low window the reason scrolls, so that the options stay legible.
+    let why = why.min(above.height() - 2.0 * (LEAST_OPTION + GAP)).max(LEAST_REASON);
     let (tiles, why) = above.split_top_bottom_at_y(above.bottom() - why);
     ui.scope_builder(UiBuilder::new().max_rect(head), |ui| {
         let text = "Which mistake made the wrong picture?";
