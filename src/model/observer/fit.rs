@@ -48,14 +48,22 @@ pub const UP_LENGTH: f64 = 1.35;
 /// Length of the arrows of the world's axes, likewise.
 pub const AXIS_LENGTH: f64 = 1.6;
 
-/// Room beyond an arrow's tip for its handle and its label, in points.
+/// Room beyond an arrow's tip for its handle and its label, in points, and at most as a share of the
+/// view's height.
 const TIP_ROOM: f64 = 26.0;
+const TIP_ROOM_SHARE: f64 = 0.08;
 
 /// Number of times that the arrows, which keep their size on the screen, are measured for a fit.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 6;
 
-/// Maximum ratio of a kept observer's distances after and before it steps back.
-const LONGEST_STEP_BACK: f64 = 3.0;
+/// Ratio of width to height of a view for which the observers of lessons are chosen.
+const ORDINARY_ASPECT: f64 = 1.25;
+
+/// Minimum ratio of the distances from the eye after and before an observer is fitted to another view.
+const NEAREST_REFIT: f64 = 0.45;
+
+/// Maximum distance from the eye of an observer that is kept, as a multiple of the fitted one's.
+const FARTHEST_KEPT: f64 = 1.2;
 
 /// The size of the world view on the screen, in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,23 +151,27 @@ impl Observer {
         Subject::new(camera, scene).fit(self, size)
     }
 
-    /// Returns the observer, moved straight back until the camera is in sight with all its arrows and
-    /// their labels. It stays if it is so near that eye or viewport are meant to be out of sight.
-    pub fn keeping_in_sight(&self, camera: &Camera, size: ViewSize) -> Observer {
-        if self.distance_for(camera, 1.25) > self.distance {
+    /// Returns an observer in the same direction that has in sight, in a view of this size, the whole
+    /// camera, its arrows with their labels, and whatever else this one sees in an ordinary view. It
+    /// stays if all of that fills the view as it is, or if it is so near that eye or viewport are meant
+    /// to be out of sight.
+    pub fn framing_the_same(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
+        if self.distance_for(camera, ORDINARY_ASPECT) > self.distance {
             return *self;
         }
-        let arrows = Arrows::new(camera);
-        let mut distance = self.distance_for(camera, size.aspect()).max(self.distance);
-        for _ in 0..ROUNDS {
-            let stand = self.target + distance * self.back();
-            let tips = arrows.tips(camera.eye, (stand - camera.eye).dot(self.back()), size);
-            let needed =
-                tips.map(|tip| self.distance_for_ball(&tip, size.aspect(), MARGIN_AT_TIPS));
-            distance = needed.filter(|d| d.is_finite()).fold(self.distance, f64::max);
-        }
-        let distance = distance.max(self.distance_for(camera, size.aspect()));
-        Observer { distance: distance.min(LONGEST_STEP_BACK * self.distance), ..*self }.in_range()
+        let mut subject = Subject::new(camera, scene);
+        subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
+        let depth = |observer: &Observer| {
+            (observer.target - subject.eye).dot(observer.back()) + observer.distance
+        };
+        let mut fitted = subject.fit(self, size);
+        let nearest = NEAREST_REFIT * depth(self);
+        fitted.distance += (nearest - depth(&fitted)).max(0.0);
+        let fills = depth(self) <= FARTHEST_KEPT * depth(&fitted);
+        let tips = subject.arrows.tips(subject.eye, depth(self), size);
+        let is_whole = subject.balls.iter().all(|ball| self.sees(ball, size.aspect(), 0.0))
+            && tips.into_iter().all(|tip| self.sees(&tip, size.aspect(), MARGIN_AT_TIPS));
+        if fills && is_whole { *self } else { fitted.in_range() }
     }
 
     /// Returns true if the camera's eye, and the point that it looks at if it is given by one, are in
@@ -169,10 +181,10 @@ impl Observer {
             Orientation::At { at, .. } => Some(at),
             Orientation::View { .. } | Orientation::Basis(_) => None,
         };
-        [camera.eye].into_iter().chain(at).all(|center| {
-            let ball = Ball { center, radius: 0.0 };
-            self.distance_for_ball(&ball, size.aspect(), 0.0) <= self.distance
-        })
+        [camera.eye]
+            .into_iter()
+            .chain(at)
+            .all(|center| self.sees(&Ball { center, radius: 0.0 }, size.aspect(), 0.0))
     }
 
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the
@@ -206,6 +218,11 @@ impl Observer {
         let balls = corners.into_iter().chain([Ball { center: camera.eye, radius: 0.0 }]);
         let distances = balls.map(|ball| self.distance_for_ball(&ball, aspect, 0.5 * MARGIN));
         distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Returns true if a ball is in sight as a whole.
+    fn sees(&self, ball: &Ball, aspect: f64, margin: f64) -> bool {
+        self.distance_for_ball(ball, aspect, margin) <= self.distance
     }
 
     /// Returns the distance from which a ball is in sight. With the target in the middle, a point
@@ -250,7 +267,8 @@ impl Arrows {
         let axes = DVec3::AXES.map(|axis| AXIS_LENGTH * length * axis);
         let axes = axes.into_iter().filter(|_| self.has_axes);
         let tips = self.at_eye.iter().map(move |(axis, times)| eye + times * length * *axis);
-        tips.chain(axes).map(move |center| Ball { center, radius: TIP_ROOM * per_point })
+        let room = TIP_ROOM.min(TIP_ROOM_SHARE * size.height);
+        tips.chain(axes).map(move |center| Ball { center, radius: room * per_point })
     }
 }
 

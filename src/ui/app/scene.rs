@@ -45,7 +45,7 @@ struct Framed {
     size: ViewSize,
     /// The camera that was in sight.
     camera: Camera,
-    /// The observer that a lesson's step names, from which this one steps back if it must.
+    /// The observer that a lesson's step names, whose direction and subject this one keeps.
     named: Option<Observer>,
 }
 
@@ -133,7 +133,7 @@ impl OpenScene {
         // An object at fault is not there yet; the camera is.
         let scene = || document.scene().unwrap_or_default();
         let observer = match (named, own) {
-            (Some(named), _) => named.keeping_in_sight(camera, size),
+            (Some(named), _) => named.framing_the_same(camera, &scene(), size),
             (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
             (None, None) => Observer::frame_all(camera, &scene(), size),
         };

@@ -4,13 +4,13 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::lessons::{StepId, Which};
+use pinhole::model::lessons::{StepId, Which, builtin};
 use pinhole::model::observer::Observer;
 use pinhole::model::session::ViewLayout;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{UP_LENGTH, arrow_length};
-use pinhole_core::DVec3;
+use pinhole_core::{DVec2, DVec3, Orientation, Sphere};
 
 use super::camera;
 use crate::harness::{click_at, show, type_into, window_with};
@@ -153,6 +153,82 @@ fn a_step_seen_in_a_view_of_another_size_counts_as_unchanged() {
         let back = harness.get_by_role_and_label(Role::Button, "Back to the step");
         assert!(egui_kittest::kittest::NodeT::accesskit_node(&back).is_disabled(), "{size}");
     }
+}
+
+/// Where a point of the scene is in the world view, in points from its middle, and half the view's size.
+fn in_view(harness: &Harness<'_, App>, point: DVec3) -> [DVec2; 2] {
+    let frame = harness.state().derived().world_frame.clone().unwrap();
+    let seen = frame.camera();
+    let size = harness.get_by_role_and_label(Role::Image, "World view").rect().size();
+    let half = 0.5 * DVec2::new(size.x.into(), size.y.into());
+    let extent = 0.5 * DVec2::new(seen.viewport().width, seen.viewport().height);
+    [half * seen.project(point).uv / extent, half]
+}
+
+/// Returns what is wrong with how the whole camera is framed.
+fn misframed(harness: &Harness<'_, App>) -> Option<String> {
+    let camera = camera(harness);
+    let frame = harness.state().derived().world_frame.clone()?;
+    let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point());
+    let mut points = vec![camera.eye];
+    if !matches!(camera.orientation, Orientation::Basis(_)) {
+        points.push(camera.eye + UP_LENGTH * length * camera.up().normalize());
+    }
+    if let Ok(resolved) = camera.resolve() {
+        let basis = resolved.basis();
+        points.extend([basis.u, basis.v, basis.w].map(|axis| camera.eye + length * axis));
+        let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
+        let corners = [DVec2::ONE, -DVec2::ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)];
+        points.extend(corners.map(|corner| resolved.ray(half * corner).at(1.0)));
+    }
+    let (mut least, mut most) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let mut half = DVec2::ONE;
+    let spheres = harness.state().document().spheres.iter().flat_map(|sphere| {
+        let Sphere { center, radius } = sphere.shape;
+        DVec3::AXES
+            .into_iter()
+            .flat_map(move |axis| [center + radius * axis, center - radius * axis])
+    });
+    for (point, is_own) in points.iter().map(|p| (*p, true)).chain(spheres.map(|p| (p, false))) {
+        let at;
+        [at, half] = in_view(harness, point);
+        // A lower view has no room for the arrows, which keep their length on the screen.
+        if is_own && half.y > 72.0 && (half - at.abs()).min_element() < 8.0 {
+            return Some(format!("{point} is at {at} of {half}"));
+        }
+        (least, most) = (least.min(at.max(-half)), most.max(at.min(half)));
+    }
+    let share = ((most - least) / (2.0 * half)).max_element();
+    (share < 0.27).then(|| format!("scene and camera fill {share:.2} of {half}"))
+}
+
+#[test]
+fn what_a_step_frames_fills_the_view_when_its_answer_takes_room() {
+    let mut found = Vec::new();
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.key_press(Key::F5);
+    for size in [vec2(1024.0, 768.0), vec2(1280.0, 800.0), vec2(1920.0, 1080.0)] {
+        harness.set_size(size);
+        for (lesson, steps) in builtin::all().iter().enumerate() {
+            for step in 0..steps.steps.len() {
+                harness
+                    .state_mut()
+                    .open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
+                harness.run_steps(3);
+                let was_asking = harness.state().session().is_asking;
+                if was_asking {
+                    harness.key_press(Key::PageDown);
+                    harness.run_steps(3);
+                }
+                let is_shown = harness.query_by_role_and_label(Role::Image, "World view").is_some();
+                if let Some(wrong) = is_shown.then(|| misframed(&harness)).flatten() {
+                    let asked = if was_asking { ", revealed" } else { "" };
+                    found.push(format!("{}.{}{asked} at {size}: {wrong}", lesson + 1, step + 1));
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
