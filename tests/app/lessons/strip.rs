@@ -73,8 +73,12 @@ fn r_asks_nothing_where_no_lesson_is_open() {
 
 #[test]
 fn the_hint_names_only_what_is_there_to_be_dragged() {
-    let window = at_step(1, 1);
-    assert!(says(&window, "Drag eye. Click a pixel."));
-    let window = at_step(7, 1);
-    assert!(says(&window, "Drag eye, at or up. Click a pixel."));
+    for (lesson, hint) in
+        [(1, "Drag eye. Click a pixel."), (7, "Drag eye, at or up. Click a pixel.")]
+    {
+        let mut window = at_step(lesson, 1);
+        window.get_by_label("Fewer numbers").click();
+        window.run();
+        assert!(says(&window, hint), "{hint}");
+    }
 }
