@@ -4,10 +4,12 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{Step, StepView, builtin};
+use pinhole::model::observer::Observer;
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::practice::exercises::Exercises;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
+use pinhole_core::DVec3;
 
 use super::{Window, answer, at_step, key, press, shown_step};
 use crate::harness::{assert_says, drag_from, show, texts_with, type_into};
@@ -15,6 +17,11 @@ use crate::harness::{assert_says, drag_from, show, texts_with, type_into};
 /// Whether there are handles is the user's to say, whatever a step shows.
 fn own_items(items: OverlayItems) -> OverlayItems {
     items.with(Item::Handles, true)
+}
+
+/// Returns the direction from which an observer looks.
+fn direction(observer: &Observer) -> DVec3 {
+    observer.camera(4, 3).view()
 }
 
 /// Fails unless the window is as the step says, in all that it says.
@@ -44,9 +51,9 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         (
             "observer",
             observer.is_none_or(|said| {
-                // It steps back as far as the view's size needs.
+                // How far off it stands, and around what it turns, is for the view's size to say.
                 session.observer.is_some_and(|observer| {
-                    observer.target() == said.target() && observer.distance() >= said.distance()
+                    direction(&observer).abs_diff_eq(direction(&said), 1e-12)
                 })
             }),
         ),

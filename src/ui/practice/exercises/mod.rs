@@ -135,7 +135,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source:
         verdict(ui, part, typed);
         ui.add_space(8.0);
     }
-    let hint = "Type numbers exactly, as in 5*sqrt(2), -1/sqrt(2) or 3/7, or to at least four digits. \
+    let hint = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
                 Nothing is sent anywhere.";
     ui.label(RichText::new(hint).size(text_size(ui) - 1.0).weak());
     wants_check
