@@ -23,6 +23,7 @@ use crate::ui::motion;
 /// Returns an error if the named scene or lesson cannot be read, or if there is no display.
 pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let WindowArguments { scene, lesson, renderer } = arguments;
+    share_this_thread();
     let store = Store::of_user();
     let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
     if store.as_ref().is_none_or(Store::is_new) {
@@ -48,6 +49,13 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     }
     window::run(*renderer, geometry, app, log)
         .map_err(|error| CommandError::Input(error.to_string()))
+}
+
+/// Makes this thread, which the window runs on, one of those that share parallel work. It would wait for
+/// the others to wake up for each picture otherwise, and do nothing meanwhile.
+fn share_this_thread() {
+    // An error says that there are such threads already, and they do.
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
 }
 
 /// Returns true if the desktop's settings ask for less motion.
