@@ -11,7 +11,6 @@ use super::error::{CommandError, scene_fault};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::inspection::Inspection;
-use crate::model::session::Selection;
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {
@@ -28,8 +27,8 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let up_angle = document.camera.up_angle().map_err(|e| at_fault(&e))?;
     let scene = document.scene().map_err(|e| at_fault(&e))?;
     let RayArguments { pixel, uv } = arguments.ray;
-    let uv = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?.uv(&camera);
-    let inspection = Inspection::new(&camera, &scene, Selection::Uv(uv));
+    let selection = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?;
+    let inspection = Inspection::new(&camera, &scene, selection);
     let readout = Readout { document: &document, camera, up_angle, inspection };
     let text = if arguments.json { to_json(&readout.json())? } else { readout.to_text() };
     to_stdout(|out| out.write_all(text.as_bytes()))

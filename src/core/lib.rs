@@ -24,7 +24,7 @@
 //! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks all of it and gives a [`ResolvedCamera`], which has pixels, (u, v), rays and [projection](ResolvedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
 //! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why there is none: [`BasisError`] |
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
-//! | scenes | [`Scene`], [`Object`], [`Root`]: what any ray meets, and what first |
+//! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: what any ray meets, and what first |
 //! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
@@ -237,7 +237,7 @@ pub use render::{retrace, retrace_painted, trace, trace_as, trace_at_level, trac
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::error::{ObjectError, SceneError};
-pub use scene::object::{LineRoots, Object, Root};
+pub use scene::object::{LineRoots, Object, RankedRoot, Root};
 pub use scene::plane::{Plane, PlaneTerms};
 pub use scene::roots::Roots;
 pub use scene::sphere::{Sphere, SphereQuadratic};

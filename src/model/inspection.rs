@@ -31,8 +31,13 @@ pub struct Inspection {
     /// The view ray with its direction rounded. The intersections are those of the ray before
     /// rounding.
     pub ray: Ray,
-    /// All roots of all objects, by ascending `t`, including negative ones. Every `t` is finite.
+    /// All roots of all objects, by ascending `t`, including negative ones. A `t` beyond the range of
+    /// `f64` is infinite.
     pub roots: Vec<Root>,
+    /// The rank of each root, see [`RankedRoot`](pinhole_core::RankedRoot).
+    pub ranks: Vec<u32>,
+    /// The distance of each root from the eye, negative behind it.
+    pub distances: Vec<f64>,
     /// The parts of the first [`LISTED_OBJECTS`] objects' intersections.
     pub terms: Vec<ObjectTerms>,
     /// Index of the first hit in `roots`.
@@ -50,6 +55,8 @@ impl Inspection {
                 image_position: None,
                 ray: camera.ray(uv),
                 roots: Vec::new(),
+                ranks: Vec::new(),
+                distances: Vec::new(),
                 terms: Vec::new(),
                 first: None,
             },
@@ -57,10 +64,10 @@ impl Inspection {
     }
 
     fn of_exact(camera: &ResolvedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
-        let mut roots = scene.roots_of(exact);
-        // A line that is almost parallel to a plane meets it beyond the range of `f64`: drop that
-        // root.
-        roots.retain(|root| root.t.is_finite());
+        let found = scene.ranked_roots_of(exact);
+        let roots: Vec<Root> = found.iter().map(|ranked| ranked.root).collect();
+        let ranks = found.iter().map(|ranked| ranked.rank).collect();
+        let distances = found.iter().map(|ranked| ranked.distance).collect();
         // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
         // hit.
         let first = roots.iter().position(|root| root.t > 0.0);
@@ -69,7 +76,16 @@ impl Inspection {
             Object::Plane(plane) => ObjectTerms::Plane(plane.terms_of(exact)),
         });
         let (image_position, terms) = (camera.pixel_of_uv(uv), terms.collect());
-        Inspection { uv, image_position, ray: exact.rounded(), roots, terms, first }
+        Inspection {
+            uv,
+            image_position,
+            ray: exact.rounded(),
+            roots,
+            ranks,
+            distances,
+            terms,
+            first,
+        }
     }
 
     /// Returns the only pixel that the ray goes through; `None` outside the image and on an edge
@@ -89,20 +105,45 @@ impl Inspection {
 
     /// Returns the root of this object with this index.
     pub fn root_of(&self, object: u32, number: u8) -> Option<&Root> {
-        self.roots.iter().filter(|root| root.object == object).nth(number.into())
+        self.index_of(object, number).map(|index| &self.roots[index])
     }
 
-    /// Returns the reason why a root is, or is not, the first hit.
-    pub fn verdict(&self, root: &Root) -> &'static str {
-        match self.first_hit() {
-            _ if root.t < 0.0 => "behind the eye: no hit",
-            _ if root.t == 0.0 => "at the eye: no hit",
-            Some(hit) if hit.object == root.object && hit.t == root.t => {
-                "first hit (smallest t > 0)"
+    /// Returns the index in `roots` of the root of this object with this index.
+    pub fn index_of(&self, object: u32, number: u8) -> Option<usize> {
+        let mut own = (0..self.roots.len()).filter(|k| self.roots[*k].object == object);
+        own.nth(number.into())
+    }
+
+    /// Returns the reason why a root, given by its index, is, or is not, the first hit.
+    pub fn verdict(&self, index: usize) -> &'static str {
+        let t = self.roots[index].t;
+        match self.first {
+            _ if t < 0.0 => "behind the eye: no hit",
+            _ if t == 0.0 => "at the eye: no hit",
+            Some(first) if first == index => "first hit (smallest t > 0)",
+            Some(first) if self.ranks[first] == self.ranks[index] => "the same t, but listed later",
+            Some(first) if self.roots[first].t == t => {
+                "farther than the hit, by less than the digits of t show"
             }
-            Some(hit) if hit.t == root.t => "the same t, but listed later",
             _ => "farther than the hit",
         }
+    }
+
+    /// Returns why the first hit is the first where its t, as shown, does not tell: another object is
+    /// met at the same t, exactly or by all the digits that it has.
+    pub fn why_first(&self) -> Option<&'static str> {
+        let first = self.first?;
+        let tied = |k: usize| self.ranks[k] == self.ranks[first];
+        let alike = |k: usize| {
+            self.roots[k].t == self.roots[first].t
+                && self.roots[k].object != self.roots[first].object
+        };
+        let mut others = (0..self.roots.len()).filter(|k| alike(*k)).peekable();
+        others.peek()?;
+        Some(match others.any(tied) {
+            true => "of equal ones, the object listed first",
+            false => "another is farther by less than the digits of t show",
+        })
     }
 
     /// Returns the first hit.

@@ -5,7 +5,7 @@ use std::fs;
 use expect_test::expect;
 use serde_json::Value;
 
-use super::{run, run_in};
+use super::{Run, run, run_in};
 
 fn json(line: &str) -> Value {
     serde_json::from_str(&run(line).done()).unwrap()
@@ -116,12 +116,90 @@ fn numbers_beyond_the_range_are_null_or_refused() {
     let text = inspect("[1e-310, 0, 1]", "1e-309,0").done();
     let value: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["camera"]["conditioning"], f64::MAX, "as far as the range goes");
-    // The line is all but parallel to the plane: they meet nowhere within the range.
-    assert_eq!((&value["hits"], &value["first"]), (&serde_json::json!([]), &Value::Null));
+    // The line is all but parallel to the plane: they meet, behind the eye, where no number tells.
+    assert_eq!(value["hits"].as_array().map(Vec::len), Some(1), "{text}");
+    assert_eq!((&value["hits"][0]["t"], &value["first"]), (&Value::Null, &Value::Null));
     inspect("[1, 1, 0]", "1.7e308,1.7e308").failed(
         1,
         "wild.toml: the ray's direction is beyond the range of numbers: make the viewport, its \
          distance or (u, v) smaller",
+    );
+}
+
+/// Runs `inspect` on a scene of this canonical viewport, image and these spheres.
+fn inspect_spheres(viewport: [f64; 3], image: [u32; 2], spheres: &[(f64, f64)], line: &str) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    let [width, height, distance] = viewport;
+    let mut text = format!(
+        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n[viewport]\n\
+         width = {width:e}\nheight = {height:e}\ndistance = {distance:e}\n[image]\nwidth = {}\n\
+         height = {}\n",
+        image[0], image[1]
+    );
+    for (z, radius) in spheres {
+        text += &format!("[[sphere]]\ncenter = [0, 0, {z:?}]\nradius = {radius:?}\n");
+    }
+    fs::write(folder.path().join("s.toml"), text).unwrap();
+    let line = format!("inspect s.toml {line}");
+    run_in(folder.path(), &line.split_whitespace().collect::<Vec<_>>())
+}
+
+#[test]
+fn a_pixel_s_ray_is_the_exact_one() {
+    let roots = |width: u32, sphere, pixel| {
+        let line = format!("--pixel {pixel} --json");
+        let height = 2.0 / f64::from(width);
+        let text = inspect_spheres([2.0, height, 1.0], [width, 1], &[sphere], &line).done();
+        let value: Value = serde_json::from_str(&text).unwrap();
+        let hits = value["hits"].as_array().unwrap().clone();
+        hits.into_iter().map(|hit| hit["t"].as_f64().unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(roots(45, (-53.0, 28.0), "0,36"), [2025.0 / 53.0], "a tangent");
+    assert_eq!(roots(15, (-17.0, 8.0), "0,11"), [225.0 / 17.0], "a tangent");
+}
+
+#[test]
+fn a_hit_beyond_the_range_of_t_is_a_hit() {
+    let viewport = [1e-310; 3];
+    let text = inspect_spheres(viewport, [1, 1], &[(-5.0, 1.0)], "--pixel 0,0").done();
+    let hits = text.split_once("hits\n").unwrap().1;
+    expect![[r#"
+          object    t                             distance  point       normal
+          sphere 0  above 1.7976931348623157e308  4         (0, 0, -4)  (0, 0, 1)
+          sphere 0  above 1.7976931348623157e308  6         (0, 0, -6)  (0, 0, -1)
+          first: sphere 0 at t = above 1.7976931348623157e308, the smallest t above 0
+    "#]]
+    .assert_eq(hits);
+}
+
+#[test]
+fn a_reason_is_of_the_numbers_that_decided() {
+    let first = |spheres: &[(f64, f64)]| {
+        let text = inspect_spheres([1.0; 3], [1, 1], spheres, "--pixel 0,0").done();
+        text.lines().last().unwrap().trim().to_owned()
+    };
+    let beyond = 1.0 + f64::EPSILON;
+    assert_eq!(
+        first(&[(-1e6, 1.0), (-1e6, beyond)]),
+        "first: sphere 1 at t = 999999, the smallest t above 0 (another is farther by less than the \
+         digits of t show)"
+    );
+    assert_eq!(
+        first(&[(-1e6, 1.0), (-1e6, 1.0)]),
+        "first: sphere 0 at t = 999999, the smallest t above 0 (of equal ones, the object listed \
+         first)"
+    );
+    assert_eq!(first(&[(-5.0, 1.0)]), "first: sphere 0 at t = 4, the smallest t above 0");
+}
+
+#[test]
+fn a_distance_is_rounded_once() {
+    // t = 4 / |d|, whose product with |d| by f64 is 3.9999999999999996.
+    let text = inspect_spheres([1.0, 1.0, 1.29], [1, 1], &[(-5.0, 1.0)], "--pixel 0,0 --json");
+    let value: Value = serde_json::from_str(&text.done()).unwrap();
+    assert_eq!(
+        (&value["hits"][0]["distance"], &value["hits"][1]["distance"]),
+        (&4.0.into(), &6.0.into())
     );
 }
 
@@ -171,9 +249,9 @@ fn the_readout() {
         hits
           object           t                   distance             point                                                              normal
           sphere 0 "room"  -2.932903402384796  -3.0222827788329814  (0.7295597213432181, -0.0036661292529809953, 2.932903402384796)    (0.18238993033580453, -0.0009165323132452488, 0.983225850596199)
-          sphere 1 "left"  2.6785116467038628  2.76013850853536     (-0.6662797721175858, 0.0033481395583798146, -2.6785116467038623)  (0.46744045576482846, 0.6066962791167596, 0.6429767065922749)
-          sphere 1 "left"  3.392806566014758   3.4962013573444457   (-0.8439606332961711, 0.0042410082075184374, -3.392806566014758)   (0.11207873340765792, 0.6084820164150369, -0.7856131320295161)
-          sphere 0 "room"  4.8163587188788615  4.963135847199602    (-1.198069231321117, 0.006020448398598577, -4.8163587188788615)    (-0.29951730783027924, 0.0015051120996496443, -0.9540896797197155)
+          sphere 1 "left"  2.6785116467038628  2.76013850853536     (-0.6662797721175858, 0.0033481395583798146, -2.6785116467038623)  (0.4674404557648284, 0.6066962791167596, 0.6429767065922749)
+          sphere 1 "left"  3.392806566014758   3.4962013573444457   (-0.8439606332961711, 0.0042410082075184374, -3.392806566014758)   (0.11207873340765791, 0.6084820164150369, -0.7856131320295161)
+          sphere 0 "room"  4.8163587188788615  4.963135847199603    (-1.198069231321117, 0.006020448398598577, -4.8163587188788615)    (-0.29951730783027924, 0.0015051120996496443, -0.9540896797197155)
           first: sphere 1 "left" at t = 2.6785116467038628, the smallest t above 0
     "#]].assert_eq(&run("inspect inside --pixel 199,100").done());
 }

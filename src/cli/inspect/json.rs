@@ -55,6 +55,7 @@ impl Readout<'_> {
     pub(super) fn json(&self) -> Inspect<'_> {
         let Readout { camera, up_angle, inspection, .. } = self;
         let basis = camera.basis();
+        let hits = inspection.roots.iter().zip(&inspection.distances);
         Inspect {
             camera: Camera {
                 eye: array(camera.eye()),
@@ -70,18 +71,18 @@ impl Readout<'_> {
                 origin: array(inspection.ray.origin),
                 direction: array(inspection.ray.direction),
             },
-            hits: inspection.roots.iter().map(|root| self.hit(root)).collect(),
+            hits: hits.map(|(root, distance)| self.hit(root, *distance)).collect(),
             first: inspection.first,
         }
     }
 
-    fn hit(&self, root: &Root) -> Hit<'_> {
+    fn hit(&self, root: &Root, distance: f64) -> Hit<'_> {
         Hit {
             object: self.kind_of(root.object),
             index: root.object,
             name: self.document.name_of(root.object),
             t: root.t,
-            distance: self.inspection.ray.distance_along(root.t),
+            distance,
             point: array(root.point),
             normal: array(root.normal),
         }

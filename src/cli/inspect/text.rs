@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use pinhole_core::{DVec3, Orientation, PixelOfUv, Root, shortest};
+use pinhole_core::{DVec3, Orientation, PixelOfUv, shortest};
 
 use super::Readout;
 
@@ -106,11 +106,11 @@ impl Readout<'_> {
     fn hit_lines(&self) -> Vec<String> {
         let roots = &self.inspection.roots;
         let mut table = vec![["object", "t", "distance", "point", "normal"].map(str::to_owned)];
-        table.extend(roots.iter().map(|root| {
+        table.extend(roots.iter().zip(&self.inspection.distances).map(|(root, distance)| {
             [
                 self.object_text(root.object),
-                shortest(root.t),
-                shortest(self.inspection.ray.distance_along(root.t)),
+                told(root.t),
+                told(*distance),
                 triple(root.point),
                 triple(root.normal),
             ]
@@ -120,17 +120,13 @@ impl Readout<'_> {
             Some(first) => format!(
                 "first: {} at t = {}, the smallest t above 0{}",
                 self.object_text(first.object),
-                shortest(first.t),
-                if self.has_tie(first) { " (of equal ones, the object listed first)" } else { "" }
+                told(first.t),
+                self.inspection.why_first().map(|why| format!(" ({why})")).unwrap_or_default()
             ),
             None if roots.is_empty() => "first: none, the ray's line meets nothing".to_owned(),
             None => "first: none, no t is above 0".to_owned(),
         });
         lines
-    }
-
-    fn has_tie(&self, first: &Root) -> bool {
-        self.inspection.roots.iter().any(|root| root.t == first.t && root.object != first.object)
     }
 
     fn object_text(&self, object: u32) -> String {
@@ -139,6 +135,15 @@ impl Readout<'_> {
             Some(name) => format!("{kind} {object} {name:?}"),
             None => format!("{kind} {object}"),
         }
+    }
+}
+
+/// Returns a number, or on which side of the range of `f64` it is.
+fn told(x: f64) -> String {
+    match x {
+        f64::INFINITY => format!("above {}", shortest(f64::MAX)),
+        f64::NEG_INFINITY => format!("below {}", shortest(f64::MIN)),
+        _ => shortest(x),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::camera::image::Pixel;
 use crate::camera::ray::{Ray, RayError};
 use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
 use crate::exact::big_ray::BigRay;
-use crate::exact::bounded::{Vector, length, near, scaled};
+use crate::exact::bounded::{Number, Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::ldexp;
@@ -119,17 +119,28 @@ impl<'a> ExactRay<'a> {
         }
     }
 
-    /// The ray in `f64`: the direction rounded.
+    /// The ray in `f64`: each coordinate of the direction is the exact one, rounded.
     pub fn rounded(&self) -> Ray {
         let direction = match self.source {
             Source::Given(direction) => direction,
-            Source::View(..) => {
-                let stretch = DoubleDouble::from(self.stretch);
-                let round = |x: DoubleDouble| ldexp((x / stretch).hi, self.scale);
-                DVec3::from_array(self.fine.d.map(round))
-            }
+            Source::View(camera, point) => self.rounded_direction(camera, point),
         };
         Ray { origin: self.origin, direction }
+    }
+
+    fn rounded_direction(&self, camera: &ResolvedCamera, point: ViewportPoint) -> DVec3 {
+        let stretch = DoubleDouble::from(self.stretch);
+        let share = self.fine.doubt + DoubleDouble::QUOTIENT;
+        let mut big = None;
+        DVec3::from_array(std::array::from_fn(|i| {
+            let x = self.fine.d[i] / stretch;
+            let rounded = ldexp(x.hi, self.scale);
+            if x.rounds_surely(share * self.fine.length / self.stretch) && rounded.is_normal() {
+                return rounded;
+            }
+            let big = big.get_or_insert_with(|| camera.big_ray(point));
+            big.value(&big.direction[i], &big.scale).to_f64() + 0.0
+        }))
     }
 
     /// The exact numbers.

@@ -106,10 +106,14 @@ impl FineBasis {
         let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
         let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);
         let basis = FineBasis { u, v: bounded::cross(w, u), w, doubt };
-        // A coordinate that may be 0 is 0 on the screen, if it is.
-        let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
-        let in_doubt = [u, basis.v, w].iter().flatten().any(may_be_zero);
-        if in_doubt { FineBasis::from_exact(view, up) } else { Some(basis) }
+        let zeros_of_view = view.fine().0.map(|x| x.hi == 0.0);
+        let zeros_of_right = zeros_of_cross(zeros_of_view, up.to_array().map(|x| x == 0.0));
+        let zeros_of_upward = zeros_of_cross(zeros_of_right, zeros_of_view);
+        let zeros = [zeros_of_right, zeros_of_upward, zeros_of_view];
+        let mut coordinates =
+            [u, basis.v, w].into_iter().flatten().zip(zeros.into_iter().flatten());
+        let is_sure = coordinates.all(|(x, is_zero)| is_zero || x.rounds_surely(doubt));
+        if is_sure { Some(basis) } else { FineBasis::from_exact(view, up) }
     }
 
     /// Computes the basis from exact numbers: each coordinate is off by `3 u^2` at most.
@@ -156,6 +160,12 @@ impl FineBasis {
     pub(crate) fn direction(&self, [x, y, z]: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
         std::array::from_fn(|i| x * self.u[i] + y * self.v[i] - z * self.w[i])
     }
+}
+
+/// Returns which coordinates of a cross product are 0 because both of their products are: level
+/// cameras have some, and what is 0 by rounding alone is not told from what is 0.
+fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
+    [[1, 2], [2, 0], [0, 1]].map(|[j, k]| (a[j] || b[k]) && (a[k] || b[j]))
 }
 
 /// `(|view x up|, view . up, |view| |up|)` in units of one power of two: what the angle between view

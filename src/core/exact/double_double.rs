@@ -121,6 +121,13 @@ impl Div for DoubleDouble {
 }
 
 impl DoubleDouble {
+    /// Returns whether every number within `doubt` of this one rounds to the same `f64` (Ziv, *Fast
+    /// evaluation of elementary mathematical functions with correctly rounded last bit*, 1991).
+    pub(crate) fn rounds_surely(self, doubt: f64) -> bool {
+        let doubt = 1.01 * doubt;
+        self.hi + (self.lo + doubt) == self.hi && self.hi + (self.lo - doubt) == self.hi
+    }
+
     /// `self * 2^k`, exact unless it leaves the range.
     pub(crate) fn scaled(self, k: i32) -> DoubleDouble {
         DoubleDouble { hi: ldexp(self.hi, k), lo: ldexp(self.lo, k) }

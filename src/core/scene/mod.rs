@@ -20,6 +20,7 @@ pub(crate) mod spheres;
 #[cfg(test)]
 mod tests;
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -29,7 +30,7 @@ use crate::camera::ray::Ray;
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::SceneError;
 use crate::scene::line::Line;
-use crate::scene::object::{Object, Root};
+use crate::scene::object::{Object, RankedRoot, Root};
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
@@ -196,6 +197,11 @@ impl Scene {
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
+        self.ranked_roots_of(ray).into_iter().map(|ranked| ranked.root).collect()
+    }
+
+    /// [`Scene::roots_of`], each with its rank and its distance.
+    pub fn ranked_roots_of(&self, ray: &ExactRay) -> Vec<RankedRoot> {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
         let planes = self.spheres().len() as u32..self.len() as u32;
@@ -214,7 +220,15 @@ impl Scene {
         }
         // Stable, so that equal roots stay in the order of objects.
         hits.sort_by(|a, b| a.compare(b, ray, steps));
-        hits.iter().map(|hit| hit.root(ray)).collect()
+        let mut rank = 0;
+        let mut ranked = Vec::with_capacity(hits.len());
+        for (k, hit) in hits.iter().enumerate() {
+            if k > 0 && hits[k - 1].compare(hit, ray, steps) != Ordering::Equal {
+                rank += 1;
+            }
+            ranked.push(RankedRoot { root: hit.root(ray), rank, distance: hit.distance(ray) });
+        }
+        ranked
     }
 
     /// The first hit: the root with the smallest `t > 0`; of equal ones, the object listed first.

@@ -30,6 +30,19 @@ pub struct Root {
     pub normal: DVec3,
 }
 
+/// A root among all those of a ray's line with a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RankedRoot {
+    /// The root.
+    pub root: Root,
+    /// Counts the roots by ascending `t`, from 0 on; roots at exactly the same `t` share a rank. Two
+    /// different `t` may be equal when they are rounded, and their ranks are not.
+    pub rank: u32,
+    /// `t |d|`, rounded once: how far from the ray's origin the point is, in world units; negative
+    /// behind it.
+    pub distance: f64,
+}
+
 /// The roots of a ray's line with one object, and the side of it that the origin is on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]

@@ -229,6 +229,13 @@ impl Hit<'_> {
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
         self.seen.root(self.index, ray, self.root)
     }
+
+    /// `t |d|`, rounded once.
+    pub(crate) fn distance(&self, ray: &ExactRay) -> f64 {
+        let t = self.seen.t(ray, self.root);
+        let length = dot(ray.fine.d, ray.fine.d).square_root() / DoubleDouble::from(ray.stretch);
+        Precise::new(t.value * length, t.scale + ray.scale).to_f64()
+    }
 }
 
 impl Sphere {

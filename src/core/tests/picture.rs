@@ -184,6 +184,22 @@ fn tiny_and_far_spheres_behind_single_pixels() {
 }
 
 #[test]
+fn of_two_spheres_at_a_subnormal_t_the_nearer_is_seen() {
+    let viewport = Viewport { width: 1e45, height: 1e45, distance: 1e45 };
+    let camera = Camera { viewport, ..camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 5, 5) };
+    let camera = camera.resolve().unwrap();
+    let balls = [sphere([0.0, 0.0, -2.6], 1.0), sphere([0.0, 0.0, -2.5], 1.0)];
+    assert_full(&spheres_only(balls.to_vec()), &camera);
+    let frame = trace(
+        &spheres_only(balls.to_vec()),
+        &camera,
+        &Raster::full(camera.image()),
+        Outputs::default(),
+    );
+    assert_eq!(frame.at(2, 2).object, Some(1));
+}
+
+#[test]
 fn lengths_near_the_ends_of_the_range() {
     for scale in [1e-300, 1e-150, 1e-70, 1e-55, 1e55, 1e70, 1e150, 1e300] {
         let ball = Sphere { center: scale * vec3(0.1, 0.0, -5.0), radius: scale };

@@ -3,7 +3,7 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest};
+use pinhole_core::{DVec3, Pixel, ResolvedCamera, Steps, UpAngle, shortest};
 use pinhole_exchange::document::Document;
 
 use super::pointed_number;
@@ -255,17 +255,18 @@ struct RootLines {
 
 impl RootLines {
     fn new(
-        root: &Root,
+        index: usize,
         inspection: &Inspection,
         document: &Document,
         style: NumberStyle,
     ) -> RootLines {
+        let root = &inspection.roots[index];
         RootLines {
             object: document.title_of(root.object as usize),
-            verdict: inspection.verdict(root),
+            verdict: inspection.verdict(index),
             numbers: [
                 ("t", style.number(root.t)),
-                ("distance", style.number(inspection.ray.distance_along(root.t))),
+                ("distance", style.number(inspection.distances[index])),
                 ("point", style.vector(root.point)),
                 ("normal", style.vector(root.normal)),
             ],
@@ -309,8 +310,8 @@ fn hits(
     document: &Document,
     style: NumberStyle,
 ) {
-    let roots: Vec<RootLines> = (inspection.roots.iter())
-        .map(|root| RootLines::new(root, inspection, document, style))
+    let roots: Vec<RootLines> = (0..inspection.roots.len())
+        .map(|index| RootLines::new(index, inspection, document, style))
         .collect();
     title(ui, "Hits", || copied_hits(inspection, derived, document, style.for_programs()));
     if roots.is_empty() {
@@ -346,8 +347,8 @@ fn copied_hits(
     document: &Document,
     style: NumberStyle,
 ) -> String {
-    let roots = (inspection.roots.iter())
-        .map(|root| RootLines::new(root, inspection, document, style).joined());
+    let roots = (0..inspection.roots.len())
+        .map(|index| RootLines::new(index, inspection, document, style).joined());
     let parts = listed_parts(inspection, derived, document, style);
     roots.chain(parts.into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"))).collect()
 }

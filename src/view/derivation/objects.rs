@@ -85,6 +85,12 @@ impl ObjectLines<'_> {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
+    /// Returns what the ray makes of this root of the object.
+    fn verdict(&self, number: usize) -> &'static str {
+        let index = self.inspection.index_of(self.object, number as u8);
+        index.map_or("", |index| self.inspection.verdict(index))
+    }
+
     fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
         let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
@@ -154,7 +160,7 @@ impl ObjectLines<'_> {
         let put_in = row([minus_b, sign.into(), of_d]);
         let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
         let line = Line::new(self.root_concept(k), row([formula, numbers.equals(found.t)]));
-        let verdict = self.inspection.verdict(found);
+        let verdict = self.verdict(k);
         self.lines.push(line.noted(verdict));
     }
 
@@ -184,7 +190,7 @@ impl ObjectLines<'_> {
         );
         let formula = equation(quotient, put_in);
         let line = Line::new(self.root_concept(0), row([formula, numbers.equals(found.t)]));
-        let verdict = self.inspection.verdict(&found);
+        let verdict = self.verdict(0);
         self.lines.push(line.noted(verdict));
         if derivation.hit().is_some() {
             self.hit(T, 0, &found);

@@ -14,7 +14,7 @@ pub(crate) const DOUBT: f64 = f64::NAN;
 pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
 
 /// The range of `t` in a frame, so far within that of `f32` that what is computed of it is, too.
-const RANGE: (f32, f32) = (1e-37, 1e38);
+pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
 
 /// Two `t` that are closer than this share of them may be in the wrong order for their rounding.
 const TIE: f32 = 4.0 * f32::EPSILON;

@@ -1,7 +1,7 @@
 //! Spheres of a few pixels, each of which is asked by itself, in `f64`.
 
 use crate::exact::quadratic::{Quadratic, SphereTerms};
-use crate::render::polynomial::blend::{DOUBT, T_SHARE, is_in_range};
+use crate::render::polynomial::blend::{DOUBT, RANGE, T_SHARE, is_in_range};
 
 /// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
 /// surely does not; NaN in doubt.
@@ -25,7 +25,8 @@ pub(crate) fn pixel_hit(
     if b <= b_doubt || doubt > APART {
         return DOUBT;
     }
-    if t > known * (1.0 + 4.0 * APART) {
+    // What is known may have been rounded to a subnormal number, of which any share may be its error.
+    if t > known.max(RANGE.0.into()) * (1.0 + 4.0 * APART) {
         return f64::INFINITY;
     }
     let is_sure = doubt <= T_SHARE && t < known * (1.0 - 4.0 * APART) && is_in_range(t);

@@ -63,6 +63,11 @@ proptest! {
     }
 
     #[test]
+    fn coordinates_are_the_exact_ones_rounded((view, up) in view_and_up()) {
+        assert_rounded(view, up);
+    }
+
+    #[test]
     fn from_eye_at_and_up(
         (view, up) in view_and_up(), eye in direction(), share in -12.0..14.0_f64,
     ) {
@@ -106,6 +111,63 @@ proptest! {
         let cosine = oracle::near(&a.dot(&b));
         prop_assert!((angle - sine.atan2(cosine)).abs() <= 1e-15 * angle);
         prop_assert!((conditioning * sine - 1.0).abs() <= 1e-15);
+    }
+}
+
+/// Fails unless each coordinate of the basis is the `f64` nearest to the exact one.
+#[track_caller]
+fn assert_rounded(view: DVec3, up: DVec3) {
+    let [view_given, up_given] = [view, up].map(|v| v.to_array());
+    let orientation = pinhole_reference::Orientation::View { view: view_given, up: up_given };
+    let exact = pinhole_reference::basis([0.0; 3], &orientation).unwrap();
+    let Basis { u, v, w } = Basis::from_view_up(view, up).unwrap();
+    for (vector, exact) in [u, v, w].into_iter().zip(&exact) {
+        let rounded = exact.each_ref().map(|x| x.to_f64() + 0.0);
+        assert_eq!(
+            vector.to_array().map(f64::to_bits),
+            rounded.map(f64::to_bits),
+            "{view:?} {up:?}"
+        );
+    }
+}
+
+#[test]
+fn coordinates_that_cancel_are_rounded_once() {
+    assert_rounded(
+        vec3(0.5819291090097687, 0.7869026585197236, -0.46707756089566654),
+        vec3(-0.49370439915520836, -0.2754363501509441, -0.1978375597648636),
+    );
+    // v.y is 1e-40 and 1e-17 of the others.
+    assert_rounded(vec3(1.0, 1e-40, 0.0), vec3(1.0, 1e-40, 1.0));
+    assert_rounded(vec3(0.1, 0.2, 0.3), vec3(0.3, 0.6, 0.9 + 1e-16));
+}
+
+#[test]
+fn directions_are_the_exact_ones_rounded() {
+    let camera = Camera {
+        eye: vec3(3.0, 4.0, 5.0),
+        orientation: Orientation::View { view: vec3(-1e-300, 0.3, -2.5e-3), up: DVec3::Y },
+        viewport: Viewport { width: 2e300, height: 1.5, distance: 1e297 },
+        ..Camera::CANONICAL
+    };
+    let resolved = camera.resolve().unwrap();
+    let exact = pinhole_reference::Camera {
+        eye: camera.eye.to_array(),
+        orientation: pinhole_reference::Orientation::View {
+            view: [-1e-300, 0.3, -2.5e-3],
+            up: [0.0, 1.0, 0.0],
+        },
+        width: 2e300,
+        height: 1.5,
+        distance: 1e297,
+        columns: camera.image.width(),
+        rows: camera.image.height(),
+    };
+    let exact = exact.prepare(&[]).unwrap();
+    for (row, column) in [(0, 0), (199, 200), (7, 399)] {
+        let ray = resolved.exact_ray(Pixel { row, column }).rounded();
+        let direction = exact.direction_of_pixel(row, column).map(|x| x.to_f64() + 0.0);
+        assert_eq!(ray.direction.to_array(), direction, "{row}, {column}");
     }
 }
 
