@@ -6,6 +6,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, ResolvedCamera, Sce
 use proptest::prelude::*;
 
 use super::*;
+use crate::model::overlay_items::{Item, OverlayItems};
 
 fn resolve(observer: &Observer) -> ResolvedCamera {
     observer.camera(400, 300).resolve().expect("observers have a basis")
@@ -255,7 +256,8 @@ fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
         observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
     let depth = (resolved.eye() - camera.eye).dot(observer.back());
     let per_point = extent_of_fov(FOV, depth) / size.height;
-    let length = 1.0_f64.clamp(ARROW_POINTS.0 * per_point, ARROW_POINTS.1 * per_point);
+    let (least, most) = size.arrow_points();
+    let length = 1.0_f64.clamp(least * per_point, most * per_point);
     let own = camera.resolve().expect("a camera");
     let basis = own.basis();
     let up = UP_LENGTH * camera.up().normalize();
@@ -273,7 +275,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
         let size = ViewSize { width, height };
         let refitted = framed.refitted(&camera, &scene, size);
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
-        let kept = named.framing_the_same(&camera, &scene, size);
+        let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
         assert_eq!((kept.azimuth, kept.elevation), (named.azimuth, named.elevation));
         for observer in [refitted, kept] {
             let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -288,5 +290,5 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     }
     // One that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
-    assert_eq!(close.framing_the_same(&camera, &scene, wide), close);
+    assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::ALL), close);
 }
