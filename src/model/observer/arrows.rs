@@ -11,7 +11,7 @@ use crate::model::overlay_items::{Item, OverlayItems};
 const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
 /// Their least length in a small view, as a share of its height or width.
-const ARROW_SHARE: f64 = 0.2;
+const ARROW_SHARE: f64 = 0.28;
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;

@@ -292,3 +292,70 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
     assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::ALL), close);
 }
+
+#[test]
+fn arrows_that_are_not_drawn_take_no_room() {
+    let named = Observer::new(DVec3::new(0.0, 0.0, -0.5), 0.84, 0.33, 4.0);
+    let low = ViewSize { width: 400.0, height: 160.0 };
+    let up = DVec3::new(1.0, 1.0, 0.0);
+    let orientation = Orientation::View { view: DVec3::NEG_Z, up };
+    let camera = Camera { orientation, ..Camera::CANONICAL };
+    let depth = |items| {
+        let seen = named.framing_the_same(&camera, &Scene::default(), low, items);
+        (resolve(&seen).eye() - camera.eye).dot(named.back())
+    };
+    let without = OverlayItems::NONE.with(Item::Eye, true);
+    for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {
+        let [least, with] = [without, without.with(item, true)].map(depth);
+        assert!(least < with, "{item:?}: {least} and {with}");
+    }
+}
+
+#[test]
+fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
+    let camera = Camera::CANONICAL;
+    let around = ball(0.0, 0.0, -1.0, 4.0);
+    let scene = Scene::new(vec![around], vec![]).expect("a scene");
+    let named = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 14.5);
+    for (width, height) in [(500.0, 180.0), (300.0, 600.0), (900.0, 700.0)] {
+        let size = ViewSize { width, height };
+        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::NONE);
+        let (right, up) = seen.right_and_up();
+        let sides = [right, -right, up, -up].map(|side| around.center + around.radius * side);
+        let view = seen.camera(width as u32, height as u32).resolve().expect("a basis");
+        let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
+        let seen_at = sides.map(|side| (view.project(side).uv / half).abs().max_element());
+        let most = seen_at.into_iter().fold(0.0, f64::max);
+        assert!((0.7..1.0).contains(&most), "{seen_at:?} in {size:?}");
+    }
+    // One from inside sees what it saw.
+    let inside = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 3.0);
+    let size = ViewSize::of_aspect(1.25);
+    assert!(inside.framing_the_same(&camera, &scene, size, OverlayItems::NONE).distance() < 5.0);
+}
+
+#[test]
+fn arrows_take_no_more_than_their_share_of_a_low_view() {
+    let at = |width, height| ViewSize { width, height }.arrow_points();
+    assert_eq!(at(900.0, 500.0), (62.0, 125.0));
+    let (least, most) = at(900.0, 100.0);
+    assert!((25.0..30.0).contains(&least) && most == 125.0, "{least}");
+    assert_eq!(at(100.0, 900.0), at(900.0, 100.0));
+    assert!(at(0.0, 0.0).0 > 0.0);
+    let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
+    let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
+    let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
+    for height in [60.0, 100.0, 150.0] {
+        let size = ViewSize { width: 300.0, height };
+        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
+        let view = seen.camera(300, height as u32).resolve().expect("a basis");
+        let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
+        let [eye, ball] = [DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0)].map(|p| view.project(p).uv);
+        for tip in tips(&seen, &camera, size) {
+            let at = view.project(tip).uv / half;
+            assert!(at.abs().cmplt(DVec2::splat(0.95)).all(), "{at} in {size:?}");
+        }
+        let share = (ball - eye).length() / (2.0 * half.x);
+        assert!(share > 0.15, "{share}: the arrows crowd the scene out of {size:?}");
+    }
+}
