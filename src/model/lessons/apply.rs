@@ -6,7 +6,7 @@ use pinhole_exchange::document::Document;
 use super::lesson::Step;
 use crate::model::concept::Concept;
 use crate::model::observer::Observer;
-use crate::model::overlay_items::Item;
+use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::session::Session;
 
@@ -27,14 +27,24 @@ pub fn apply(
 
 /// Shows the answer to the step's question, and what it hid.
 pub fn answer(step: &Step, session: &mut Session) {
+    session.settings.items = items_to_frame(step, session);
     session.is_asking = false;
-    if let (Some(question), Some(items)) = (&step.question, step.view.items) {
+}
+
+/// Returns the items that are drawn once the step's question is answered, so that the answer need not
+/// move the observer.
+pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
+    let mut shown = session.settings.items;
+    if let (true, Some(question), Some(items)) =
+        (session.is_asking, &step.question, step.view.items)
+    {
         for item in Item::ALL {
             if question.hidden.shows(item) && items.shows(item) {
-                session.settings.items.set(item, true);
+                shown.set(item, true);
             }
         }
     }
+    shown
 }
 
 /// Clears the answers to the step's question.

@@ -5,7 +5,9 @@ use pinhole_core::{
     extent_of_fov,
 };
 
+use super::arrows::Arrows;
 use super::{FOV, Observer};
+use crate::model::overlay_items::{Item, OverlayItems};
 
 /// Size ratio above which a sphere is out of scale: a sphere this many times larger than all
 /// smaller ones and the camera together need not be in sight.
@@ -38,21 +40,6 @@ const LARGE_ENOUGH: f64 = 0.15;
 /// the observer would lose the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// Length of the basis arrows on the screen, in points: at least and at most. Between the two it is
-/// one world unit.
-pub const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
-
-/// Length of the up arrow, as a multiple of the basis arrows' length.
-pub const UP_LENGTH: f64 = 1.35;
-
-/// Length of the arrows of the world's axes, likewise.
-pub const AXIS_LENGTH: f64 = 1.6;
-
-/// Room beyond an arrow's tip for its handle and its label, in points, and at most as a share of the
-/// view's height.
-const TIP_ROOM: f64 = 26.0;
-const TIP_ROOM_SHARE: f64 = 0.08;
-
 /// Number of times that the arrows, which keep their size on the screen, are measured for a fit.
 const ROUNDS: usize = 6;
 
@@ -84,18 +71,13 @@ impl ViewSize {
     pub fn aspect(self) -> f64 {
         tame_aspect(self.width / self.height)
     }
-
-    /// Returns the world length that covers a point on the screen at this depth.
-    fn world_per_point(self, depth: f64) -> f64 {
-        extent_of_fov(FOV, depth) / self.height.max(1.0)
-    }
 }
 
 /// A ball that must be in sight.
 #[derive(Clone, Copy, Debug)]
-struct Ball {
-    center: DVec3,
-    radius: f64,
+pub(super) struct Ball {
+    pub(super) center: DVec3,
+    pub(super) radius: f64,
 }
 
 /// Everything that must be in sight, including the camera.
@@ -123,7 +105,7 @@ impl Observer {
     /// Perspective makes this possible: an observer close behind a small camera also sees what the
     /// camera looks at from afar, small, in the distance, as on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        let subject = Subject::new(camera, scene);
+        let subject = Subject::new(camera, scene, OverlayItems::ALL);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down: behind is the direction of right x up.
@@ -148,18 +130,25 @@ impl Observer {
     /// Returns an observer in the same direction that has everything in sight, in a view of another
     /// size.
     pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        Subject::new(camera, scene).fit(self, size)
+        Subject::new(camera, scene, OverlayItems::ALL).fit(self, size)
     }
 
     /// Returns an observer in the same direction that has in sight, in a view of this size, the whole
-    /// camera, its arrows with their labels, and whatever else this one sees in an ordinary view. It
-    /// stays if all of that fills the view as it is, or if it is so near that eye or viewport are meant
-    /// to be out of sight.
-    pub fn framing_the_same(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
+    /// camera, those of its arrows that are among the `items`, with their labels, and whatever else this
+    /// one sees in an ordinary view. It stays if all of that fills the view as it is, or if it is so near
+    /// that eye or viewport are meant to be out of sight.
+    pub fn framing_the_same(
+        &self,
+        camera: &Camera,
+        scene: &Scene,
+        size: ViewSize,
+        items: OverlayItems,
+    ) -> Observer {
         if self.distance_for(camera, ORDINARY_ASPECT) > self.distance {
             return *self;
         }
-        let mut subject = Subject::new(camera, scene);
+        let mut subject = Subject::new(camera, scene, items);
+        subject.balls.extend(spheres_around(scene, subject.eye));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
         let depth = |observer: &Observer| {
             (observer.target - subject.eye).dot(observer.back()) + observer.distance
@@ -196,7 +185,7 @@ impl Observer {
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::new(&alone, &Scene::default()).fit(self, size)
+        Subject::new(&alone, &Scene::default(), OverlayItems::ALL).fit(self, size)
     }
 
     /// Moves the observer straight back until the eyes and viewports of all these cameras are in
@@ -236,48 +225,12 @@ impl Observer {
     }
 }
 
-/// The unit vectors of the arrows at the eye, with their lengths as multiples of the basis arrows',
-/// and the axes at the origin, if they are beside the camera.
-struct Arrows {
-    at_eye: Vec<(DVec3, f64)>,
-    has_axes: bool,
-}
-
-impl Arrows {
-    fn new(camera: &Camera) -> Arrows {
-        let mut at_eye = Vec::new();
-        let mut has_axes = false;
-        if let Ok(resolved) = camera.resolve() {
-            let (basis, viewport) = (resolved.basis(), resolved.viewport());
-            at_eye.extend([basis.u, basis.v, basis.w].map(|axis| (axis, 1.0)));
-            let near = viewport.width.max(viewport.height).max(viewport.distance);
-            has_axes = camera.eye.length() <= near;
-        }
-        if !matches!(camera.orientation, Orientation::Basis(_)) {
-            let up = camera.up() / camera.up().abs().max_element();
-            at_eye.extend(up.is_finite().then(|| (up.normalize(), UP_LENGTH)));
-        }
-        Arrows { at_eye, has_axes }
-    }
-
-    /// Returns the tips, with room for their labels, for an observer at this depth from the eye.
-    fn tips(&self, eye: DVec3, depth: f64, size: ViewSize) -> impl Iterator<Item = Ball> + '_ {
-        let per_point = size.world_per_point(depth.max(1e-12));
-        let length = 1.0_f64.clamp(ARROW_POINTS.0 * per_point, ARROW_POINTS.1 * per_point);
-        let axes = DVec3::AXES.map(|axis| AXIS_LENGTH * length * axis);
-        let axes = axes.into_iter().filter(|_| self.has_axes);
-        let tips = self.at_eye.iter().map(move |(axis, times)| eye + times * length * *axis);
-        let room = TIP_ROOM.min(TIP_ROOM_SHARE * size.height);
-        tips.chain(axes).map(move |center| Ball { center, radius: room * per_point })
-    }
-}
-
 fn tame_aspect(aspect: f64) -> f64 {
     if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 }
 }
 
 impl Subject {
-    fn new(camera: &Camera, scene: &Scene) -> Subject {
+    fn new(camera: &Camera, scene: &Scene, items: OverlayItems) -> Subject {
         let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
         let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
         let mut balls = Vec::new();
@@ -299,7 +252,9 @@ impl Subject {
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
         if let Ok(resolved) = camera.resolve() {
             let t = (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
-            balls.extend(frustum_corners(&resolved, t));
+            if items.shows(Item::Frustum) {
+                balls.extend(frustum_corners(&resolved, t));
+            }
             walls = walls_seen(&resolved, scene, 2.0 * farthest.max(10.0 * near_size));
             balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
@@ -311,7 +266,8 @@ impl Subject {
         let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
         let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
         let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
-        Subject { balls, arrows: Arrows::new(camera), eye, back, right, near_size, walls, middle }
+        let arrows = Arrows::new(camera, items);
+        Subject { balls, arrows, eye, back, right, near_size, walls, middle }
     }
 
     /// Returns the nearest observer in this direction that has every ball and the tips of all arrows
@@ -404,6 +360,14 @@ fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
     let half = 0.5 * share * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
         .map(|(x, y)| resolved.ray(half * DVec2::new(x, y)))
+}
+
+/// Returns the spheres around the camera, which are drawn cut away.
+fn spheres_around(scene: &Scene, eye: DVec3) -> impl Iterator<Item = Ball> {
+    let balls = scene.spheres().iter().take(ASKED_SPHERES);
+    balls
+        .map(|sphere| Ball { center: sphere.center, radius: sphere.radius })
+        .filter(move |ball| ball.center.distance(eye) <= ball.radius)
 }
 
 /// Returns the spheres by ascending size, up to the first that is out of scale with those before

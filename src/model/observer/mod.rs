@@ -1,12 +1,14 @@
 //! The observer of the world view: a camera that moves around its target and is independent of the
 //! edited camera.
 
+mod arrows;
 mod fit;
 mod traced;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
 
-pub use fit::{ARROW_POINTS, AXIS_LENGTH, UP_LENGTH, ViewSize};
+pub use arrows::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
+pub use fit::ViewSize;
 pub use traced::{enclosing, hidden, traced_scene};
 
 /// The observer as an orbit around a target; world y is up.

@@ -6,6 +6,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, ResolvedCamera, Sce
 use proptest::prelude::*;
 
 use super::*;
+use crate::model::overlay_items::{Item, OverlayItems};
 
 fn resolve(observer: &Observer) -> ResolvedCamera {
     observer.camera(400, 300).resolve().expect("observers have a basis")
@@ -255,7 +256,8 @@ fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
         observer.camera(size.width as u32, size.height as u32).resolve().expect("a basis");
     let depth = (resolved.eye() - camera.eye).dot(observer.back());
     let per_point = extent_of_fov(FOV, depth) / size.height;
-    let length = 1.0_f64.clamp(ARROW_POINTS.0 * per_point, ARROW_POINTS.1 * per_point);
+    let (least, most) = size.arrow_points();
+    let length = 1.0_f64.clamp(least * per_point, most * per_point);
     let own = camera.resolve().expect("a camera");
     let basis = own.basis();
     let up = UP_LENGTH * camera.up().normalize();
@@ -273,7 +275,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
         let size = ViewSize { width, height };
         let refitted = framed.refitted(&camera, &scene, size);
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
-        let kept = named.framing_the_same(&camera, &scene, size);
+        let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
         assert_eq!((kept.azimuth, kept.elevation), (named.azimuth, named.elevation));
         for observer in [refitted, kept] {
             let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -288,5 +290,72 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     }
     // One that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
-    assert_eq!(close.framing_the_same(&camera, &scene, wide), close);
+    assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::ALL), close);
+}
+
+#[test]
+fn arrows_that_are_not_drawn_take_no_room() {
+    let named = Observer::new(DVec3::new(0.0, 0.0, -0.5), 0.84, 0.33, 4.0);
+    let low = ViewSize { width: 400.0, height: 160.0 };
+    let up = DVec3::new(1.0, 1.0, 0.0);
+    let orientation = Orientation::View { view: DVec3::NEG_Z, up };
+    let camera = Camera { orientation, ..Camera::CANONICAL };
+    let depth = |items| {
+        let seen = named.framing_the_same(&camera, &Scene::default(), low, items);
+        (resolve(&seen).eye() - camera.eye).dot(named.back())
+    };
+    let without = OverlayItems::NONE.with(Item::Eye, true);
+    for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {
+        let [least, with] = [without, without.with(item, true)].map(depth);
+        assert!(least < with, "{item:?}: {least} and {with}");
+    }
+}
+
+#[test]
+fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
+    let camera = Camera::CANONICAL;
+    let around = ball(0.0, 0.0, -1.0, 4.0);
+    let scene = Scene::new(vec![around], vec![]).expect("a scene");
+    let named = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 14.5);
+    for (width, height) in [(500.0, 180.0), (300.0, 600.0), (900.0, 700.0)] {
+        let size = ViewSize { width, height };
+        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::NONE);
+        let (right, up) = seen.right_and_up();
+        let sides = [right, -right, up, -up].map(|side| around.center + around.radius * side);
+        let view = seen.camera(width as u32, height as u32).resolve().expect("a basis");
+        let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
+        let seen_at = sides.map(|side| (view.project(side).uv / half).abs().max_element());
+        let most = seen_at.into_iter().fold(0.0, f64::max);
+        assert!((0.7..1.0).contains(&most), "{seen_at:?} in {size:?}");
+    }
+    // One from inside sees what it saw.
+    let inside = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 3.0);
+    let size = ViewSize::of_aspect(1.25);
+    assert!(inside.framing_the_same(&camera, &scene, size, OverlayItems::NONE).distance() < 5.0);
+}
+
+#[test]
+fn arrows_take_no_more_than_their_share_of_a_low_view() {
+    let at = |width, height| ViewSize { width, height }.arrow_points();
+    assert_eq!(at(900.0, 500.0), (62.0, 125.0));
+    let (least, most) = at(900.0, 100.0);
+    assert!((25.0..30.0).contains(&least) && most == 125.0, "{least}");
+    assert_eq!(at(100.0, 900.0), at(900.0, 100.0));
+    assert!(at(0.0, 0.0).0 > 0.0);
+    let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
+    let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
+    let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
+    for height in [60.0, 100.0, 150.0] {
+        let size = ViewSize { width: 300.0, height };
+        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
+        let view = seen.camera(300, height as u32).resolve().expect("a basis");
+        let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
+        let [eye, ball] = [DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0)].map(|p| view.project(p).uv);
+        for tip in tips(&seen, &camera, size) {
+            let at = view.project(tip).uv / half;
+            assert!(at.abs().cmplt(DVec2::splat(0.95)).all(), "{at} in {size:?}");
+        }
+        let share = (ball - eye).length() / (2.0 * half.x);
+        assert!(share > 0.15, "{share}: the arrows crowd the scene out of {size:?}");
+    }
 }

@@ -79,6 +79,9 @@ impl OpenScene {
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         lessons.seen_from = self.session.observer;
+        if next.step().view.observer.is_some() {
+            self.framed = None;
+        }
         // What was drawn was about the step before.
         if let Some(pen) = &mut self.session.pen {
             *pen = Pen::default();

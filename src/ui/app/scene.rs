@@ -10,7 +10,7 @@ use pinhole_exchange::scenes::SceneSource;
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
 use crate::model::given::{self, Given};
-use crate::model::lessons::{self, StepId, Which};
+use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
 use crate::model::session::ghost::{Beside, Ghost};
@@ -35,12 +35,12 @@ pub(super) struct OpenScene {
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
     /// The observer as it was last framed; another one was moved by hand.
-    framed: Option<Framed>,
+    pub(super) framed: Option<Framed>,
 }
 
 /// An observer that was fitted to the world view's size.
 #[derive(Clone, Copy, Debug)]
-struct Framed {
+pub(super) struct Framed {
     observer: Observer,
     size: ViewSize,
     /// The camera that was in sight.
@@ -132,8 +132,13 @@ impl OpenScene {
         let camera = &document.camera;
         // An object at fault is not there yet; the camera is.
         let scene = || document.scene().unwrap_or_default();
+        // Those that a hand switches later move nothing.
+        let items = match &self.lessons.open {
+            Some(open) => apply::items_to_frame(open.step(), &self.session),
+            None => self.session.settings.items,
+        };
         let observer = match (named, own) {
-            (Some(named), _) => named.framing_the_same(camera, &scene(), size),
+            (Some(named), _) => named.framing_the_same(camera, &scene(), size, items),
             (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
             (None, None) => Observer::frame_all(camera, &scene(), size),
         };

@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
 use pinhole::model::observer::Observer;
+use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
@@ -13,7 +14,7 @@ use pinhole::view::overlay::{UP_LENGTH, arrow_length};
 use pinhole_core::{DVec2, DVec3, Orientation, Sphere};
 
 use super::camera;
-use crate::harness::{click_at, show, type_into, window_with};
+use crate::harness::{click_at, command, show, type_into, window_with};
 
 /// Sizes of the window: wide, high, ordinary.
 const SIZES: [egui::Vec2; 3] = [vec2(1920.0, 1080.0), vec2(900.0, 1000.0), vec2(1024.0, 768.0)];
@@ -170,13 +171,16 @@ fn misframed(harness: &Harness<'_, App>) -> Option<String> {
     let camera = camera(harness);
     let frame = harness.state().derived().world_frame.clone()?;
     let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point());
+    let items = harness.state().session().settings.items;
     let mut points = vec![camera.eye];
-    if !matches!(camera.orientation, Orientation::Basis(_)) {
+    if items.shows(Item::ViewAndUp) && !matches!(camera.orientation, Orientation::Basis(_)) {
         points.push(camera.eye + UP_LENGTH * length * camera.up().normalize());
     }
     if let Ok(resolved) = camera.resolve() {
         let basis = resolved.basis();
-        points.extend([basis.u, basis.v, basis.w].map(|axis| camera.eye + length * axis));
+        if items.shows(Item::Basis) {
+            points.extend([basis.u, basis.v, basis.w].map(|axis| camera.eye + length * axis));
+        }
         let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
         let corners = [DVec2::ONE, -DVec2::ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)];
         points.extend(corners.map(|corner| resolved.ray(half * corner).at(1.0)));
@@ -192,8 +196,7 @@ fn misframed(harness: &Harness<'_, App>) -> Option<String> {
     for (point, is_own) in points.iter().map(|p| (*p, true)).chain(spheres.map(|p| (p, false))) {
         let at;
         [at, half] = in_view(harness, point);
-        // A lower view has no room for the arrows, which keep their length on the screen.
-        if is_own && half.y > 72.0 && (half - at.abs()).min_element() < 8.0 {
+        if is_own && (half - at.abs()).min_element() < 8.0_f64.min(0.08 * half.y) {
             return Some(format!("{point} is at {at} of {half}"));
         }
         (least, most) = (least.min(at.max(-half)), most.max(at.min(half)));
@@ -229,6 +232,92 @@ fn what_a_step_frames_fills_the_view_when_its_answer_takes_room() {
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// Opens a step before an audience, with the answer to its question.
+fn present(harness: &mut Harness<'_, App>, lesson: usize, step: usize) {
+    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
+    harness.state_mut().open_lesson(id, None);
+    harness.run_steps(3);
+    if harness.state().session().is_asking {
+        harness.key_press(Key::PageDown);
+        harness.run_steps(3);
+    }
+}
+
+#[test]
+fn a_step_without_arrows_leaves_the_view_to_what_it_shows() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.key_press(Key::F5);
+    for size in [vec2(1024.0, 768.0), vec2(1920.0, 1080.0)] {
+        harness.set_size(size);
+        for (lesson, step, least) in [(12, 5, 0.75), (12, 3, 0.3), (13, 1, 0.3)] {
+            present(&mut harness, lesson, step);
+            let ball = harness.state().document().spheres[0].shape;
+            let up = ball.radius
+                * harness.state().derived().world_frame.clone().unwrap().camera().basis().v;
+            let [top, half] = in_view(&harness, ball.center + up);
+            let [bottom, _] = in_view(&harness, ball.center - up);
+            let share = (top.y - bottom.y) / (2.0 * half.y);
+            assert!((least..1.0).contains(&share), "{lesson}.{step} at {size}: {share}");
+        }
+    }
+}
+
+#[test]
+fn a_low_view_has_room_for_the_arrows_and_the_ball() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.key_press(Key::F5);
+    harness.set_size(vec2(1024.0, 768.0));
+    for step in 1..=3 {
+        present(&mut harness, 10, step);
+        assert_tips_in_sight(&harness, &format!("10.{step}"));
+        let camera = camera(&harness);
+        let ball = harness.state().document().spheres[0].shape.center;
+        let [[eye, half], [ball, _]] = [camera.eye, ball].map(|at| in_view(&harness, at));
+        assert!(half.y < 100.0, "{half}");
+        let share = (ball.x - eye.x).abs() / (2.0 * half.x);
+        assert!(share > 0.3, "10.{step}: the ball is {share} of the view from the eye");
+    }
+}
+
+#[test]
+fn items_that_a_hand_switches_move_nothing() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 2 }, None);
+    harness.run_steps(3);
+    let before = observer(&harness);
+    for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {
+        command(&mut harness, &format!("Overlay: {}", item.label()));
+        assert!(harness.state().session().settings.items.shows(item));
+        assert_eq!(observer(&harness), before, "{item:?}");
+    }
+    harness.set_size(vec2(900.0, 700.0));
+    harness.run_steps(3);
+    assert_tips_in_sight(&harness, "switched on by hand, in another view");
+}
+
+#[test]
+fn a_step_is_seen_alike_from_whichever_it_is_opened() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    let mut found = Vec::new();
+    for (lesson, steps) in builtin::all().iter().enumerate() {
+        let mut seen = |steps: &[(usize, usize)]| {
+            for (lesson, step) in steps {
+                let id = StepId { lesson: Which::Builtin(*lesson), step: *step };
+                harness.state_mut().open_lesson(id, None);
+                harness.run_steps(3);
+            }
+            harness.state().session().observer
+        };
+        for step in 1..steps.steps.len() {
+            let next = seen(&[(lesson, step - 1), (lesson, step)]);
+            if seen(&[((lesson + 1) % 13, 0), (lesson, step)]) != next {
+                found.push(format!("{}.{}", lesson + 1, step + 1));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found:?}");
 }
 
 #[test]

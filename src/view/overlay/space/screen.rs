@@ -2,6 +2,8 @@
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
+use crate::model::observer::ViewSize;
+
 /// The observer's picture plane, measured in dots from its top left corner.
 ///
 /// Points pass through *view coordinates*: x to the right, y down, z the depth in front of the
@@ -164,6 +166,21 @@ impl Screen {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
         let points = dots / scale;
         points.clamp(least, most) / points
+    }
+
+    /// Returns the length of the basis arrows at a point, likewise.
+    pub(crate) fn arrow_length(&self, at: DVec3, scale: f64) -> f64 {
+        self.length_of_points(at, self.view_size(scale).arrow_points(), scale)
+    }
+
+    /// Returns the length of a normal at a point, likewise.
+    pub(crate) fn normal_length(&self, at: DVec3, scale: f64) -> f64 {
+        let (points, _) = self.view_size(scale).arrow_points();
+        self.length_of_points(at, (points, points), scale)
+    }
+
+    fn view_size(&self, scale: f64) -> ViewSize {
+        ViewSize { width: self.size.x / scale, height: self.size.y / scale }
     }
 
     /// Returns the direction of the observer's ray through a point `at` of the screen, as

@@ -7,16 +7,12 @@ use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::number::written;
-use crate::model::observer::{ARROW_POINTS, AXIS_LENGTH, UP_LENGTH};
+use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::space::screen::unit;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch, Tip};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
-
-/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the others'
-/// so that arrows in one direction do not hide each other.
-pub(crate) const VIEW_LENGTH: f64 = 1.6;
 
 /// Size of the viewport on the screen, in points, below which the camera has a body: its handles
 /// would lie over each other, and its frustum could hardly be seen.
@@ -31,14 +27,11 @@ const LOW: f64 = 300.0;
 /// Significant digits of t at the point that moves along the ray.
 const T_DIGITS: usize = 4;
 
-/// Length of a normal, in points.
-pub(crate) const NORMAL_POINTS: f64 = 62.0;
-
 impl Sketch<'_> {
     /// Draws the whole camera, from the back of the drawing to its front.
     pub(crate) fn camera_in_space(&mut self, view: &WorldView) {
         let eye = view.camera.eye;
-        let usual = self.length_of_points(eye, ARROW_POINTS);
+        let usual = self.arrow_length(eye);
         let arrow = view.handles.arrow.unwrap_or(usual);
         self.axes();
         if let Some(resolved) = view.resolved {
@@ -62,8 +55,18 @@ impl Sketch<'_> {
         self.screen.length_of_points(at, range, self.scale())
     }
 
+    /// Returns the length of the basis arrows at a point.
+    pub(crate) fn arrow_length(&self, at: DVec3) -> f64 {
+        self.screen.arrow_length(at, self.scale())
+    }
+
+    /// Returns the length of the normal at a point.
+    pub(crate) fn normal_length(&self, at: DVec3) -> f64 {
+        self.screen.normal_length(at, self.scale())
+    }
+
     fn axes(&mut self) {
-        let length = AXIS_LENGTH * self.length_of_points(DVec3::ZERO, ARROW_POINTS);
+        let length = AXIS_LENGTH * self.arrow_length(DVec3::ZERO);
         let names = ["x", "y", "z"];
         for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
             let pen = Pen::new(Item::Axes, color, 1.6);
@@ -215,7 +218,7 @@ impl Sketch<'_> {
         let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         // Where it has no name it would only be one arrow more.
         if self.names_all {
-            let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
+            let length = self.normal_length(hit.point);
             let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
             self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
         }

@@ -4,7 +4,6 @@
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 use pinhole_lecture::mistakes::WrongCamera;
 
-use crate::model::observer::ARROW_POINTS;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
@@ -70,7 +69,7 @@ impl Sketch<'_> {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
         self.sides(corners.map(|corner| eye + corner), outline);
-        let length = self.length_of_points(eye, ARROW_POINTS);
+        let length = self.arrow_length(eye);
         let heads = [("u", Head::Filled), ("v", Head::Open), ("w", Head::Double)];
         for ((vector, (name, head)), color) in
             ghost.basis.into_iter().zip(heads).zip(self.colors.basis)

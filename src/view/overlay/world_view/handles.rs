@@ -3,13 +3,11 @@
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
-use crate::model::observer::ARROW_POINTS;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::space::screen::Screen;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::camera_in_space::NORMAL_POINTS;
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -103,22 +101,21 @@ const RIM: f64 = 2.4;
 /// Returns the world length that covers `points` points on the screen at a point; 0 where it is not
 /// seen.
 pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
-    of_points(observer, at, (points, points), scale)
+    screen_at(observer, at).length_of_points(at, (points, points), scale.into())
 }
 
 /// Returns the world length of the arrows at a camera's eye, as the world view draws them.
 pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
-    of_points(observer, eye, ARROW_POINTS, scale)
+    screen_at(observer, eye).arrow_length(eye, scale.into())
 }
 
 /// Returns the world length of a plane's normal at its point.
 pub fn normal_length(observer: &ResolvedCamera, point: DVec3, scale: f32) -> f64 {
-    length_of_points(observer, point, NORMAL_POINTS, scale)
+    screen_at(observer, point).normal_length(point, scale.into())
 }
 
-fn of_points(observer: &ResolvedCamera, at: DVec3, range: (f64, f64), scale: f32) -> f64 {
-    let screen = Screen::new(observer, at.distance(observer.eye()));
-    screen.length_of_points(at, range, scale.into())
+fn screen_at(observer: &ResolvedCamera, at: DVec3) -> Screen {
+    Screen::new(observer, at.distance(observer.eye()))
 }
 
 impl Sketch<'_> {

@@ -5,7 +5,7 @@ use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera};
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::model::concept::Concept;
-use crate::model::observer::{ARROW_POINTS, UP_LENGTH};
+use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
@@ -14,9 +14,7 @@ use crate::view::overlay::space::screen::{tangents, unit};
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
-use crate::view::overlay::world_view::camera_in_space::{
-    NORMAL_POINTS, VIEW_LENGTH, basis_arrows, corners,
-};
+use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
@@ -73,7 +71,7 @@ impl Sketch<'_> {
     /// Highlights what the camera is given by; it exists without a basis, too.
     fn highlight_given(&mut self, view: &WorldView, highlighted: Highlighted) {
         let eye = view.camera.eye;
-        let arrow = self.length_of_points(eye, ARROW_POINTS);
+        let arrow = self.arrow_length(eye);
         let (given, ink) = (self.colors.given, self.colors.ink);
         let looks = unit(view.camera.view());
         match (highlighted.concept, view.camera.orientation) {
@@ -178,7 +176,7 @@ impl Sketch<'_> {
     /// Highlights what needs the basis: its vectors, the viewport and its distance.
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let eye = resolved.eye();
-        let arrow = self.length_of_points(eye, ARROW_POINTS);
+        let arrow = self.arrow_length(eye);
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let arrows = basis_arrows(resolved.basis());
         for ((concept, name, vector, head), (color, pattern)) in arrows.zip(inks) {
@@ -251,7 +249,7 @@ impl Sketch<'_> {
             }
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
-                let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
+                let length = self.normal_length(hit.point);
                 let pen = Pen { color: self.colors.hit, ..pen };
                 let tip = hit.point + 1.3 * length * hit.normal;
                 self.highlighted_arrow(hit.point, tip, Head::Filled, pen, "n", VECTOR_TEXT);

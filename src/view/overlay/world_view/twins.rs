@@ -3,14 +3,12 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Ray};
 
-use crate::model::observer::ARROW_POINTS;
 use crate::model::overlay_items::Item;
 use crate::model::practice::twin::{Twin, TwinShape};
 use crate::view::overlay::space::screen::unit;
 use crate::view::overlay::space::sketch::{Head, Pen, Sketch, Tip};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
-use crate::view::overlay::world_view::camera_in_space::NORMAL_POINTS;
 
 /// Length, in unit vectors, between which an answer is drawn as long as it is.
 const LENGTHS: (f64, f64) = (0.3, 1.5);
@@ -38,7 +36,7 @@ impl Sketch<'_> {
         match twin.shape {
             TwinShape::BasisVector(index, vector) => {
                 let (eye, color) = (view.camera.eye, self.colors.basis[index]);
-                let length = self.length_of_points(eye, ARROW_POINTS);
+                let length = self.arrow_length(eye);
                 let head = [Head::Filled, Head::Open, Head::Double][index];
                 let Some(direction) = unit(vector) else { return };
                 let reach = vector.length().clamp(LENGTHS.0, LENGTHS.1);
@@ -59,7 +57,7 @@ impl Sketch<'_> {
             TwinShape::Point(at) => self.twin_point(twin, at, ray_pen),
             TwinShape::Normal(at, normal) => {
                 let Some(direction) = unit(normal) else { return };
-                let length = self.length_of_points(at, (NORMAL_POINTS, NORMAL_POINTS));
+                let length = self.normal_length(at);
                 let pen = pen(self.colors.hit, 2.4);
                 let reach = normal.length().clamp(LENGTHS.0, LENGTHS.1);
                 let tip = self.arrow(at, at + length * reach * direction, Head::Filled, pen);
