@@ -1,0 +1,156 @@
+//! Bench of the scenes that cost most: spheres that no f32 tells apart, nested and equal ones, spheres
+//! that touch the eye, and lengths over the whole range, each beside an ordinary scene of as many
+//! spheres.
+//!
+//! `cargo bench -p pinhole-core --bench worst`; a family's name behind `--` runs it alone. The frame has
+//! 320 x 180 pixels, and is traced by all threads.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
+
+use std::time::{Duration, Instant};
+
+use pinhole_core::*;
+
+const WIDTH: u32 = 320;
+const HEIGHT: u32 = 180;
+const ROUNDS: usize = 3;
+
+/// A time after which a measurement is not repeated.
+const LONG: Duration = Duration::from_secs(2);
+
+/// Numbers from 0 to 1 that are the same in every run (SplitMix64: Steele, Lea, Flood, *Fast splittable
+/// pseudorandom number generators*, 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A point of the cube from -1 to 1.
+    fn point(&mut self) -> DVec3 {
+        DVec3::from_array([(); 3].map(|()| 2.0 * self.next() - 1.0))
+    }
+}
+
+type Family = (&'static str, usize, fn(usize) -> Vec<Sphere>);
+
+fn ball(center: impl Into<DVec3>, radius: f64) -> Sphere {
+    Sphere { center: center.into(), radius }
+}
+
+const AHEAD: DVec3 = DVec3::new(0.0, 0.0, -5.0);
+
+/// The families: name, number of spheres, and the spheres.
+const FAMILIES: [Family; 7] = [
+    ("within 1e-9", 10_000, |count| {
+        let mut random = Random(1);
+        (0..count).map(|_| ball(AHEAD + 1e-9 * random.point(), 1.0)).collect()
+    }),
+    ("nearly equal", 500, |count| {
+        let mut random = Random(2);
+        (0..count).map(|_| ball(AHEAD + 1e-15 * random.point(), 1.0)).collect()
+    }),
+    ("touch the eye", 200, |count| {
+        (1..=count).map(|k| ball([0.0, -(k as f64), 0.0], k as f64)).collect()
+    }),
+    ("nested by an ulp", 1000, |count| {
+        (0..count).map(|k| ball(AHEAD, 1.0 + k as f64 * f64::EPSILON)).collect()
+    }),
+    ("equal", 1000, |count| vec![ball(AHEAD, 1.0); count]),
+    ("all lengths", 400, |count| {
+        let size = |k: usize| 10_f64.powf(-290.0 + 580.0 * k as f64 / count as f64);
+        (0..count).map(|k| ball(size(k) * AHEAD, size(k))).collect()
+    }),
+    ("one cone", 100_000, |count| {
+        let mut random = Random(3);
+        let depth = |random: &mut Random| 10_f64.powf(4.0 * random.next());
+        let one = |random: &mut Random| {
+            let depth = depth(random);
+            ball(depth * (AHEAD + 1e-3 * random.point()), depth)
+        };
+        (0..count).map(|_| one(&mut random)).collect()
+    }),
+];
+
+/// Spheres apart from one another that fill the picture.
+fn ordinary(count: usize) -> Vec<Sphere> {
+    let mut random = Random(4);
+    let radius = 2.0 / (count as f64).cbrt();
+    (0..count).map(|_| ball(AHEAD + 3.0 * random.point() + 2.0 * DVec3::NEG_Z, radius)).collect()
+}
+
+fn camera() -> ResolvedCamera {
+    let image = ImageSize::new(WIDTH, HEIGHT).unwrap();
+    let viewport = Viewport { width: 16.0 / 9.0, height: 1.0, distance: 1.0 };
+    Camera { viewport, image, ..Camera::CANONICAL }.resolve().unwrap()
+}
+
+fn time<T: Depth>(scene: &Scene, camera: &ResolvedCamera) -> (f64, Steps) {
+    let (raster, mut steps) = (Raster::full(camera.image()), Steps::default());
+    let mut best = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        steps = trace_as::<T>(scene, camera, &raster, Outputs::default()).steps;
+        best = best.min(start.elapsed().as_secs_f64());
+        if start.elapsed() > LONG {
+            break;
+        }
+    }
+    (best, steps)
+}
+
+fn main() {
+    let only: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
+    let (camera, threads) = (camera(), rayon::current_num_threads());
+    let pixels = f64::from(WIDTH * HEIGHT);
+    println!("{WIDTH} x {HEIGHT}, {threads} threads; the least of up to {ROUNDS} rounds\n");
+    println!(
+        "family            spheres   f32 ms  ordinary  ratio   f64 ms  ns/(pixel sphere)  steps"
+    );
+    for (name, count, spheres) in FAMILIES {
+        if !(only.is_empty() || only.iter().any(|only| name.contains(only.as_str()))) {
+            continue;
+        }
+        let scene = |spheres| {
+            let scene = Scene::new(spheres, vec![]).unwrap();
+            scene.make_index();
+            scene
+        };
+        let (hard, easy) = (scene(spheres(count)), scene(ordinary(count)));
+        let (single, steps) = time::<f32>(&hard, &camera);
+        let (plain, _) = time::<f32>(&easy, &camera);
+        let (double, _) = time::<f64>(&hard, &camera);
+        println!(
+            "{name:16} {count:8} {:8.1} {:9.2} {:6.0} {:8.1} {:12.1}         {} {} {}",
+            1e3 * single,
+            1e3 * plain,
+            single / plain,
+            1e3 * double,
+            1e9 * single * threads as f64 / (pixels * count as f64),
+            steps.f64,
+            steps.double_double,
+            steps.exact,
+        );
+    }
+    single_rays();
+}
+
+/// The first hits of 2000 rays among 100,000 spheres, asked one by one.
+fn single_rays() {
+    let scene = Scene::new(ordinary(100_000), vec![]).unwrap();
+    scene.make_index();
+    let mut random = Random(5);
+    let rays: Vec<Ray> = (0..2000)
+        .map(|_| Ray::new([0.0; 3], (AHEAD + random.point()).to_array()).unwrap())
+        .collect();
+    let start = Instant::now();
+    let hits = rays.iter().filter(|ray| scene.first_hit(ray).is_some()).count();
+    println!(
+        "\n2000 rays, 100000 spheres, one by one: {:.0} ms, {hits} hits",
+        1e3 * start.elapsed().as_secs_f64()
+    );
+}
