@@ -45,7 +45,7 @@ fn ball(center: impl Into<DVec3>, radius: f64) -> Sphere {
 const AHEAD: DVec3 = DVec3::new(0.0, 0.0, -5.0);
 
 /// The families: name, number of spheres, and the spheres.
-const FAMILIES: [Family; 7] = [
+const FAMILIES: [Family; 8] = [
     ("within 1e-9", 10_000, |count| {
         let mut random = Random(1);
         (0..count).map(|_| ball(AHEAD + 1e-9 * random.point(), 1.0)).collect()
@@ -56,6 +56,11 @@ const FAMILIES: [Family; 7] = [
     }),
     ("touch the eye", 200, |count| {
         (1..=count).map(|k| ball([0.0, -(k as f64), 0.0], k as f64)).collect()
+    }),
+    // Within the rounding of their centres.
+    ("nearly touch it", 200, |count| {
+        let (down, step) = (DVec3::new(0.1, -0.7, 0.0).normalize(), 0.1);
+        (1..=count).map(|k| ball(step * k as f64 * down, step * k as f64)).collect()
     }),
     ("nested by an ulp", 1000, |count| {
         (0..count).map(|k| ball(AHEAD, 1.0 + k as f64 * f64::EPSILON)).collect()

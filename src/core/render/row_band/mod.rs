@@ -2,6 +2,7 @@
 
 pub(crate) mod exact_values;
 pub(crate) mod fallback;
+pub(crate) mod rough_hits;
 
 use std::cmp::Ordering;
 use std::mem;
@@ -22,6 +23,7 @@ use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::per_pixel::pixel_hit;
+use crate::render::row_band::rough_hits::KnownHits;
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
@@ -41,6 +43,8 @@ pub(crate) struct RowBand<'a> {
     next: Option<(usize, usize)>,
     /// Pixels in doubt, left to be decided.
     doubts: Vec<Doubt>,
+    /// What `f64` knows of pixels that were in doubt.
+    known: KnownHits,
     drawn: DrawnSpheres,
     /// True, by row, if an object's outline reaches it.
     is_reached: Vec<bool>,
@@ -77,6 +81,7 @@ impl<'a> RowBand<'a> {
             steps: Steps::default(),
             next: Some((0, 0)),
             doubts: Vec::new(),
+            known: KnownHits::default(),
             drawn: DrawnSpheres::default(),
             m: Vec::new(),
             found: Vec::new(),
@@ -99,15 +104,6 @@ impl<'a> RowBand<'a> {
         self.next = self.draw_spans(from, &mut doubts, &mut drawn);
         (self.doubts, self.drawn) = (doubts, drawn);
         true
-    }
-
-    /// Decides the pixels that the rows have left in doubt.
-    pub(crate) fn resolve_doubt(&mut self) {
-        let mut doubts = mem::take(&mut self.doubts);
-        for doubt in doubts.drain(..) {
-            self.resolve(&doubt);
-        }
-        self.doubts = doubts;
     }
 
     /// Draws the spheres that cannot be drawn by rows, and the planes.

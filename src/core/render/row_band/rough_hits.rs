@@ -1,0 +1,229 @@
+//! Pixels in doubt, decided in `f64`: what is known of the sphere that a pixel shows is kept, so that
+//! each further sphere costs one comparison.
+
+use std::cmp::Ordering;
+
+use crate::exact::bounded::{UNIT, Vector, dot};
+use crate::exact::quadratic::{DirectionTerms, Quadratic};
+use crate::exact::scale::ldexp;
+use crate::render::frame::NO_OBJECT;
+use crate::scene::object_from_origin::ObjectFromOrigin;
+use crate::scene::sphere::Sphere;
+use crate::scene::sphere_predicates::SphereFromOrigin;
+
+/// A sphere's first hit with a pixel's ray, in `f64`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RoughHit {
+    /// The sphere.
+    pub(crate) object: u32,
+    /// `t` for the direction at hand, in units of `2^scale`, and its relative error.
+    pub(crate) t: f64,
+    pub(crate) share: f64,
+    scale: i32,
+    /// The side of the sphere that the eye is on.
+    side: Ordering,
+    /// The hit less the sphere's centre, in the same units, and its error as a length.
+    from_center: Vector<f64>,
+    off: f64,
+    /// `(b, a)` less and plus their errors: b / a lies in the middle of the chord.
+    middle: (f64, f64),
+}
+
+/// What `f64` knows of a pixel's ray and a sphere.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Rough {
+    Miss,
+    Hit(RoughHit),
+    Doubt,
+}
+
+/// Lengths at which nothing below overflows or underflows.
+const LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
+
+impl Rough {
+    /// Asks a sphere.
+    pub(crate) fn new(
+        object: u32,
+        seen: &SphereFromOrigin,
+        direction: &DirectionTerms<f64>,
+    ) -> Rough {
+        let quadratic = Quadratic::new(&seen.rough, direction);
+        let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = quadratic;
+        let found = match seen.side {
+            Ordering::Less => quadratic.root(&seen.rough, true),
+            _ if b < -b_doubt => return Rough::Miss,
+            _ if b <= b_doubt => None,
+            // From the sphere itself, the roots are 0 and 2 b / a.
+            Ordering::Equal => Some((2.0 * b / a, 1.01 * (b_doubt / b + a_doubt) + 4.0 * UNIT)),
+            Ordering::Greater if discriminant < -discriminant_doubt => return Rough::Miss,
+            Ordering::Greater => quadratic.root(&seen.rough, false),
+        };
+        let Some((t, share)) = found else { return Rough::Doubt };
+        let reach = t * direction.length;
+        if !(share < 0.25 && LENGTHS.contains(&t) && LENGTHS.contains(&reach)) {
+            return Rough::Doubt;
+        }
+        let off = 1.05
+            * ((share + direction.doubt + 2.0 * UNIT) * reach
+                + (seen.rough.q_doubt + 2.0 * UNIT) * seen.rough.distance);
+        let q = seen.rough.q;
+        Rough::Hit(RoughHit {
+            object,
+            t,
+            share,
+            scale: seen.scale,
+            side: seen.side,
+            from_center: std::array::from_fn(|i| t * direction.d[i] - q[i]),
+            off,
+            middle: (b - b_doubt, a * (1.0 + a_doubt + 4.0 * UNIT)),
+        })
+    }
+}
+
+impl RoughHit {
+    /// Nothing known.
+    const NONE: RoughHit = RoughHit {
+        object: NO_OBJECT,
+        t: 0.0,
+        share: 0.0,
+        scale: 0,
+        side: Ordering::Equal,
+        from_center: [0.0; 3],
+        off: 0.0,
+        middle: (0.0, 0.0),
+    };
+
+    /// `t` for the ray itself, whose direction is so many times shorter.
+    pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
+        ldexp(self.t * stretch, self.scale - scale)
+    }
+
+    /// Compares the `t` of two hits of one ray, with `own` and `others` the spheres; `None` in doubt.
+    pub(crate) fn compare(
+        &self,
+        other: &RoughHit,
+        own: &Sphere,
+        others: &Sphere,
+    ) -> Option<Ordering> {
+        self.compare_t(other).or_else(|| self.compare_by_power(other, own, others))
+    }
+
+    fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
+        // Both t are between 1e-60 and 1e60.
+        let k = self.scale - other.scale;
+        if k.abs() > 500 {
+            return Some(k.cmp(&0));
+        }
+        let (t, other_t) = (ldexp(self.t, k), other.t);
+        let doubt = 1.01 * (self.share * t + other.share * other_t);
+        ((t - other_t).abs() > doubt).then(|| t.total_cmp(&other_t))
+    }
+
+    /// Compares two `t` that are closer than their errors, by the power of this hit with respect to the
+    /// other sphere. On this sphere's surface, at `o` from its centre, the quadratic terms cancel; with
+    /// `e` from this centre to the other one,
+    ///
+    /// ```text
+    /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)
+    /// ```
+    ///
+    /// is linear in o, and every term as small as the spheres differ: nearly equal spheres, and nested
+    /// ones, are told apart by `f64`. Where it is negative, the hit lies inside the other sphere, which
+    /// the ray has entered before, and leaves later. Where it is positive, the hit lies before or after
+    /// the other's chord: before, if it comes before the chord's middle; after, if the chord begins
+    /// behind the eye, which lies in both spheres.
+    fn compare_by_power(
+        &self,
+        other: &RoughHit,
+        own: &Sphere,
+        others: &Sphere,
+    ) -> Option<Ordering> {
+        if self.scale != 0 || other.scale != 0 || self.side != other.side {
+            return None;
+        }
+        let e = (others.center - own.center).to_array();
+        let (wider, both) = (others.radius - own.radius, others.radius + own.radius);
+        let (ee, eo) = (dot(e, e), dot(e, self.from_center));
+        let power = ee - 2.0 * eo - wider * both;
+        let largest = e.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let products: f64 = (0..3).map(|i| (e[i] * self.from_center[i]).abs()).sum();
+        let rounding = 16.0 * UNIT * (ee + 2.0 * products + wider.abs() * both);
+        let off = 2.0 * 1.74 * largest * self.off + rounding + f64::MIN_POSITIVE;
+        let is_inside = power < -off;
+        if !is_inside && power <= off {
+            return None;
+        }
+        match self.side {
+            Ordering::Greater if is_inside => Some(Ordering::Greater),
+            Ordering::Greater => {
+                let (b, a) = other.middle;
+                (self.t * (1.0 + self.share) * a < b).then_some(Ordering::Less)
+            }
+            Ordering::Less if is_inside => Some(Ordering::Less),
+            Ordering::Less => Some(Ordering::Greater),
+            Ordering::Equal => None,
+        }
+    }
+}
+
+/// What is known of the objects that the pixels of a band show.
+#[derive(Debug, Default)]
+pub(crate) struct KnownHits {
+    /// By pixel of the band; empty while few pixels are in doubt.
+    hits: Vec<RoughHit>,
+    /// Objects as the eye sees them, by the last digits of their index.
+    seen: Vec<Option<(u32, ObjectFromOrigin)>>,
+}
+
+impl KnownHits {
+    /// Number of pixels in doubt from which it is worth while to keep what is known of each pixel.
+    const MANY: usize = 1024;
+
+    /// Number of objects that are kept; a power of two.
+    const OBJECTS: usize = 64;
+
+    /// Makes room for what is known of so many pixels, if many are in doubt.
+    pub(crate) fn expect(&mut self, doubts: usize, pixels: usize) {
+        if doubts >= KnownHits::MANY && self.hits.is_empty() {
+            self.hits.resize(pixels, RoughHit::NONE);
+        }
+    }
+
+    /// Returns an object as the eye sees it.
+    pub(crate) fn seen(
+        &mut self,
+        object: u32,
+        make: impl FnOnce() -> ObjectFromOrigin,
+    ) -> &ObjectFromOrigin {
+        self.seen.resize(KnownHits::OBJECTS, None);
+        let slot = &mut self.seen[object as usize % KnownHits::OBJECTS];
+        if slot.as_ref().is_none_or(|(known, _)| *known != object) {
+            *slot = None;
+        }
+        &slot.get_or_insert_with(|| (object, make())).1
+    }
+
+    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is sure of it.
+    pub(crate) fn hit(
+        &mut self,
+        offset: usize,
+        object: u32,
+        direction: &DirectionTerms<f64>,
+        make: impl FnOnce() -> ObjectFromOrigin,
+    ) -> Option<RoughHit> {
+        if let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == object) {
+            return Some(*hit);
+        }
+        let ObjectFromOrigin::Sphere(seen) = self.seen(object, make) else { return None };
+        let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
+        self.keep(offset, hit);
+        Some(hit)
+    }
+
+    /// Keeps a pixel's hit.
+    pub(crate) fn keep(&mut self, offset: usize, hit: RoughHit) {
+        if let Some(slot) = self.hits.get_mut(offset) {
+            *slot = hit;
+        }
+    }
+}
