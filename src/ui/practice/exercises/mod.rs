@@ -174,15 +174,16 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
             exercises.renew(next);
         }
         if let Some(seed) = seed {
-            ui.label("seed");
+            let hint = format!(
+                "The number that the question's numbers are drawn from: the same seed, the same \
+                 question; a whole number, 0 to {LARGEST_SEED}"
+            );
+            ui.label("seed").on_hover_text(&hint);
             let mut typed = seed;
             let field = egui::DragValue::new(&mut typed)
                 .speed(0.1)
                 .range(0..=LARGEST_SEED)
                 .update_while_editing(false);
-            let hint = format!(
-                "The same seed gives the same question; a whole number, 0 to {LARGEST_SEED}"
-            );
             ui.add(field).on_hover_text(hint).named("exercise seed");
             if typed != seed {
                 exercises.show(exercise, Some(typed));
