@@ -10,8 +10,9 @@ use pinhole::model::session::presenting::{WRITTEN, zoom};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
+use pinhole_lecture::exercises::{Exercise, title};
 
-use crate::harness::{assert_says, says, texts_with, unfolded, window, window_with};
+use crate::harness::{assert_says, says, show, texts_with, unfolded, window, window_with};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
@@ -301,6 +302,36 @@ fn the_numbers_stand_below_the_views_and_leave_them_most_of_the_height() {
 fn no_text_at_1080_lines_is_smaller_than_28_pixels() {
     let settings = Settings::default();
     assert!(WRITTEN * zoom([1920.0, 1080.0], settings.smallest_text) >= 28.0);
+}
+
+#[test]
+fn an_exercise_is_as_large_as_its_fields_leave_room_for() {
+    for (exercise, largest) in [(Exercise::WarmUpRay, true), (Exercise::Turned, false)] {
+        let mut harness = window("canonical");
+        show(&mut harness, ViewLayout::Exercises);
+        if exercise != Exercise::WarmUpRay {
+            harness.get_by_role_and_label(Role::Button, title(exercise)).click();
+            harness.run();
+        }
+        press(&mut harness, Key::F5);
+        resize(&mut harness, [1920.0, 1080.0]);
+        assert_texts_are_large(&harness);
+        let size = |start: &str| {
+            let texts = texts(&harness);
+            texts.iter().find(|(text, _)| text.starts_with(start)).map(|(_, size)| *size).unwrap()
+        };
+        let least = if largest { 16.0 } else { WRITTEN };
+        for text in ["What ", "You may type"] {
+            assert!(size(text) >= least, "{exercise:?}, {text}: {}", size(text));
+        }
+        let buttons = harness.get_by_role_and_label(Role::Button, "Check").rect();
+        let fields: Vec<Rect> =
+            harness.get_all_by_role(Role::TextInput).map(|field| field.rect()).collect();
+        assert!(!fields.is_empty());
+        for field in fields {
+            assert!(field.bottom() <= buttons.top(), "{exercise:?}: {field} above {buttons}");
+        }
+    }
 }
 
 #[test]

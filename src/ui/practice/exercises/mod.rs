@@ -19,10 +19,29 @@ use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Returns the size of the text, in points. While presenting everything is enlarged, and all answer
-/// fields are to be seen at once.
+/// Sizes of the text, in points. While presenting everything is enlarged: the largest at which all
+/// answer fields are seen at once.
+const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
+
+/// Height of a row of fields with the space below it, in points.
+const ROW: f32 = 41.0;
+
+/// Returns the size of the text, in points.
 fn text_size(ui: &Ui) -> f32 {
-    if theme::installed(ui.ctx()).presenting { 13.0 } else { 17.0 }
+    ui.style().override_font_id.as_ref().map_or(SIZES[0], |font| font.size)
+}
+
+/// Returns the size of the text at which the question and its fields have room in the column.
+fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
+    let question = exercises.question();
+    let has_room = |size: &f32| {
+        let paragraphs = exercises::question(&question.given);
+        let text = paragraphs.iter().map(|paragraph| marked_text::height(ui, paragraph, *size));
+        let height = text.sum::<f32>() + (question.parts.len() as f32 + 0.5) * ROW;
+        height <= ui.available_height() - BAR * size
+    };
+    let presenting = theme::installed(ui.ctx()).presenting;
+    SIZES.into_iter().find(|size| !presenting || has_room(size)).unwrap_or(SIZES[2])
 }
 
 /// Width of the list, in points.
@@ -56,7 +75,6 @@ pub(crate) fn ui(
     scene: &mut QuestionScene,
     actions: &mut Vec<Action>,
 ) {
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(text_size(ui)));
     let whole = ui.available_rect_before_wrap().shrink(8.0);
     let is_narrow = whole.width() < NARROW;
     let list = if is_narrow { 0.0 } else { LIST + GAP };
@@ -67,6 +85,9 @@ pub(crate) fn ui(
         Rect::from_min_max(pos2(left, whole.top()), pos2(right, whole.bottom()))
     };
     let exercises = &mut session.exercises;
+    let question = UiBuilder::new().max_rect(column(from, middle - GAP));
+    let size = ui.scope_builder(question, |ui| size_with_room(ui, exercises)).inner;
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));
     if !is_narrow {
         let left = column(whole.left(), whole.left() + LIST);
         ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
