@@ -26,17 +26,23 @@ const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
 /// Height of a row of fields with the space below it, in points.
 const ROW: f32 = 41.0;
 
+/// What may be typed.
+const HINT: &str = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
+                    Nothing is sent anywhere.";
+
 /// Returns the size of the text, in points.
 fn text_size(ui: &Ui) -> f32 {
     ui.style().override_font_id.as_ref().map_or(SIZES[0], |font| font.size)
 }
 
-/// Returns the size of the text at which the question and its fields have room in the column.
+/// Returns the size of the text at which the question, its fields and the hint have room in the column.
 fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
     let question = exercises.question();
     let has_room = |size: &f32| {
         let paragraphs = exercises::question(&question.given);
-        let text = paragraphs.iter().map(|paragraph| marked_text::height(ui, paragraph, *size));
+        let texts =
+            paragraphs.iter().map(|text| (text.as_str(), *size)).chain([(HINT, size - 1.0)]);
+        let text = texts.map(|(text, size)| marked_text::height(ui, text, size));
         let height = text.sum::<f32>() + (question.parts.len() as f32 + 0.5) * ROW;
         height <= ui.available_height() - BAR * size
     };
@@ -156,9 +162,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source:
         verdict(ui, part, typed);
         ui.add_space(8.0);
     }
-    let hint = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
-                Nothing is sent anywhere.";
-    ui.label(RichText::new(hint).size(text_size(ui) - 1.0).weak());
+    ui.label(RichText::new(HINT).size(text_size(ui) - 1.0).weak());
     wants_check
 }
 
