@@ -29,7 +29,7 @@ pub enum Rounding {
     /// To so many significant digits.
     Significant(usize),
     /// To so many decimals; small numbers to two significant digits, which may be more decimals. A
-    /// number that ends within [`WHOLE`] decimals keeps them all.
+    /// number that ends within five decimals keeps them all.
     Decimals(usize),
 }
 
@@ -129,14 +129,15 @@ mod tests {
         let cases = [
             (0.0, "0"),
             (26.115_129, "26.115"),
-            (-0.804_13, "-0.804"),
+            (-0.804_128_7, "-0.804"),
+            (-0.804_13, "-0.80413"),
             (1e5 / 3.0, "33333.333"),
             (0.001_25, "0.00125"),
             (0.75 - 0.498_75, "0.25125"),
             (0.001_254_3, "0.0013"),
             (-0.000_726_55, "-0.00073"),
             (2.0, "2"),
-            (9.9999, "10"),
+            (9.999_961, "10"),
             (f64::INFINITY, "beyond f64"),
         ];
         for (x, text) in cases {
