@@ -12,12 +12,15 @@ use pinhole_exchange::{FileError, atomic, scene_file};
 /// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
 
+/// The title of a scene that belongs to no file.
+const UNNAMED: &str = "Unnamed scene";
+
 /// The origin of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A scene.
     Scene(SceneSource),
-    /// A lesson's step with this title.
+    /// A lesson's step with this title, or another scene that belongs to no file.
     Step(String),
 }
 
@@ -83,22 +86,34 @@ impl OpenDocument {
     pub fn changed(document: Document, source: Option<SceneSource>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
         let open = saved.map_or_else(
-            || {
-                let mut open = Self::of_step(Document::default(), String::new());
-                open.leave_lesson();
-                open
-            },
+            || Self::made_up(Document::default(), UNNAMED.to_owned()),
             |(saved, source)| Self::new(saved, source),
         );
         OpenDocument { document, ..open }
     }
 
-    /// Closes the lesson: from now on, the scene has no name, and changes count as unsaved.
-    pub fn leave_lesson(&mut self) {
-        if let Origin::Step(title) = &mut self.origin {
-            "Unnamed scene".clone_into(title);
+    /// Creates the open document of a scene with this title that belongs to no file.
+    pub fn made_up(document: Document, title: String) -> Self {
+        OpenDocument { forgiving: false, ..Self::of_step(document, title) }
+    }
+
+    /// Closes the lesson: from now on, changes count as unsaved. The scene is the first of `known` that
+    /// the step shows just so, and else has no name.
+    pub fn leave_lesson(&mut self, known: impl Iterator<Item = SceneSource>) {
+        if !std::mem::take(&mut self.forgiving) {
+            return;
         }
-        self.forgiving = false;
+        // A step has no note.
+        let is_same =
+            |known: &Document| Document { note: String::new(), ..known.clone() } == self.saved;
+        let mut loaded = known.filter_map(|source| Some((source.load().ok()?, source)));
+        *self = match loaded.find(|(known, _)| is_same(known)) {
+            Some((known, source)) => {
+                let document = Document { note: known.note.clone(), ..self.document.clone() };
+                OpenDocument { document, ..Self::new(known, source) }
+            }
+            None => OpenDocument { origin: Origin::Step(UNNAMED.to_owned()), ..self.clone() },
+        };
     }
 
     /// Returns the document's origin.

@@ -18,12 +18,18 @@ pub(crate) fn ungrouped(text: &str) -> String {
     (0..letters.len()).filter(|k| !is_comma(*k)).map(|k| letters[k]).collect()
 }
 
+/// Number of decimals that are short enough to be shown whole: −0.00125.
+const WHOLE: usize = 5;
+/// Number of significant digits in which a calculated number has no rounding error.
+const TELLING: usize = 12;
+
 /// The rounding of numbers that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
     /// To so many significant digits.
     Significant(usize),
-    /// To so many decimals; small numbers to two significant digits, which may be more decimals.
+    /// To so many decimals; small numbers to two significant digits, which may be more decimals. A
+    /// number that ends within five decimals keeps them all.
     Decimals(usize),
 }
 
@@ -33,6 +39,11 @@ impl Rounding {
         match self {
             Rounding::Significant(digits) => significant(x, digits),
             Rounding::Decimals(decimals) => {
+                let whole = significant(x, TELLING);
+                let places = whole.split_once('.').map_or(0, |(_, places)| places.len());
+                if x != 0.0 && places <= WHOLE && !whole.contains('e') {
+                    return whole;
+                }
                 let before = x.abs().log10().floor() + 1.0;
                 let digits = (before + decimals as f64).clamp(2.0, 17.0);
                 significant(x, if x == 0.0 { 2 } else { digits as usize })
@@ -118,12 +129,15 @@ mod tests {
         let cases = [
             (0.0, "0"),
             (26.115_129, "26.115"),
-            (-0.804_13, "-0.804"),
+            (-0.804_128_7, "-0.804"),
+            (-0.804_13, "-0.80413"),
             (1e5 / 3.0, "33333.333"),
-            (0.001_25, "0.0013"),
+            (0.001_25, "0.00125"),
+            (0.75 - 0.498_75, "0.25125"),
+            (0.001_254_3, "0.0013"),
             (-0.000_726_55, "-0.00073"),
             (2.0, "2"),
-            (9.9999, "10"),
+            (9.999_961, "10"),
             (f64::INFINITY, "beyond f64"),
         ];
         for (x, text) in cases {

@@ -57,7 +57,11 @@ const MEANINGS: [(Kind, &str, &str); 38] = [
     (Kind::Scalar, "a", "𝑎: the coefficient of 𝑡², the direction's squared length"),
     (Kind::Scalar, "b", "𝑏: half the coefficient of 𝑡; negative where the centre is ahead"),
     (Kind::Scalar, "c", "𝑐: what remains at 𝑡 = 0; negative where the eye is inside the sphere"),
-    (Kind::Scalar, "D", "𝐷: the discriminant; negative: missed, 0: touched, positive: two roots"),
+    (
+        Kind::Scalar,
+        "D",
+        "𝐷: a quarter of the textbook's discriminant, as 𝑏 is half; below 0 missed, 0 touched",
+    ),
     (Kind::Readout, "t", T),
     (Kind::Readout, "(u, v)", UV),
     (Kind::Readout, "|d|", "|𝐝|: the direction's length, how long a step of 𝑡 = 1 is"),

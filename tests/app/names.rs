@@ -10,7 +10,7 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
-use crate::harness::{show, unfolded, window, window_with};
+use crate::harness::{show, texts_with, unfolded, window, window_with};
 
 fn press(harness: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
     harness.key_press_modifiers(modifiers, key);
@@ -130,4 +130,30 @@ fn tab_goes_everywhere_and_shows_where_it_is() {
     harness.get_by_label("Camera view").click();
     harness.run();
     assert_eq!(ringed(&harness).map(|(_, rings)| rings), Some(0));
+}
+
+#[test]
+fn words_that_are_not_everybodys_have_a_sentence() {
+    let mut harness = window("canonical");
+    for (word, sentence) in [
+        ("Hit or miss: ", "double-double 32"),
+        ("D = b² − a c", "a quarter of the textbook's discriminant"),
+        ("seed", "The number that the question's numbers are drawn from"),
+    ] {
+        if word == "seed" {
+            show(&mut harness, ViewLayout::Exercises);
+            harness.get_by_label("New numbers").click();
+            harness.run();
+        }
+        let node = harness
+            .query_all_by(|node| {
+                let text = node.value().or_else(|| node.label()).unwrap_or_default();
+                node.role() == Role::Label && text.contains(word)
+            })
+            .next();
+        let rect = node.unwrap_or_else(|| panic!("no {word}")).rect();
+        harness.hover_at(rect.center());
+        harness.run_steps(8);
+        assert!(!texts_with(&harness, sentence).is_empty(), "{word}");
+    }
 }

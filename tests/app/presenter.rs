@@ -5,12 +5,14 @@ use egui::epaint::Shape;
 use egui::{Color32, Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::presenting::{WRITTEN, zoom};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
+use pinhole_lecture::exercises::{Exercise, title};
 
-use crate::harness::{assert_says, says, unfolded, window, window_with};
+use crate::harness::{assert_says, says, show, texts_with, unfolded, window, window_with};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
@@ -31,6 +33,26 @@ fn resize(harness: &mut Harness<'_, App>, pixels: [f32; 2]) {
         viewport.inner_rect = Some(Rect::from_min_size(pos2(0.0, 0.0), size));
         harness.step();
     }
+}
+
+#[test]
+fn lesson_1s_ray_is_the_same_number_in_the_text_and_the_derivation_in_few_steps() {
+    let mut harness = window("canonical");
+    let id = StepId { lesson: Which::Builtin(0), step: 2 };
+    harness.state_mut().open_lesson(id, None);
+    harness.run();
+    press(&mut harness, Key::F5);
+    for _ in 0..7 {
+        press(&mut harness, Key::PageDown);
+    }
+    let step = |harness: &Harness<'_, App>| harness.state().lesson().unwrap().id().step;
+    assert_eq!(step(&harness), 2);
+    for number in ["= −0.00125", "= 0.25125"] {
+        assert!(!texts_with(&harness, number).is_empty(), "{number}");
+    }
+    assert!(texts_with(&harness, "𝐝 =").is_empty(), "only u and v are asked for");
+    press(&mut harness, Key::PageDown);
+    assert_eq!(step(&harness), 3);
 }
 
 /// Every text that is painted, with its size in points before zoom.
@@ -258,11 +280,19 @@ fn the_numbers_stand_below_the_views_and_leave_them_most_of_the_height() {
             });
             let rect = number.rect();
             assert!(content.contains_rect(rect), "{name}: {rect} in {content}");
+            let painted = harness.output().shapes.iter().find_map(|clipped| match &clipped.shape {
+                Shape::Text(text) if rect.contains(text.visual_bounding_rect().center()) => {
+                    Some((text.visual_bounding_rect(), clipped.clip_rect))
+                }
+                _ => None,
+            });
+            let (text, clip) = painted.unwrap();
+            assert!(clip.contains_rect(text), "{name}: {text} is cut off at {clip}");
         }
         assert_texts_are_large(&harness);
         press(&mut harness, Key::N);
         assert!(view(&harness).height() > with_numbers.height());
-        assert_eq!(crate::harness::texts_with(&harness, "d = ").len(), 0);
+        assert_eq!(texts_with(&harness, "d = ").len(), 0);
         press(&mut harness, Key::N);
         assert_eq!(view(&harness), with_numbers);
     }
@@ -272,6 +302,36 @@ fn the_numbers_stand_below_the_views_and_leave_them_most_of_the_height() {
 fn no_text_at_1080_lines_is_smaller_than_28_pixels() {
     let settings = Settings::default();
     assert!(WRITTEN * zoom([1920.0, 1080.0], settings.smallest_text) >= 28.0);
+}
+
+#[test]
+fn an_exercise_is_as_large_as_its_fields_leave_room_for() {
+    for (exercise, largest) in [(Exercise::WarmUpRay, true), (Exercise::Turned, false)] {
+        let mut harness = window("canonical");
+        show(&mut harness, ViewLayout::Exercises);
+        if exercise != Exercise::WarmUpRay {
+            harness.get_by_role_and_label(Role::Button, title(exercise)).click();
+            harness.run();
+        }
+        press(&mut harness, Key::F5);
+        resize(&mut harness, [1920.0, 1080.0]);
+        assert_texts_are_large(&harness);
+        let size = |start: &str| {
+            let texts = texts(&harness);
+            texts.iter().find(|(text, _)| text.starts_with(start)).map(|(_, size)| *size).unwrap()
+        };
+        let least = if largest { 16.0 } else { WRITTEN };
+        for text in ["What ", "You may type"] {
+            assert!(size(text) >= least, "{exercise:?}, {text}: {}", size(text));
+        }
+        let buttons = harness.get_by_role_and_label(Role::Button, "Check").rect();
+        let fields: Vec<Rect> =
+            harness.get_all_by_role(Role::TextInput).map(|field| field.rect()).collect();
+        assert!(!fields.is_empty());
+        for field in fields {
+            assert!(field.bottom() <= buttons.top(), "{exercise:?}: {field} above {buttons}");
+        }
+    }
 }
 
 #[test]

@@ -95,7 +95,7 @@ mistakes! {
 {
     /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
     WAsPrinted "w-as-printed" {
-        name: "𝐰 as printed",
+        name: "𝐰 without the minus",
         formula: "𝐰 ← normalize(view). Right: 𝐰 ← −normalize(view).",
         shows: "The camera looks the other way: it sees what is behind it, and nothing else in the \
                 numbers looks wrong.",

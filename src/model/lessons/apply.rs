@@ -103,7 +103,9 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
     session.mistakes_view = before.mistakes_view.clone();
-    session.exercises = before.exercises.clone();
+    // What was typed in a step's question is kept.
+    let exercises = &before.exercises;
+    session.exercises.show(exercises.question().exercise, exercises.seed());
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;
     settings.items = before.items;

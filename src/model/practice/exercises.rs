@@ -117,23 +117,16 @@ impl Exercises {
         self.kept = kept;
     }
 
-    /// Opens the question from this seed without answers; those in other exercises are kept.
+    /// Opens the question from this seed without answers; those to other questions are kept.
     pub(crate) fn renew(&mut self, seed: u64) {
-        let exercise = self.question.exercise;
-        let mut kept = std::mem::take(&mut self.kept);
-        kept.retain(|kept| kept.exercise != exercise);
-        *self = Exercises { kept, ..Exercises::open(exercise, Some(seed)) };
+        self.show(self.question.exercise, Some(seed));
+        self.clear();
     }
 
     /// Clears the answers to the open question.
     pub(crate) fn clear(&mut self) {
         let kept = std::mem::take(&mut self.kept);
         *self = Exercises { kept, ..Exercises::open(self.question.exercise, self.seed) };
-    }
-
-    /// Clears the answers to all questions.
-    pub(crate) fn clear_all(&mut self) {
-        *self = Exercises::open(self.question.exercise, self.seed);
     }
 
     /// Returns the question.
@@ -244,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_is_kept_until_new_numbers_are_asked_for() {
+    fn what_was_typed_is_kept_for_each_question() {
         let mut exercises = Exercises::open(Exercise::Sphere, Some(3));
         exercises.answers[0].fields[0] = "4".to_owned();
         let typed = exercises.clone();
@@ -258,12 +251,14 @@ mod tests {
         exercises.show(Exercise::Sphere, Some(3));
         assert_eq!(exercises.answers, typed.answers);
         exercises.renew(4);
-        exercises.show(Exercise::Sphere, Some(3));
         assert_eq!(exercises.answers[0].fields[0], "");
+        exercises.show(Exercise::Sphere, Some(3));
+        assert_eq!(exercises.answers[0].fields[0], "4");
+        exercises.show(Exercise::Sphere, Some(2));
+        exercises.renew(3);
+        assert_eq!(exercises.answers[0].fields[0], "", "asked for anew");
         exercises.show(Exercise::Lines, None);
         assert_eq!(exercises.answers[0].fields[0], "5", "of another exercise");
-        exercises.clear_all();
-        assert_eq!(exercises, Exercises::open(Exercise::Lines, None));
     }
 
     #[test]

@@ -198,9 +198,9 @@ impl App {
             section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
                 selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
             });
+            ui.separator();
         }
         changed |= Changed::SESSION.when(*selected != before);
-        ui.separator();
         let chosen = &mut scene.chosen_object;
         // Who has chosen an object elsewhere wants its fields.
         let mut is_open = settings.unfolded.objects || chosen.is_some();

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use egui::{Panel, Ui};
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
@@ -172,7 +173,9 @@ impl OpenScene {
         if let Some(before) = self.lessons.before.take() {
             apply::restore(&before, &mut self.session);
         }
-        self.open.leave_lesson();
+        let before = self.lessons.scene_before.iter();
+        let before = before.filter_map(|path| SceneSource::from_argument(path).ok());
+        self.open.leave_lesson(before.chain(builtin::all().iter().map(SceneSource::Builtin)));
     }
 
     /// Returns true if anything was changed since the step of the open lesson was set.

@@ -75,16 +75,13 @@ impl OpenScene {
         }
         let problem = |error| Message::new("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
-        self.session.exercises.clear_all();
         Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }
 
     /// Opens a document from no file, with both views beside it.
     pub(super) fn show(&mut self, made_up: MadeUp) -> Opened {
         let MadeUp { document, title, uv } = made_up;
-        let mut open = OpenDocument::of_step(document, title);
-        // It can be got again, but what is changed in it counts.
-        open.leave_lesson();
+        let open = OpenDocument::made_up(document, title);
         let opened = self.replace(open, uv.map_or(Selection::default(), Selection::Uv));
         self.session.settings.layout = ViewLayout::Both;
         opened

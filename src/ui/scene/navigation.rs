@@ -286,7 +286,7 @@ fn lines(way: Way, before: &Camera, now: &Camera, digits: usize) -> Vec<String> 
         Way::Orbit if by_at => "orbit around at",
         Way::Orbit => "orbit",
         Way::Zoom => "zoom: the field of view",
-        Way::Dolly => "dolly along 𝐰",
+        Way::Dolly => "dolly: the eye along 𝐰",
     };
     let mut lines = vec![title.to_owned()];
     if way == Way::Zoom {

@@ -19,7 +19,7 @@ pub(crate) fn height(width: f32) -> f32 {
 }
 
 /// Height of the strip while presenting, in points: two rows.
-pub(crate) const PRESENTED: f32 = 44.0;
+pub(crate) const PRESENTED: f32 = 48.0;
 
 /// Maximum number of significant digits: more do not fit in a line.
 const DIGITS: usize = 4;
@@ -77,6 +77,7 @@ pub(crate) fn presented(ui: &mut Ui, derived: &Derived, document: &Document, sty
         return;
     }
     let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
+    ui.spacing_mut().item_spacing.y = 0.0;
     for row in numbers(derived, document, style) {
         let fits = |size: &f32| width(ui, &row, *size) <= ui.available_width();
         let size = PRESENTED_SIZES.into_iter().find(fits).unwrap_or(WRITTEN);

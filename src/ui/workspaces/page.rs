@@ -1,13 +1,14 @@
 //! A page as a value: where its views lie, what it has derived, what it draws.
 
-use egui::{Context, Rect, Ui};
+use egui::{Context, Rect, RichText, Ui};
 
 use crate::figures::Subject;
 use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
 use crate::model::session::{Session, Split};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, LessonAction};
 use crate::ui::changed::Changed;
+use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::exercises::scene::QuestionScene;
 use crate::ui::scene::readouts::NumberStyle;
@@ -80,6 +81,9 @@ pub(crate) struct Desk<'a> {
     pub(crate) actions: &'a mut Vec<Action>,
 }
 
+/// Size of the text in place of what is hidden, in points.
+const HIDDEN: f32 = 16.0;
+
 impl Page {
     /// Both views, and nothing below them.
     pub(crate) const VIEWS: Page = Page {
@@ -88,7 +92,7 @@ impl Page {
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
         rest: |_, _| Changed::NOTHING,
-        asked: |_, _| {},
+        asked: |ui, _| hidden(ui),
         hovered: |_, _, _| None,
         figure: Subject::World,
     };
@@ -98,5 +102,14 @@ impl Desk<'_> {
     /// Shows the picture beside the camera's.
     pub(crate) fn picture(&mut self, ui: &Ui, rect: Rect, shown: &Shown, dimmed: bool) {
         views::show(ui, rect, shown, &mut self.tools.beside, dimmed);
+    }
+}
+
+/// Says in the middle that something is hidden, and which key shows it, where there is room for that.
+fn hidden(ui: &mut Ui) {
+    let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
+    let room = ui.available_height();
+    if room > ui.spacing().interact_size.y {
+        ui.centered_and_justified(|ui| ui.label(RichText::new(text).size(HIDDEN).weak()));
     }
 }

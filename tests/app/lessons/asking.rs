@@ -7,9 +7,10 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::derivation_sections::DerivationSection;
 use pinhole::model::lessons::LessonArgument;
 use pinhole::model::overlay_items::Item;
+use pinhole::model::session::ViewLayout;
 
 use super::{Window, at_step, go_to, key, press};
-use crate::harness::{assert_says, says, texts_with, type_into, window};
+use crate::harness::{assert_says, says, show, texts_with, type_into, window};
 
 /// A window on a lesson of two steps, of which the first one asks.
 fn asking(folder: &std::path::Path) -> Window {
@@ -57,6 +58,27 @@ fn numbers_and_what_gives_the_answer_away_come_with_the_answer() {
     assert_says(&window, "w = (0, 0, 1)");
     key(&mut window, Key::F5);
     assert_says(&window, "w = (0, 0, 1)");
+}
+
+#[test]
+fn a_layout_opened_by_hand_says_that_it_is_hidden_until_the_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = asking(folder.path());
+    let hidden = "Hidden until you show the answer (Page Down)";
+    for layout in [
+        ViewLayout::Both,
+        ViewLayout::Mistakes,
+        ViewLayout::Exercises,
+        ViewLayout::Derivation,
+        ViewLayout::Plot,
+    ] {
+        show(&mut window, layout);
+        assert_says(&window, hidden);
+        let line = window.get_by_label(hidden).rect();
+        assert!(window.ctx.content_rect().contains_rect(line), "{layout:?}: {line}");
+    }
+    key(&mut window, Key::PageDown);
+    assert!(!says(&window, hidden));
 }
 
 #[test]

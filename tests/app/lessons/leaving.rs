@@ -10,7 +10,8 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
-use super::{Window, answer, at_step, key, press, shown_step};
+use super::{Window, answer, at_step, go_to, key, press, shown_step};
+use crate::app::practice::exercises::answers;
 use crate::harness::{assert_says, open_scene, type_into, unfolded, window, window_with};
 
 #[test]
@@ -31,6 +32,26 @@ fn lessons_open_from_the_bar_and_close_without_a_trace() {
     assert_says(&window, "Unnamed scene");
     type_into(&mut window, "eye x", "1");
     assert_says(&window, "Unnamed scene*");
+}
+
+#[test]
+fn a_scene_that_a_step_has_left_as_it_was_has_its_name_again() {
+    let mut window = at_step(1, 1);
+    assert_says(&window, "Lesson 1, step 1");
+    press(&mut window, "Close the lesson");
+    assert_says(&window, "canonical");
+    type_into(&mut window, "eye x", "1");
+    assert_says(&window, "canonical*");
+}
+
+#[test]
+fn what_was_typed_in_a_steps_question_is_there_when_the_lesson_is_opened_again() {
+    let mut window = at_step(2, 5);
+    answers(&mut window, "d", &["0.3", "-0.2", "-1"]);
+    press(&mut window, "Close the lesson");
+    go_to(&mut window, 2, 5);
+    let typed = window.get_by_role_and_label(Role::TextInput, "answer d y").value();
+    assert_eq!(typed.as_deref(), Some("-0.2"));
 }
 
 #[test]

@@ -61,7 +61,16 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         )],
     ),
     // Twice those of 1.3.
-    (3, 1, &[("(u, v)", "(−0.0025, 0.5025)"), ("width", "2"), ("height", "2")]),
+    (
+        3,
+        1,
+        &[
+            ("(u, v)", "(−0.0025, 0.5025)"),
+            ("width", "2"),
+            ("height", "2"),
+            ("pixel", "row 100, column 200 (from 1)"),
+        ],
+    ),
     (3, 2, &[("d", "(0.2, −0.1, −2)"), ("t", "3"), ("point", "(0.6, −0.3, −6)")]),
     // The warm-up's point, reached in half as many steps of twice the length.
     (3, 3, &[("d", "(0.4, −0.2, −2)"), ("t", "3"), ("point", "(1.2, −0.6, −6)")]),

@@ -227,6 +227,19 @@ fn two_objects_that_are_met_at_one_t_share_its_number() {
 }
 
 #[test]
+fn every_root_has_its_number_before_an_audience_too() {
+    let mut window = lesson(5, vec2(1024.0, 768.0));
+    window.key_press(Key::F5);
+    window.run();
+    window.set_size(vec2(820.0, 461.0));
+    window.run();
+    let shown: Vec<String> = labels(&window).into_iter().map(|(text, _)| text).collect();
+    for root in ["−3", "−2.5", "−1.5"] {
+        assert!(shown.iter().any(|text| text == root), "no {root}: {shown:?}");
+    }
+}
+
+#[test]
 fn of_two_equal_curves_both_are_seen() {
     let mut window = lesson(4, vec2(1280.0, 1000.0));
     window.remove_cursor();

@@ -19,10 +19,35 @@ use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Returns the size of the text, in points. While presenting everything is enlarged, and all answer
-/// fields are to be seen at once.
+/// Sizes of the text, in points. While presenting everything is enlarged: the largest at which all
+/// answer fields are seen at once.
+const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
+
+/// Height of a row of fields with the space below it, in points.
+const ROW: f32 = 41.0;
+
+/// What may be typed.
+const HINT: &str = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
+                    Nothing is sent anywhere.";
+
+/// Returns the size of the text, in points.
 fn text_size(ui: &Ui) -> f32 {
-    if theme::installed(ui.ctx()).presenting { 13.0 } else { 17.0 }
+    ui.style().override_font_id.as_ref().map_or(SIZES[0], |font| font.size)
+}
+
+/// Returns the size of the text at which the question, its fields and the hint have room in the column.
+fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
+    let question = exercises.question();
+    let has_room = |size: &f32| {
+        let paragraphs = exercises::question(&question.given);
+        let texts =
+            paragraphs.iter().map(|text| (text.as_str(), *size)).chain([(HINT, size - 1.0)]);
+        let text = texts.map(|(text, size)| marked_text::height(ui, text, size));
+        let height = text.sum::<f32>() + (question.parts.len() as f32 + 0.5) * ROW;
+        height <= ui.available_height() - BAR * size
+    };
+    let presenting = theme::installed(ui.ctx()).presenting;
+    SIZES.into_iter().find(|size| !presenting || has_room(size)).unwrap_or(SIZES[2])
 }
 
 /// Width of the list, in points.
@@ -56,7 +81,6 @@ pub(crate) fn ui(
     scene: &mut QuestionScene,
     actions: &mut Vec<Action>,
 ) {
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(text_size(ui)));
     let whole = ui.available_rect_before_wrap().shrink(8.0);
     let is_narrow = whole.width() < NARROW;
     let list = if is_narrow { 0.0 } else { LIST + GAP };
@@ -67,6 +91,9 @@ pub(crate) fn ui(
         Rect::from_min_max(pos2(left, whole.top()), pos2(right, whole.bottom()))
     };
     let exercises = &mut session.exercises;
+    let question = UiBuilder::new().max_rect(column(from, middle - GAP));
+    let size = ui.scope_builder(question, |ui| size_with_room(ui, exercises)).inner;
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));
     if !is_narrow {
         let left = column(whole.left(), whole.left() + LIST);
         ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
@@ -135,9 +162,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source:
         verdict(ui, part, typed);
         ui.add_space(8.0);
     }
-    let hint = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
-                Nothing is sent anywhere.";
-    ui.label(RichText::new(hint).size(text_size(ui) - 1.0).weak());
+    ui.label(RichText::new(HINT).size(text_size(ui) - 1.0).weak());
     wants_check
 }
 
@@ -174,15 +199,16 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
             exercises.renew(next);
         }
         if let Some(seed) = seed {
-            ui.label("seed");
+            let hint = format!(
+                "The number that the question's numbers are drawn from: the same seed, the same \
+                 question; a whole number, 0 to {LARGEST_SEED}"
+            );
+            ui.label("seed").on_hover_text(&hint);
             let mut typed = seed;
             let field = egui::DragValue::new(&mut typed)
                 .speed(0.1)
                 .range(0..=LARGEST_SEED)
                 .update_while_editing(false);
-            let hint = format!(
-                "The same seed gives the same question; a whole number, 0 to {LARGEST_SEED}"
-            );
             ui.add(field).on_hover_text(hint).named("exercise seed");
             if typed != seed {
                 exercises.show(exercise, Some(typed));

@@ -233,9 +233,10 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<Seen>) {
     let mut seed = if another { next(view.seed) } else { view.seed };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let field = DragValue::new(&mut seed).speed(0.1).range(0..=LARGEST_SEED);
-        let hint = "In the same scene, the same seed asks the same question";
+        let hint = "The number that the question is drawn from: in the same scene, the same seed asks \
+                    the same question";
         ui.add(field.update_while_editing(false)).on_hover_text(hint).named("vote seed");
-        ui.label("seed");
+        ui.label("seed").on_hover_text(hint);
     });
     if seed != view.seed
         && let Some((camera, resolved, scene)) = seen

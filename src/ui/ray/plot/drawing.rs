@@ -343,6 +343,8 @@ fn zeros(
             (at + vec2(0.0, -8.0), Align2::CENTER_BOTTOM),
             (at + vec2(0.0, 27.0), Align2::CENTER_TOP),
             (at + vec2(0.0, -27.0), Align2::CENTER_BOTTOM),
+            (at + vec2(8.0, -27.0), Align2::CENTER_BOTTOM),
+            (at + vec2(-8.0, -27.0), Align2::CENTER_BOTTOM),
         ];
         words.write(&text, Font { size: TEXT, color: colors.ink, bold: false }, anchors);
         written.push(text);

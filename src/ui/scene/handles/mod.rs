@@ -259,7 +259,9 @@ impl HandInput {
             return;
         }
         let options = options(ctx, session);
-        session.hand.along = options.along;
+        let along = kept_along(session.hand.along, options.along);
+        let options = DragOptions { along, ..options };
+        session.hand.along = along;
         let pointer = ctx.input(|i| i.pointer.latest_pos());
         if let Some(at) = pointer {
             taken.moved |= at.distance(taken.pressed_at) >= CLICK;
@@ -286,6 +288,16 @@ impl HandInput {
             self.let_go(session);
             session.hand.over = Some(handle);
         }
+    }
+}
+
+/// Returns the constraint of a drag whose keys now ask for `asked`: letting go of a key moves nothing, so
+/// a constraint lasts until another key or the end of the drag.
+fn kept_along(before: Along, asked: Along) -> Along {
+    match (before, asked) {
+        (_, Along::View) => before,
+        (Along::Without(plane), Along::Axis(axis)) if plane == axis => before,
+        _ => asked,
     }
 }
 

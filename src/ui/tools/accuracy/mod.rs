@@ -128,7 +128,7 @@ pub(crate) fn ui(
     ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
     ui.horizontal(|ui| {
         if let Some(steps) = derived.steps {
-            ui.weak(readouts::steps(steps));
+            ui.weak(readouts::steps(steps)).on_hover_text(readouts::STEPS);
             ui.separator();
         }
         progress(ui, measuring, derived);
