@@ -247,7 +247,15 @@ impl Scene {
         let mut first: Option<(u32, ObjectFromOrigin, RootSide)> = None;
         // At least the first hit's t, as far as it is known.
         let mut nearest = f64::INFINITY;
-        for (index, object) in (0..).zip(self.objects()) {
+        let line = Line::from_ray(ray);
+        let near = self.index().map(|index| index.spheres_where(|m, h| line.may_meet(m, h)));
+        let count = self.spheres().len() as u32;
+        let passed = near.as_ref().map_or(0, |near| count - near.len() as u32);
+        steps.f64 += u64::from(passed);
+        let all = if near.is_some() { 0..0 } else { 0..count };
+        let spheres = all.chain(near.into_iter().flatten());
+        for index in spheres.chain(count..self.len() as u32) {
+            let Some(object) = self.object(index) else { continue };
             if let Object::Sphere(sphere) = &object
                 && SphereFromOrigin::is_passed(sphere, ray, nearest)
             {

@@ -183,6 +183,37 @@ fn tiny_and_far_spheres_behind_single_pixels() {
     }
 }
 
+/// Spheres that no `f32` tells apart: next to one another, nested, equal, and around, on or beside the
+/// eye.
+fn alike() -> impl Strategy<Value = Vec<Sphere>> {
+    let bases = vec![
+        sphere([0.2, -0.1, -5.0], 1.0),
+        sphere([0.0, 0.0, -1.0], 2.0),
+        // Through the eye, and within a rounding of it.
+        sphere([0.0, -3.0, 0.0], 3.0),
+        sphere([0.3, -0.7, -0.1], 0.59_f64.sqrt()),
+        sphere([1e4, 3e3, -9e4], 8e4),
+    ];
+    let moved = || (-1.0..1.0_f64, prop_oneof![Just(0.0), magnitude(-18.0, -6.0)]);
+    let one = (prop::sample::select(bases), [moved(), moved(), moved()], moved()).prop_map(
+        |(Sphere { center, radius }, by, wider)| {
+            let offset = DVec3::from_array(by.map(|(sign, size)| sign * size * radius));
+            Sphere { center: center + offset, radius: radius * (1.0 + wider.0 * wider.1) }
+        },
+    );
+    prop::collection::vec(one, 2..40)
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn spheres_that_nearly_agree_are_told_apart(spheres in alike(), view in direction()) {
+        let camera = camera(DVec3::ZERO, DVec3::NEG_Z + 0.3 * view, DVec3::Y, 17, 13);
+        assert_full(&spheres_only(spheres), &camera.resolve().unwrap());
+    }
+}
+
 #[test]
 fn of_two_spheres_at_a_subnormal_t_the_nearer_is_seen() {
     let viewport = Viewport { width: 1e45, height: 1e45, distance: 1e45 };

@@ -1,101 +1,173 @@
 //! Pixels that go up the ladder by themselves.
 
 use std::cmp::Ordering;
-use std::mem;
+use std::ops::Range;
 
+use rayon::prelude::*;
+
+use crate::exact::quadratic::DirectionTerms;
+use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
+use crate::render::plan::Plan;
 use crate::render::polynomial::blend::{T_SHARE, is_in_range, to_single};
 use crate::render::row_band::RowBand;
-use crate::render::row_band::rough_hits::{Rough, RoughHit};
+use crate::render::row_band::rough_hits::{Rough, RoughHit, SeenObjects};
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// What a pixel of the band is asked about.
+/// Number of pixels in doubt from which it is worth while to keep what is known of each pixel, and to
+/// share them among the threads.
+const MANY: usize = 1024;
+
+/// Number of parts that the rows of a band are shared in.
+const SHARES: usize = 8;
+
+/// What a pixel is asked about.
 #[derive(Clone, Copy)]
-struct Question<'a> {
-    index: u32,
-    seen: &'a ObjectFromOrigin,
-    /// The pixel's row and column in the raster, and its position in the band.
-    row: usize,
-    column: usize,
-    offset: usize,
+pub(crate) struct Question<'a> {
+    pub(crate) index: u32,
+    pub(crate) seen: &'a ObjectFromOrigin,
+    /// The pixel's row and column in the raster.
+    pub(crate) row: usize,
+    pub(crate) column: usize,
     /// t, where it is known that the object is hit.
-    t: Option<f32>,
+    pub(crate) t: Option<f32>,
+}
+
+/// Some rows of a frame, and what is known of their pixels, to decide pixel by pixel.
+pub(crate) struct PixelLadder<'a> {
+    plan: &'a Plan<'a>,
+    rows: Range<usize>,
+    t: &'a mut [f32],
+    object: &'a mut [u32],
+    /// What `f64` knows of the sphere that each pixel shows; empty where few are in doubt.
+    hits: &'a mut [RoughHit],
+    seen: SeenObjects,
+    steps: Steps,
 }
 
 impl RowBand<'_> {
     /// A sphere as the eye sees it.
     pub(crate) fn seen(&self, index: u32) -> ObjectFromOrigin {
-        let sphere = Object::Sphere(self.plan.scene.spheres()[index as usize]);
-        ObjectFromOrigin::new(&sphere, self.plan.rays.camera().eye())
+        seen_sphere(self.plan, index)
     }
 
     /// Decides the pixels that the rows have left in doubt.
     pub(crate) fn resolve_doubt(&mut self) {
-        let mut doubts = mem::take(&mut self.doubts);
-        self.known.expect(doubts.len(), self.t.len());
-        // They come sphere by sphere.
-        let mut seen: Option<(u32, ObjectFromOrigin)> = None;
-        for doubt in doubts.drain(..) {
-            let index = doubt.index;
-            let seen = match &seen {
-                Some((known, seen)) if *known == index => seen,
-                _ => &seen.insert((index, self.seen(index))).1,
-            };
-            self.resolve(&doubt, seen);
+        let RowBand { plan, rows, t, object, doubts, hits, steps, .. } = self;
+        let (plan, width) = (*plan, plan.rays.n.len());
+        if doubts.len() < MANY {
+            let seen = SeenObjects::default();
+            let rows = rows.clone();
+            let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps: *steps };
+            ladder.resolve_all(doubts);
+            *steps = ladder.steps;
+        } else {
+            hits.resize(t.len(), RoughHit::NONE);
+            let count = rows.len().div_ceil(SHARES);
+            let size = count * width;
+            let pixels = t.par_chunks_mut(size).zip(object.par_chunks_mut(size));
+            let shares = pixels.zip(hits.par_chunks_mut(size)).enumerate();
+            let (all_rows, all_doubts) = (&*rows, &*doubts);
+            let resolved = shares.map(|(share, ((t, object), hits))| {
+                let first = all_rows.start + share * count;
+                let rows = first..all_rows.end.min(first + count);
+                let seen = SeenObjects::default();
+                let steps = Steps::default();
+                let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps };
+                ladder.resolve_all(all_doubts);
+                ladder.steps
+            });
+            *steps = *steps + resolved.reduce(Steps::default, |a, b| a + b);
         }
-        self.doubts = doubts;
+        doubts.clear();
     }
 
-    /// A pixel that a sphere's row could not decide.
-    fn resolve(&mut self, doubt: &Doubt, seen: &ObjectFromOrigin) {
-        let Doubt { index, row, column, t } = *doubt;
-        self.steps.f64 += 1;
-        self.resolve_exactly(index, seen, row as usize, column as usize, t);
-    }
-
-    /// Decides one pixel by itself, up the ladder; its `t` may be known. It has been counted as decided in
-    /// `f64`, and is counted at its own step instead.
+    /// Decides one pixel by itself, up the ladder. It has been counted as decided in `f64`, and is counted
+    /// at its own step instead.
     #[cold]
-    pub(crate) fn resolve_exactly(
-        &mut self,
-        index: u32,
-        seen: &ObjectFromOrigin,
-        row: usize,
-        column: usize,
-        t: Option<f32>,
-    ) {
-        self.steps.f64 -= 1;
-        let offset = (row - self.rows.start) * self.plan.rays.n.len() + column;
-        let question = Question { index, seen, row, column, offset, t };
-        let is_decided = match seen {
-            ObjectFromOrigin::Sphere(sphere) => self.decide_roughly(&question, sphere),
+    pub(crate) fn resolve_exactly(&mut self, question: &Question) {
+        let RowBand { plan, rows, t, object, hits, seen_objects, steps, .. } = self;
+        let seen = std::mem::take(seen_objects);
+        let rows = rows.clone();
+        let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps: *steps };
+        ladder.steps.f64 -= 1;
+        ladder.resolve(question);
+        (*steps, *seen_objects) = (ladder.steps, ladder.seen);
+    }
+}
+
+fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
+    let sphere = Object::Sphere(plan.scene.spheres()[index as usize]);
+    ObjectFromOrigin::new(&sphere, plan.rays.camera().eye())
+}
+
+impl PixelLadder<'_> {
+    /// Decides those of these pixels that lie in its rows.
+    fn resolve_all(&mut self, doubts: &[Doubt]) {
+        // They come sphere by sphere.
+        let mut last: Option<(u32, ObjectFromOrigin)> = None;
+        for doubt in doubts {
+            let Doubt { index, row, column, t } = *doubt;
+            let (row, column) = (row as usize, column as usize);
+            if !self.rows.contains(&row) {
+                continue;
+            }
+            let seen = match &last {
+                Some((known, seen)) if *known == index => seen,
+                _ => &last.insert((index, seen_sphere(self.plan, index))).1,
+            };
+            self.resolve(&Question { index, seen, row, column, t });
+        }
+    }
+
+    fn resolve(&mut self, question: &Question) {
+        let is_decided = match question.seen {
+            ObjectFromOrigin::Sphere(sphere) => self.decide_roughly(question, sphere),
             ObjectFromOrigin::Plane(_) => false,
         };
         if !is_decided {
-            self.decide_exactly(&question);
+            self.decide_exactly(question);
         }
+    }
+
+    /// The pixel's position in the buffers.
+    fn offset(&self, question: &Question) -> usize {
+        (question.row - self.rows.start) * self.plan.rays.n.len() + question.column
     }
 
     /// Decides a pixel in `f64`, if that is sure; returns whether it is.
     fn decide_roughly(&mut self, question: &Question, seen: &SphereFromOrigin) -> bool {
-        let Question { index, row, column, offset, t, .. } = *question;
-        let rays = &self.plan.rays;
-        if !rays.is_plain() {
+        let Question { index, row, column, t, .. } = *question;
+        let (plan, offset) = (self.plan, self.offset(question));
+        if !plan.rays.is_plain() {
             return false;
         }
         let known = self.object[offset];
-        let spheres = self.plan.scene.spheres();
-        let known_sphere = spheres.get(known as usize);
+        let known_sphere = plan.scene.spheres().get(known as usize);
         if known_sphere == Some(seen.sphere()) {
-            // The same sphere given twice, at the same t; or this one, asked again.
+            // The same sphere given twice, at the same t.
             self.object[offset] = known.min(index);
             self.steps.f64 += 1;
             return true;
         }
-        let direction = rays.rough_direction(row, column);
+        let direction = plan.rays.rough_direction(row, column);
+        let known_hit = match known {
+            NO_OBJECT => None,
+            _ => match self.known_hit(offset, known, &direction) {
+                None => return false,
+                hit => hit.zip(known_sphere),
+            },
+        };
+        let by_power =
+            |(hit, sphere): (RoughHit, _)| hit.compare_by_power(sphere, seen, &direction);
+        // Most are farther, which their power alone tells.
+        if t.is_some() && known_hit.and_then(by_power) == Some(Ordering::Less) {
+            self.steps.f64 += 1;
+            return true;
+        }
         let hit = match Rough::new(index, seen, &direction) {
             Rough::Doubt => return false,
             Rough::Miss => {
@@ -104,27 +176,48 @@ impl RowBand<'_> {
             }
             Rough::Hit(hit) => hit,
         };
-        if known != NO_OBJECT {
-            let Some(known_sphere) = known_sphere else { return false };
-            let eye = rays.camera().eye();
-            let make = || ObjectFromOrigin::new(&Object::Sphere(*known_sphere), eye);
-            let Some(known) = self.known.hit(offset, known, &direction, make) else { return false };
-            // Asked of the known hit, which is at hand for the next sphere too.
-            match known.compare(&hit, known_sphere, seen.sphere()) {
-                None | Some(Ordering::Equal) => return false,
-                Some(Ordering::Less) => {
-                    self.steps.f64 += 1;
-                    return true;
-                }
-                Some(Ordering::Greater) => {}
+        let order = known_hit
+            .map(|(known, sphere)| known.compare_t(&hit).or_else(|| by_power((known, sphere))));
+        match order {
+            None | Some(Some(Ordering::Greater)) => {}
+            Some(Some(Ordering::Less)) => {
+                self.steps.f64 += 1;
+                return true;
             }
+            Some(None | Some(Ordering::Equal)) => return false,
         }
         let Some(t) = t.or_else(|| self.single_t(&hit)) else { return false };
         self.steps.f64 += 1;
         self.object[offset] = index;
         self.t[offset] = to_single(f64::from(t));
-        self.known.keep(offset, hit);
+        self.keep(offset, hit);
         true
+    }
+
+    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is sure of it.
+    fn known_hit(
+        &mut self,
+        offset: usize,
+        object: u32,
+        direction: &DirectionTerms<f64>,
+    ) -> Option<RoughHit> {
+        if let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == object) {
+            return Some(*hit);
+        }
+        if object as usize >= self.plan.scene.spheres().len() {
+            return None;
+        }
+        let seen = self.seen.get(object, || seen_sphere(self.plan, object));
+        let ObjectFromOrigin::Sphere(seen) = seen else { return None };
+        let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
+        self.keep(offset, hit);
+        Some(hit)
+    }
+
+    fn keep(&mut self, offset: usize, hit: RoughHit) {
+        if let Some(kept) = self.hits.get_mut(offset) {
+            *kept = hit;
+        }
     }
 
     /// Returns t as the frame has it, if `f64` knows it well enough.
@@ -136,8 +229,8 @@ impl RowBand<'_> {
 
     /// Decides a pixel by all steps of the ladder.
     fn decide_exactly(&mut self, question: &Question) {
-        let Question { index, seen, row, column, offset, t } = *question;
-        let camera = self.plan.rays.camera();
+        let Question { index, seen, row, column, t } = *question;
+        let (camera, offset) = (self.plan.rays.camera(), self.offset(question));
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
         let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
         let hit = Hit { index, seen, root };
@@ -146,7 +239,7 @@ impl RowBand<'_> {
             && let Some(object) = self.plan.scene.object(known)
         {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
-            let known_seen = self.known.seen(known, make);
+            let known_seen = self.seen.get(known, make);
             // What a pixel shows is hit.
             let known_hit = Hit { index: known, seen: known_seen, root: known_seen.root_of_hit() };
             let order = hit.compare(&known_hit, &ray, &mut self.steps);

@@ -23,7 +23,8 @@ use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::per_pixel::pixel_hit;
-use crate::render::row_band::rough_hits::KnownHits;
+use crate::render::row_band::fallback::Question;
+use crate::render::row_band::rough_hits::{RoughHit, SeenObjects};
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
@@ -44,7 +45,8 @@ pub(crate) struct RowBand<'a> {
     /// Pixels in doubt, left to be decided.
     doubts: Vec<Doubt>,
     /// What `f64` knows of pixels that were in doubt.
-    known: KnownHits,
+    hits: Vec<RoughHit>,
+    seen_objects: SeenObjects,
     drawn: DrawnSpheres,
     /// True, by row, if an object's outline reaches it.
     is_reached: Vec<bool>,
@@ -81,7 +83,8 @@ impl<'a> RowBand<'a> {
             steps: Steps::default(),
             next: Some((0, 0)),
             doubts: Vec::new(),
-            known: KnownHits::default(),
+            hits: Vec::new(),
+            seen_objects: SeenObjects::default(),
             drawn: DrawnSpheres::default(),
             m: Vec::new(),
             found: Vec::new(),
@@ -239,7 +242,7 @@ impl<'a> RowBand<'a> {
                 let found = pixel_hit(&quadratic, parts, factor, self.t[offset]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
-                    self.resolve_exactly(index, seen, row, column, None);
+                    self.resolve_exactly(&Question { index, seen, row, column, t: None });
                 } else if found < f64::INFINITY {
                     (self.t[offset], self.object[offset]) = (to_single(found), index);
                 }
@@ -315,7 +318,7 @@ impl<'a> RowBand<'a> {
                     if is_in_doubt(*found, self.t[offset], self.object[offset], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
-                        self.resolve_exactly(index, seen, row, column, None);
+                        self.resolve_exactly(&Question { index, seen, row, column, t: None });
                     }
                 }
             }

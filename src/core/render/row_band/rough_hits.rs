@@ -25,8 +25,6 @@ pub(crate) struct RoughHit {
     /// The hit less the sphere's centre, in the same units, and its error as a length.
     from_center: Vector<f64>,
     off: f64,
-    /// `(b, a)` less and plus their errors: b / a lies in the middle of the chord.
-    middle: (f64, f64),
 }
 
 /// What `f64` knows of a pixel's ray and a sphere.
@@ -75,14 +73,13 @@ impl Rough {
             side: seen.side,
             from_center: std::array::from_fn(|i| t * direction.d[i] - q[i]),
             off,
-            middle: (b - b_doubt, a * (1.0 + a_doubt + 4.0 * UNIT)),
         })
     }
 }
 
 impl RoughHit {
     /// Nothing known.
-    const NONE: RoughHit = RoughHit {
+    pub(crate) const NONE: RoughHit = RoughHit {
         object: NO_OBJECT,
         t: 0.0,
         share: 0.0,
@@ -90,7 +87,6 @@ impl RoughHit {
         side: Ordering::Equal,
         from_center: [0.0; 3],
         off: 0.0,
-        middle: (0.0, 0.0),
     };
 
     /// `t` for the ray itself, whose direction is so many times shorter.
@@ -98,17 +94,8 @@ impl RoughHit {
         ldexp(self.t * stretch, self.scale - scale)
     }
 
-    /// Compares the `t` of two hits of one ray, with `own` and `others` the spheres; `None` in doubt.
-    pub(crate) fn compare(
-        &self,
-        other: &RoughHit,
-        own: &Sphere,
-        others: &Sphere,
-    ) -> Option<Ordering> {
-        self.compare_t(other).or_else(|| self.compare_by_power(other, own, others))
-    }
-
-    fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
+    /// Compares the `t` of two hits of one ray; `None` in doubt.
+    pub(crate) fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
         // Both t are between 1e-60 and 1e60.
         let k = self.scale - other.scale;
         if k.abs() > 500 {
@@ -119,8 +106,8 @@ impl RoughHit {
         ((t - other_t).abs() > doubt).then(|| t.total_cmp(&other_t))
     }
 
-    /// Compares two `t` that are closer than their errors, by the power of this hit with respect to the
-    /// other sphere. On this sphere's surface, at `o` from its centre, the quadratic terms cancel; with
+    /// Compares `t` with that of another sphere which the ray surely hits, by the power of this hit with
+    /// respect to it; `None` in doubt. On this sphere's surface, at `o` from its centre, the quadratic terms cancel; with
     /// `e` from this centre to the other one,
     ///
     /// ```text
@@ -132,15 +119,16 @@ impl RoughHit {
     /// the ray has entered before, and leaves later. Where it is positive, the hit lies before or after
     /// the other's chord: before, if it comes before the chord's middle; after, if the chord begins
     /// behind the eye, which lies in both spheres.
-    fn compare_by_power(
+    pub(crate) fn compare_by_power(
         &self,
-        other: &RoughHit,
         own: &Sphere,
-        others: &Sphere,
+        other: &SphereFromOrigin,
+        direction: &DirectionTerms<f64>,
     ) -> Option<Ordering> {
         if self.scale != 0 || other.scale != 0 || self.side != other.side {
             return None;
         }
+        let others = other.sphere();
         let e = (others.center - own.center).to_array();
         let (wider, both) = (others.radius - own.radius, others.radius + own.radius);
         let (ee, eo) = (dot(e, e), dot(e, self.from_center));
@@ -156,8 +144,11 @@ impl RoughHit {
         match self.side {
             Ordering::Greater if is_inside => Some(Ordering::Greater),
             Ordering::Greater => {
-                let (b, a) = other.middle;
-                (self.t * (1.0 + self.share) * a < b).then_some(Ordering::Less)
+                let (q, d) = (other.rough.q, direction.d);
+                // Both sides are off by less than the share of 1e-12 that is kept between them.
+                let reach = other.rough.distance * direction.length;
+                let middle = dot(q, d) - 1e-12 * reach;
+                (self.t * (1.0 + self.share + 1e-12) * dot(d, d) < middle).then_some(Ordering::Less)
             }
             Ordering::Less if is_inside => Some(Ordering::Less),
             Ordering::Less => Some(Ordering::Greater),
@@ -166,64 +157,25 @@ impl RoughHit {
     }
 }
 
-/// What is known of the objects that the pixels of a band show.
+/// Objects as the eye sees them, by the last digits of their index.
 #[derive(Debug, Default)]
-pub(crate) struct KnownHits {
-    /// By pixel of the band; empty while few pixels are in doubt.
-    hits: Vec<RoughHit>,
-    /// Objects as the eye sees them, by the last digits of their index.
-    seen: Vec<Option<(u32, ObjectFromOrigin)>>,
-}
+pub(crate) struct SeenObjects(Vec<Option<(u32, ObjectFromOrigin)>>);
 
-impl KnownHits {
-    /// Number of pixels in doubt from which it is worth while to keep what is known of each pixel.
-    const MANY: usize = 1024;
-
+impl SeenObjects {
     /// Number of objects that are kept; a power of two.
-    const OBJECTS: usize = 64;
+    const COUNT: usize = 64;
 
-    /// Makes room for what is known of so many pixels, if many are in doubt.
-    pub(crate) fn expect(&mut self, doubts: usize, pixels: usize) {
-        if doubts >= KnownHits::MANY && self.hits.is_empty() {
-            self.hits.resize(pixels, RoughHit::NONE);
-        }
-    }
-
-    /// Returns an object as the eye sees it.
-    pub(crate) fn seen(
+    /// Returns an object as the eye sees it, which is made if it is not at hand.
+    pub(crate) fn get(
         &mut self,
-        object: u32,
+        index: u32,
         make: impl FnOnce() -> ObjectFromOrigin,
     ) -> &ObjectFromOrigin {
-        self.seen.resize(KnownHits::OBJECTS, None);
-        let slot = &mut self.seen[object as usize % KnownHits::OBJECTS];
-        if slot.as_ref().is_none_or(|(known, _)| *known != object) {
+        self.0.resize(SeenObjects::COUNT, None);
+        let slot = &mut self.0[index as usize % SeenObjects::COUNT];
+        if slot.as_ref().is_none_or(|(known, _)| *known != index) {
             *slot = None;
         }
-        &slot.get_or_insert_with(|| (object, make())).1
-    }
-
-    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is sure of it.
-    pub(crate) fn hit(
-        &mut self,
-        offset: usize,
-        object: u32,
-        direction: &DirectionTerms<f64>,
-        make: impl FnOnce() -> ObjectFromOrigin,
-    ) -> Option<RoughHit> {
-        if let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == object) {
-            return Some(*hit);
-        }
-        let ObjectFromOrigin::Sphere(seen) = self.seen(object, make) else { return None };
-        let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
-        self.keep(offset, hit);
-        Some(hit)
-    }
-
-    /// Keeps a pixel's hit.
-    pub(crate) fn keep(&mut self, offset: usize, hit: RoughHit) {
-        if let Some(slot) = self.hits.get_mut(offset) {
-            *slot = hit;
-        }
+        &slot.get_or_insert_with(|| (index, make())).1
     }
 }
