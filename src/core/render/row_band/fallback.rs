@@ -22,7 +22,7 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 const MANY: usize = 1024;
 
 /// Number of parts that the rows of a band are shared in.
-const SHARES: usize = 8;
+const SHARES: usize = 4;
 
 /// What a pixel is asked about.
 #[derive(Clone, Copy)]
@@ -153,6 +153,15 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
+        // Most are farther, which their power alone tells.
+        if t.is_some()
+            && let Some(sphere) = known_sphere
+            && let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == known)
+            && hit.compare_by_power(sphere, seen) == Some(Ordering::Less)
+        {
+            self.steps.f64 += 1;
+            return true;
+        }
         let direction = plan.rays.rough_direction(row, column);
         let known_hit = match known {
             NO_OBJECT => None,
@@ -161,13 +170,6 @@ impl PixelLadder<'_> {
                 hit => hit.zip(known_sphere),
             },
         };
-        let by_power =
-            |(hit, sphere): (RoughHit, _)| hit.compare_by_power(sphere, seen, &direction);
-        // Most are farther, which their power alone tells.
-        if t.is_some() && known_hit.and_then(by_power) == Some(Ordering::Less) {
-            self.steps.f64 += 1;
-            return true;
-        }
         let hit = match Rough::new(index, seen, &direction) {
             Rough::Doubt => return false,
             Rough::Miss => {
@@ -176,8 +178,9 @@ impl PixelLadder<'_> {
             }
             Rough::Hit(hit) => hit,
         };
-        let order = known_hit
-            .map(|(known, sphere)| known.compare_t(&hit).or_else(|| by_power((known, sphere))));
+        let order = known_hit.map(|(known, sphere)| {
+            known.compare_t(&hit).or_else(|| known.compare_by_power(sphere, seen))
+        });
         match order {
             None | Some(Some(Ordering::Greater)) => {}
             Some(Some(Ordering::Less)) => {

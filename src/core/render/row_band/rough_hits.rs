@@ -25,6 +25,8 @@ pub(crate) struct RoughHit {
     /// The hit less the sphere's centre, in the same units, and its error as a length.
     from_center: Vector<f64>,
     off: f64,
+    /// At most half the chord's length.
+    half_chord: f64,
 }
 
 /// What `f64` knows of a pixel's ray and a sphere.
@@ -65,6 +67,7 @@ impl Rough {
             * ((share + direction.doubt + 2.0 * UNIT) * reach
                 + (seen.rough.q_doubt + 2.0 * UNIT) * seen.rough.distance);
         let q = seen.rough.q;
+        let reach_to_middle = t * (1.0 + share) * a * (1.0 + a_doubt + 8.0 * UNIT);
         Rough::Hit(RoughHit {
             object,
             t,
@@ -73,6 +76,7 @@ impl Rough {
             side: seen.side,
             from_center: std::array::from_fn(|i| t * direction.d[i] - q[i]),
             off,
+            half_chord: (b - b_doubt - reach_to_middle) / direction.length,
         })
     }
 }
@@ -87,6 +91,7 @@ impl RoughHit {
         side: Ordering::Equal,
         from_center: [0.0; 3],
         off: 0.0,
+        half_chord: 0.0,
     };
 
     /// `t` for the ray itself, whose direction is so many times shorter.
@@ -117,13 +122,14 @@ impl RoughHit {
     /// is linear in o, and every term as small as the spheres differ: nearly equal spheres, and nested
     /// ones, are told apart by `f64`. Where it is negative, the hit lies inside the other sphere, which
     /// the ray has entered before, and leaves later. Where it is positive, the hit lies before or after
-    /// the other's chord: before, if it comes before the chord's middle; after, if the chord begins
-    /// behind the eye, which lies in both spheres.
+    /// the other's chord: before, if `|e|` is less than half the chord, as the chords' middles are no
+    /// farther apart than the centres; after, if the chord begins behind the eye, which lies in both
+    /// spheres.
+    #[inline]
     pub(crate) fn compare_by_power(
         &self,
         own: &Sphere,
         other: &SphereFromOrigin,
-        direction: &DirectionTerms<f64>,
     ) -> Option<Ordering> {
         if self.scale != 0 || other.scale != 0 || self.side != other.side {
             return None;
@@ -143,13 +149,7 @@ impl RoughHit {
         }
         match self.side {
             Ordering::Greater if is_inside => Some(Ordering::Greater),
-            Ordering::Greater => {
-                let (q, d) = (other.rough.q, direction.d);
-                // Both sides are off by less than the share of 1e-12 that is kept between them.
-                let reach = other.rough.distance * direction.length;
-                let middle = dot(q, d) - 1e-12 * reach;
-                (self.t * (1.0 + self.share + 1e-12) * dot(d, d) < middle).then_some(Ordering::Less)
-            }
+            Ordering::Greater => (1.74 * largest < self.half_chord).then_some(Ordering::Less),
             Ordering::Less if is_inside => Some(Ordering::Less),
             Ordering::Less => Some(Ordering::Greater),
             Ordering::Equal => None,

@@ -166,10 +166,16 @@ impl Span {
         let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         for at in (from..=to).step_by(S::f32s::LEN) {
-            let columns = S::f32s::from_slice(simd, &target.axes.columns[at..at + S::f32s::LEN]);
-            let found =
-                if self.outline.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
-            let found = found.0;
+            // With the level's instructions, which a function that is not inlined has not by itself.
+            let found = simd.vectorize(
+                #[inline(always)]
+                || {
+                    let columns = &target.axes.columns[at..at + S::f32s::LEN];
+                    let columns = S::f32s::from_slice(simd, columns);
+                    let is_wide = self.outline.is_wide;
+                    if is_wide { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
+                },
+            );
             for (column, &t) in (at..=to).zip(found.as_slice()) {
                 let offset = start + column;
                 let (known, object) = (target.t[offset], target.object[offset]);
