@@ -7,6 +7,7 @@
 
 mod app;
 mod commands;
+mod doors;
 mod files;
 mod layout;
 mod licences;

@@ -32,6 +32,8 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
 }
 
 fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {
+    // A ray that waits for the index while another makes it would make it again.
+    scene.make_index();
     writeln!(out, "object,t,px,py,pz,nx,ny,nz")?;
     for chunk in rays.chunks(CHUNK) {
         let hits: Vec<Option<Root>> = chunk.par_iter().map(|ray| scene.first_hit(ray)).collect();

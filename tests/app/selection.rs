@@ -125,7 +125,7 @@ fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
     window.run();
     window.get_by_label("Count rows and columns from 1").click();
     window.run();
-    assert_says(&window, "pixel = row 100, column 200");
+    assert_says(&window, "pixel = row 100, column 200 (from 1)");
     let row = window.get_by_role_and_label(Role::SpinButton, "row");
     assert_eq!(row.value().as_deref(), Some("100"));
     assert_eq!(
