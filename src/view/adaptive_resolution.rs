@@ -1,5 +1,6 @@
 //! Adaptive resolution: while something is dragged in a scene too heavy for one frame, pictures are
-//! traced with fewer pixels; as soon as the drag rests, they are traced with all of them.
+//! traced with fewer pixels; as soon as the drag rests, they are traced with all of them, unless that
+//! would keep the window from answering.
 
 use std::time::Duration;
 
@@ -28,16 +29,15 @@ impl Subsampling {
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
     }
 
-    /// Returns the note on a picture with reduced resolution.
-    pub(crate) fn message(self) -> Option<String> {
+    /// `every 3rd row and column`
+    fn words(self) -> String {
         let Subsampling(step) = self;
         let ending = match step {
             2 => "nd",
             3 => "rd",
             _ => "th",
         };
-        (self != Subsampling::NONE)
-            .then(|| format!("coarser while it moves: every {step}{ending} row and column"))
+        format!("every {step}{ending} row and column")
     }
 }
 
@@ -48,6 +48,13 @@ const BUDGET: Duration = Duration::from_millis(8);
 /// frame coarser again.
 const COMFORT: f64 = 0.6;
 
+/// Longest time for tracing a picture at rest, during which the window does not answer.
+const LONGEST: Duration = Duration::from_secs(1);
+
+/// Number of objects from which on a scene may take longer than that: its first picture is coarse, and
+/// tells how long all pixels would take.
+const MANY: usize = 200;
+
 /// Seconds without a move after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
@@ -57,6 +64,12 @@ pub(crate) struct AdaptiveResolution {
     budget: Duration,
     /// The subsampling during a drag.
     moving: Subsampling,
+    /// The subsampling at rest.
+    resting: Subsampling,
+    /// Estimated time for tracing all pixels, at most.
+    full: Duration,
+    /// Number of objects of the scene that the times are of.
+    objects: usize,
     /// Time of the last move, in seconds.
     moved_at: f64,
 }
@@ -66,6 +79,9 @@ impl Default for AdaptiveResolution {
         AdaptiveResolution {
             budget: BUDGET,
             moving: Subsampling::NONE,
+            resting: Subsampling::NONE,
+            full: Duration::ZERO,
+            objects: 0,
             moved_at: f64::NEG_INFINITY,
         }
     }
@@ -77,12 +93,36 @@ impl AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
-    /// Returns the current subsampling; `moves` is true if the view is being moved right now.
-    pub(crate) fn now(&mut self, moves: bool, time: f64) -> Subsampling {
+    /// Returns the current subsampling for a scene of so many objects; `moves` is true if the view is
+    /// being moved right now.
+    pub(crate) fn now(&mut self, moves: bool, time: f64, objects: usize) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
-        if self.is_followed(time) { self.moving } else { Subsampling::NONE }
+        if objects != self.objects {
+            self.objects = objects;
+            if objects >= MANY {
+                (self.moving, self.resting) = (Subsampling::MOST, Subsampling::MOST);
+            }
+        }
+        if self.is_followed(time) { self.moving } else { self.resting }
+    }
+
+    /// Returns true if a picture with this subsampling is made finer as soon as the hand rests.
+    pub(crate) fn is_made_finer(&self, shown: Subsampling) -> bool {
+        shown > self.resting
+    }
+
+    /// Returns the note on a picture with this subsampling; `None` at full resolution.
+    pub(crate) fn message(&self, shown: Subsampling) -> Option<String> {
+        if shown == Subsampling::NONE {
+            None
+        } else if self.is_made_finer(shown) {
+            Some(format!("coarser while it moves: {}", shown.words()))
+        } else {
+            let seconds = self.full.as_secs_f64().ceil();
+            Some(format!("{}: all of them would take up to {seconds} s", shown.words()))
+        }
     }
 
     /// Returns true if something was moved recently.
@@ -101,7 +141,11 @@ impl AdaptiveResolution {
             let finer = (step - 1.0).max(1.0);
             if share * (step / finer).powi(2) <= COMFORT { finer } else { step }
         };
-        self.moving = Subsampling(next.clamp(1.0, f64::from(Subsampling::MOST.0)) as u32);
+        let in_range =
+            |step: f64| Subsampling(step.clamp(1.0, f64::from(Subsampling::MOST.0)) as u32);
+        self.moving = in_range(next);
+        self.full = traced_in.mul_f64(step * step);
+        self.resting = in_range(self.full.div_duration_f64(LONGEST).sqrt().ceil());
     }
 }
 
@@ -116,7 +160,7 @@ mod tests {
         let mut adaptive_resolution = AdaptiveResolution::default();
         for k in 0..10 {
             let now = f64::from(k);
-            assert_eq!(adaptive_resolution.now(true, now), Subsampling::NONE);
+            assert_eq!(adaptive_resolution.now(true, now, 1), Subsampling::NONE);
             adaptive_resolution.took(Subsampling::NONE, 7 * MS);
         }
     }
@@ -125,12 +169,12 @@ mod tests {
     fn what_is_too_heavy_is_coarse_as_long_as_the_hand_moves() {
         let mut adaptive_resolution = AdaptiveResolution::default();
         adaptive_resolution.took(Subsampling::NONE, 70 * MS);
-        assert_eq!(adaptive_resolution.now(false, 0.0), Subsampling::NONE, "nothing moves");
+        assert_eq!(adaptive_resolution.now(false, 0.0, 1), Subsampling::NONE, "nothing moves");
         // Three times as coarse takes a ninth: 7.8 ms.
-        assert_eq!(adaptive_resolution.now(true, 5.0), Subsampling(3));
+        assert_eq!(adaptive_resolution.now(true, 5.0, 1), Subsampling(3));
         adaptive_resolution.took(Subsampling(3), 78 * MS / 10);
-        assert_eq!(adaptive_resolution.now(false, 5.1), Subsampling(3), "between two moves");
-        assert_eq!(adaptive_resolution.now(false, 5.2), Subsampling::NONE, "the hand rests");
+        assert_eq!(adaptive_resolution.now(false, 5.1, 1), Subsampling(3), "between two moves");
+        assert_eq!(adaptive_resolution.now(false, 5.2, 1), Subsampling::NONE, "the hand rests");
     }
 
     #[test]
@@ -140,13 +184,33 @@ mod tests {
             let time = |c: Subsampling| MS * full / (c.0 * c.0);
             let mut steps = Vec::new();
             for k in 0..30 {
-                let now = adaptive_resolution.now(true, f64::from(k));
+                let now = adaptive_resolution.now(true, f64::from(k), 1);
                 adaptive_resolution.took(now, time(now));
                 steps.push(now);
             }
             assert!(steps[20..].iter().all(|step| *step == steps[20]), "{full} ms: {steps:?}");
             assert!(time(steps[20]) <= BUDGET || steps[20] == Subsampling::MOST, "{full} ms");
         }
+    }
+
+    #[test]
+    fn what_would_take_long_stays_coarse_at_rest_and_says_so() {
+        let mut adaptive_resolution = AdaptiveResolution::default();
+        assert_eq!(adaptive_resolution.now(false, 0.0, 10_000), Subsampling::MOST, "not known yet");
+        // An eighth of rows and columns in 100 ms: all in 6.4 s, and a third in 0.7.
+        adaptive_resolution.took(Subsampling::MOST, 100 * MS);
+        let now = adaptive_resolution.now(false, 0.2, 10_000);
+        assert_eq!(now, Subsampling(3));
+        assert!(!adaptive_resolution.is_made_finer(now));
+        assert_eq!(
+            adaptive_resolution.message(now).as_deref(),
+            Some("every 3rd row and column: all of them would take up to 7 s")
+        );
+        // A scene that turns out to be light is fine again.
+        adaptive_resolution.took(now, MS);
+        assert!(adaptive_resolution.is_made_finer(now));
+        assert_eq!(adaptive_resolution.now(false, 0.4, 10_000), Subsampling::NONE);
+        assert_eq!(adaptive_resolution.message(Subsampling::NONE), None);
     }
 
     #[test]

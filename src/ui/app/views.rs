@@ -63,7 +63,9 @@ impl Views {
         plays: bool,
     ) {
         let time = ctx.input(|i| i.time);
-        let subsampling = self.adaptive_resolution.now(plays || is_hand_moving(ctx), time);
+        let objects = scene.open.document.object_count();
+        let moves = plays || is_hand_moving(ctx);
+        let subsampling = self.adaptive_resolution.now(moves, time, objects);
         let under_hand = self.adaptive_resolution.is_followed(time);
         let sizes = ViewSizes { subsampling, under_hand, ..sizes };
         // Whose spheres are then changed in place, not copied.
@@ -81,8 +83,8 @@ impl Views {
         }
         // What is coarse is made finer as soon as the hand rests. A grade may have been put off, too.
         let waits = self.adaptive_resolution.is_followed(time) && session.answers.is_some();
-        let is_coarse = |shown: Subsampling| shown != Subsampling::NONE;
-        if waits || self.derived.subsampling.into_iter().any(is_coarse) {
+        let is_coarse = |shown: &Subsampling| self.adaptive_resolution.is_made_finer(*shown);
+        if waits || self.derived.subsampling.iter().any(is_coarse) {
             ctx.request_repaint_after(Duration::from_secs_f64(REST));
         }
     }
@@ -131,7 +133,8 @@ impl Views {
         for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
         {
             // A picture from before a fault says so, and is not made finer.
-            let text = subsampling.message().filter(|_| derived.fault.is_none());
+            let text = self.adaptive_resolution.message(subsampling);
+            let text = text.filter(|_| derived.fault.is_none());
             if let (Some(rect), Some(text)) = (rect, text) {
                 views::coarse(ui, rect, &text);
             }
