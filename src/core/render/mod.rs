@@ -19,6 +19,12 @@
 //! - Normals, where they are asked for, and colours ([`shade`](mod@shade)), while the band is in the
 //!   cache.
 //!
+//! What doubt costs: some 50 to 150 ns a pixel and sphere where `f64` decides, as it does for nearly
+//! equal, nested and equal spheres and those that touch the eye ([`row_band::rough_hits`]); a microsecond
+//! where double-double has to; 40 where only exact numbers do: exact tangents and ties of unlike objects.
+//! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
+//! take less than a second and a half on two cores, up to 10,000 spheres that all lie within 1e-9.
+//!
 //! A frame of `f64` is drawn in `f32`, which finds the objects; then each pixel's `t` is asked of the
 //! ladder ([`row_band::exact_values`]).
 //!

@@ -84,6 +84,14 @@ impl ObjectFromOrigin {
         self.t_within(ray, root, T_DOUBT)
     }
 
+    /// `t` there, rounded to `f64`: what is told of it.
+    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
+        match self {
+            ObjectFromOrigin::Sphere(seen) => seen.rounded_t(ray, root),
+            ObjectFromOrigin::Plane(_) => self.t(ray, root).to_f64(),
+        }
+    }
+
     /// `t` there, with a relative error of at most `doubt`.
     pub(crate) fn t_within(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
         match self {
@@ -106,8 +114,8 @@ impl ObjectFromOrigin {
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
         match self.root_sides(ray, &mut Steps::default()) {
             [] => Roots::None,
-            [root] => Roots::One(self.t(ray, *root).to_f64()),
-            [near, far, ..] => Roots::Two(self.t(ray, *near).to_f64(), self.t(ray, *far).to_f64()),
+            [root] => Roots::One(self.rounded_t(ray, *root)),
+            [near, far, ..] => Roots::Two(self.rounded_t(ray, *near), self.rounded_t(ray, *far)),
         }
     }
 
@@ -149,7 +157,7 @@ impl ObjectFromOrigin {
             }
             ObjectFromOrigin::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
         };
-        Root { object: index, t: t.to_f64(), point, normal }
+        Root { object: index, t: self.rounded_t(ray, root), point, normal }
     }
 }
 

@@ -183,6 +183,23 @@ impl SphereFromOrigin {
         ray.big().t(&self.big_root(ray, root))
     }
 
+    /// `t` at a root of a chord that is there, rounded to the nearest `f64` where double-double knows
+    /// which one that is, and else from [`SphereFromOrigin::t`].
+    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
+        let quadratic = Quadratic::new(&self.fine, &ray.fine);
+        if self.side != Ordering::Equal
+            && let Some((t, off)) = quadratic.root(&self.fine, root == RootSide::Far)
+            && (1e-250..1e250).contains(&t.hi.abs())
+        {
+            let t = t.times(ray.stretch);
+            let rounded = ldexp(t.hi, self.scale - ray.scale);
+            if t.rounds_surely(off * t.hi.abs()) && rounded.abs() > f64::MIN_POSITIVE {
+                return rounded;
+            }
+        }
+        self.t(ray, root, T_DOUBT).to_f64()
+    }
+
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
     /// and `2 b / a`.
     fn is_origin(&self, ray: &ExactRay, root: RootSide) -> bool {

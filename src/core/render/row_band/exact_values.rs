@@ -37,7 +37,7 @@ pub(crate) fn fill_exactly(
         let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
         let root = seen.root_of_hit();
         if let Some(t) = t.get_mut(offset) {
-            *t = seen.t(&ray, root).to_f64();
+            *t = seen.rounded_t(&ray, root);
         }
         if let Some(normal) = normals.get_mut(offset) {
             *normal = match seen {
