@@ -101,9 +101,9 @@
 //!
 //! # By raw numbers
 //!
-//! Whoever has numbers and a question calls one function. Vectors are anything that makes a
-//! [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; of `f32`, `f64::from` of each number or glam's
-//! `as_dvec3`, which lose nothing.
+//! Whoever has numbers and a question calls one function. Rays and objects are made of anything that
+//! makes a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself, which
+//! `.into()` makes of them. Of `f32`, `f64::from` of each number or glam's `as_dvec3` lose nothing.
 //!
 //! ```
 //! use pinhole_core::*;
