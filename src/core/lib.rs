@@ -27,7 +27,7 @@
 //! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: what any ray meets, and what first |
 //! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
-//! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
+//! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step of each pixel, and its margin; [`Counts`]: what a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas beside it, to compare |
 //! | interaction | [`steering`]: a camera taken in the hand |
@@ -236,6 +236,7 @@ pub use render::shade::{HitShader, lambert, shade, shade_at_level};
 pub use render::{retrace, retrace_painted, trace, trace_as, trace_at_level, trace_painted};
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
+pub use scene::certificate::{Certificate, Hardest, Question};
 pub use scene::error::{ObjectError, SceneError};
 pub use scene::object::{LineRoots, Object, RankedRoot, Root};
 pub use scene::plane::{Plane, PlaneTerms};

@@ -223,6 +223,21 @@ impl View {
         self.scene.roots(object, &self.of_pixel(row, column))
     }
 
+    /// How far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`, with q the
+    /// way from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`; negative where it
+    /// passes by. `None` of a plane, and of a sphere around the eye.
+    pub fn grazing_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
+        let Direction { field, multiple, .. } = self.of_pixel(row, column);
+        self.scene.object(object).grazing(field, &multiple)
+    }
+
+    /// The square of the cosine between the pixel's ray and a sphere's centre or a plane's normal,
+    /// negative where the cosine is. `None` of a sphere around the eye.
+    pub fn cosine_squared_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
+        let Direction { field, multiple, .. } = self.of_pixel(row, column);
+        self.scene.object(object).cosine_squared(field, &multiple)
+    }
+
     /// The direction of the pixel's ray.
     pub fn direction_of_pixel(&self, row: u32, column: u32) -> [Real; 3] {
         self.of_pixel(row, column).values()

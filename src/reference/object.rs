@@ -42,6 +42,39 @@ impl Object {
     }
 }
 
+impl Object {
+    /// How far `q` is from the object, as a share: `(|q - center|^2 - radius^2) / (|q - center|^2 +
+    /// radius^2)` of a sphere. Of a plane, the square of the cosine between its normal and the way
+    /// from `q` to its point, negative where the cosine is; 0 where `q` is that point.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn share_of_side(&self, q: [f64; 3]) -> Real {
+        let q = vector(q);
+        let (p, d) = match (self, ObjectFromEye::new(self, &q)) {
+            (_, ObjectFromEye::Sphere { radius, from_center, c }) => {
+                (c, &dot(&from_center, &from_center) + &radius.square())
+            }
+            (Object::Plane { point, .. }, ObjectFromEye::Plane { normal, offset }) => {
+                let way = minus(&vector(*point), &q);
+                (signed_square(&offset), &dot(&normal, &normal) * &dot(&way, &way))
+            }
+            (Object::Sphere { .. }, ObjectFromEye::Plane { .. }) => unreachable!("it is a sphere"),
+        };
+        let [p, d] = [p, d].map(Surd::rational);
+        if d.is_zero() {
+            Real::from(0.0)
+        } else {
+            Quotient::without_root(p, d).value(&Field::rational())
+        }
+    }
+}
+
+/// `x |x|`
+fn signed_square(x: &Dyadic) -> Dyadic {
+    if x.sign() == Ordering::Less { -&x.square() } else { x.square() }
+}
+
 /// An object and what all rays of one origin share of it, exactly.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromEye {
@@ -94,6 +127,31 @@ impl ObjectFromEye {
                 vec![Quotient::without_root(Surd::rational(p), d)]
             }
         }
+    }
+
+    /// `D / (|d|^2 |q|^2)` with q the way from the origin to the centre: the square of the sine of a
+    /// sphere's angular radius, less that of the angle between the direction and its centre. `None`
+    /// of a plane, and where q or the direction is 0.
+    pub(crate) fn grazing(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
+        let ObjectFromEye::Sphere { from_center, c, .. } = self else { return None };
+        let (a, b) = (field.dot(direction, direction), Surd::dot(direction, from_center));
+        let discriminant = field.square(&b).minus(&a.scaled(c));
+        let squares = a.scaled(&dot(from_center, from_center));
+        (!squares.is_zero()).then(|| Quotient::without_root(discriminant, squares).value(field))
+    }
+
+    /// The square of the cosine between the direction and a sphere's centre or a plane's normal,
+    /// negative where the cosine is. `None` where one of them is 0.
+    pub(crate) fn cosine_squared(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
+        let along = match self {
+            ObjectFromEye::Sphere { from_center, .. } => from_center.each_ref().map(|x| -x),
+            ObjectFromEye::Plane { normal, .. } => normal.clone(),
+        };
+        let rate = Surd::dot(direction, &along);
+        let square = field.square(&rate);
+        let square = if field.sign(&rate) == Ordering::Less { square.negated() } else { square };
+        let squares = field.dot(direction, direction).scaled(&dot(&along, &along));
+        (!squares.is_zero()).then(|| Quotient::without_root(square, squares).value(field))
     }
 
     /// The unit normal at a root, outward on a sphere, in a plane's own sense.

@@ -126,6 +126,15 @@ impl Real {
     pub fn minus_f64(&self, x: f64) -> Real {
         Real(&self.0 - &Dyadic::from_f64(x))
     }
+
+    /// `(self - other) / (self + other)`, as an `f64`: of two positive numbers how far they are
+    /// apart, to a few parts in `1e16` of it and `2^-440`.
+    pub fn relative_difference(&self, other: &Real) -> f64 {
+        let (difference, sum) = (&self.0 - &other.0, &self.0 + &other.0);
+        // Only the ratio matters: the sum comes near 1.
+        let scale = -sum.log2().unwrap_or(0);
+        Real(difference.shifted(scale)).to_f64() / Real(sum.shifted(scale)).to_f64()
+    }
 }
 
 impl From<f64> for Real {

@@ -66,6 +66,10 @@ impl SceneFromEye {
         roots.iter().map(|t| direction.true_t(t)).collect()
     }
 
+    pub(crate) fn object(&self, index: usize) -> &ObjectFromEye {
+        &self.objects[index]
+    }
+
     /// The object with the smallest `t > 0`, the one listed first among those that share it, and
     /// that `t` for the direction's multiple.
     fn first(&self, direction: &Direction) -> Option<(usize, Quotient)> {

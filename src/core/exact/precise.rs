@@ -56,18 +56,26 @@ impl Precise {
         if x == 0.0 || y == 0.0 || sign(x) != sign(y) {
             return if x == y { None } else { Some(if x < y { Less } else { Greater }) };
         }
+        let Some((difference, doubt, _)) = self.difference(other) else {
+            let is_larger = (other.scale < self.scale) == (x > 0.0);
+            return Some(if is_larger { Greater } else { Less });
+        };
+        (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
+    }
+
+    /// `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` where one
+    /// is so much the larger that the other is nothing beside it.
+    pub(crate) fn difference(self, other: Precise) -> Option<(f64, f64, f64)> {
         let k = other.scale - self.scale;
         if k.abs() > 1500 {
-            let is_larger = (k < 0) == (x > 0.0);
-            return Some(if is_larger { Greater } else { Less });
+            return None;
         }
         let (a, b) = if k < 0 {
             (self.value, other.value.scaled(k))
         } else {
             (self.value.scaled(-k), other.value)
         };
-        let difference = (a - b).hi;
-        let doubt = 2.0 * T_DOUBT * (a.hi.abs() + b.hi.abs());
-        (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
+        let sizes = a.hi.abs() + b.hi.abs();
+        Some(((a - b).hi, 2.0 * T_DOUBT * sizes, sizes))
     }
 }

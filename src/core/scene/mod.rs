@@ -3,6 +3,7 @@
 pub(crate) mod along_ray;
 pub(crate) mod big_roots;
 pub(crate) mod boxes;
+pub(crate) mod certificate;
 pub(crate) mod error;
 pub(crate) mod line;
 pub(crate) mod object;

@@ -127,7 +127,7 @@ impl ObjectFromOrigin {
     }
 
     /// Returns whether both are the same object given twice, which every ray meets at the same `t`.
-    fn is_same(&self, other: &ObjectFromOrigin) -> bool {
+    pub(crate) fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
             (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
                 one.sphere() == other.sphere()

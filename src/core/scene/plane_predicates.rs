@@ -23,10 +23,12 @@ pub(crate) struct PlaneFromOrigin {
     plane: Plane,
     /// The normal in units of `2^normal_scale`, which loses nothing that counts.
     pub(crate) normal: Vector<f64>,
-    normal_length: f64,
+    pub(crate) normal_length: f64,
     normal_scale: i32,
     /// `normal . (point - origin)` in units of `2^scale`.
     pub(crate) offset: DoubleDouble,
+    /// The offset as a share of the normal's length times that of `point - origin`, rounded.
+    pub(crate) offset_share: f64,
     /// Relative error of the offset.
     offset_doubt: f64,
     /// 0 but for extreme distances.
@@ -38,9 +40,9 @@ pub(crate) struct PlaneFromOrigin {
 
 /// `normal . direction` with its exact sign.
 #[derive(Clone, Copy, Debug)]
-struct Rate<T> {
-    value: T,
-    doubt: f64,
+pub(crate) struct Rate<T> {
+    pub(crate) value: T,
+    pub(crate) doubt: f64,
 }
 
 impl<T: Number> Rate<T> {
@@ -60,6 +62,9 @@ impl<T: Number> Rate<T> {
 }
 
 impl PlaneFromOrigin {
+    /// Bounds of [`PlaneFromOrigin::offset_share`]'s error, in `f64` and in double-double.
+    pub(crate) const SIDE_SHARES: [f64; 2] = [8.0 * UNIT, 1.05 * DoubleDouble::DOT];
+
     pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneFromOrigin {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
@@ -71,18 +76,20 @@ impl PlaneFromOrigin {
         let normal_length = length(normal);
         let offset = dot(normal.map(DoubleDouble::from), to);
         let reach = normal_length * length(to.map(DoubleDouble::near));
+        let [rough, fine] = PlaneFromOrigin::SIDE_SHARES;
         let mut seen = PlaneFromOrigin {
             plane: *plane,
             normal,
             normal_length,
             normal_scale,
             offset,
-            offset_doubt: 1.05 * DoubleDouble::DOT * reach / offset.hi.abs(),
+            offset_share: offset.hi / reach,
+            offset_doubt: fine * reach / offset.hi.abs(),
             scale,
             side: (offset.hi + 0.0).total_cmp(&0.0),
             side_step: Step::F64,
         };
-        if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
+        if seen.offset.hi.abs() <= rough * reach {
             seen.side_step = Step::DoubleDouble;
         }
         /// The share of error beyond which t would lose digits for the offset's sake.
@@ -125,11 +132,11 @@ impl PlaneFromOrigin {
         ray.big().rate(&self.plane)
     }
 
-    fn rough_rate(&self, ray: &ExactRay) -> Rate<f64> {
+    pub(crate) fn rough_rate(&self, ray: &ExactRay) -> Rate<f64> {
         Rate::new(&self.normal, self.normal_length, &ray.rough)
     }
 
-    fn fine_rate(&self, ray: &ExactRay) -> Rate<DoubleDouble> {
+    pub(crate) fn fine_rate(&self, ray: &ExactRay) -> Rate<DoubleDouble> {
         Rate::new(&self.normal, self.normal_length, &ray.fine)
     }
 

@@ -10,6 +10,12 @@ use crate::exact::steps::{Step, sign_of};
 use crate::scene::big_roots::big_c;
 use crate::scene::sphere::Sphere;
 
+/// Share of `|q|^2 + r^2` beyond which `f64` knows c's sign: 6 roundings, and one of q itself, twice.
+pub(crate) const ROUGH_SHARE: f64 = 8.0 * UNIT;
+
+/// Error of c in double-double, as a share of `|q|^2 + r^2`: r^2 is exact.
+pub(crate) const FINE_SHARE: f64 = DoubleDouble::DOT + DoubleDouble::SUM;
+
 /// `c = |q|^2 - r^2` with its exact sign.
 pub(crate) struct PointPower {
     pub(crate) value: DoubleDouble,
@@ -35,11 +41,9 @@ impl PointPower {
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
         let value = qq - rr;
-        // r^2 is exact.
         let squares = qq.hi + rr.hi;
-        let doubt = (DoubleDouble::DOT + DoubleDouble::SUM) * squares / value.hi.abs();
-        // 6 roundings in f64, and one of q itself, twice.
-        let is_sure = value.hi.abs() > 8.0 * UNIT * squares && value.hi.abs() > 1e-200;
+        let doubt = FINE_SHARE * squares / value.hi.abs();
+        let is_sure = value.hi.abs() > ROUGH_SHARE * squares && value.hi.abs() > 1e-200;
         let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
         if doubt <= PLENTY && value.hi.abs() > 1e-200 {
             return PointPower { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };

@@ -10,6 +10,7 @@ mod support;
 
 mod along;
 mod camera;
+mod certificates;
 mod counts;
 mod crowds;
 mod crowds_alike;

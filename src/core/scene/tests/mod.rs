@@ -2,6 +2,8 @@
 //! any size, and which stays so while spheres are replaced.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod certificate;
+
 use glam::DVec3;
 use proptest::prelude::*;
 

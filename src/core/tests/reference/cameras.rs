@@ -107,3 +107,19 @@ fn a_basis_by_hand_is_taken_as_it_is() {
     assert_eq!(hit.t.to_f64(), 12.0);
     assert_eq!(floats(&hit.point), [24.0, 12.0, -6.0]);
 }
+
+#[test]
+fn how_near_a_decision_is_of_the_canonical_ball() {
+    let ball = Object::Sphere { center: [0.0, 0.0, -5.0], radius: 1.0 };
+    let one_pixel = Camera { columns: 1, rows: 1, ..canonical() };
+    let view = one_pixel.prepare(&[ball, wall()]).unwrap();
+    // sin^2 of the angular radius is 1/25, and the ray goes through the centre.
+    assert_eq!(view.grazing_of_pixel(0, 0, 0).unwrap().to_f64(), 0.04);
+    assert_eq!(view.grazing_of_pixel(1, 0, 0), None);
+    assert_eq!(view.cosine_squared_of_pixel(0, 0, 0).unwrap().to_f64(), 1.0);
+    assert_eq!(view.cosine_squared_of_pixel(1, 0, 0).unwrap().to_f64(), -1.0);
+    assert_eq!(ball.share_of_side([0.0; 3]).to_f64(), 24.0 / 26.0);
+    assert_eq!(wall().share_of_side([0.0; 3]).to_f64(), -1.0);
+    assert_eq!(wall().share_of_side([3.0, 0.0, -6.0]).to_f64(), 0.0);
+    assert_eq!(Real::from(3.0).relative_difference(&Real::from(1.0)), 0.5);
+}

@@ -1,0 +1,408 @@
+//! How surely a ray's first hit is decided: which step of the ladder it took, and with how many bits
+//! to spare.
+//!
+//! Every decision is the sign of a number that is known within a bound. What a pixel shows rests on
+//! one statement for each object: the first one *is hit*, each other one is *not hit before it*. A
+//! statement may need several decisions, and is as sure as the least sure of them; it may follow in
+//! several ways, and is as sure as the surest of those. So a sphere is hit if it is met and ahead of
+//! the eye, and is not hit first if the line misses it, or it is behind the eye, or its root comes
+//! later. All of a pixel is as sure as its least sure statement.
+
+use std::cmp::Ordering;
+
+use rayon::prelude::*;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::image::Pixel;
+use crate::camera::resolved::ResolvedCamera;
+use crate::exact::bounded::{Number, SECOND_ORDER, UNIT};
+use crate::exact::quadratic::{DirectionTerms, Quadratic, SphereTerms};
+use crate::exact::scale::ldexp;
+use crate::exact::steps::Step;
+use crate::scene::Scene;
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
+use crate::scene::plane_predicates::{PlaneFromOrigin, Rate};
+use crate::scene::point_power::{FINE_SHARE, ROUGH_SHARE};
+use crate::scene::sphere_predicates::SphereFromOrigin;
+
+/// How surely a ray's first hit, or that there is none, is decided.
+///
+/// A decision is the sign of a value that the step computed within a bound of its error. Its margin
+/// is
+///
+/// ```text
+/// margin = log2(|value| / bound)      so that     |exact value| >= (2^margin - 1) * bound
+/// ```
+///
+/// in bits: how many bits more the error could have had, and the decision would still stand. It is
+/// never below 0. Integers have no error; what they have to decide,
+/// because double-double could not, has nothing to spare: its margin is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Certificate {
+    /// The highest step that a decision needed.
+    pub step: Step,
+    /// The least margin of the decisions made at that step, in bits: 0 at [`Step::Exact`], and no
+    /// more than [`Certificate::MOST`].
+    pub margin: f64,
+    /// The decision that has this margin; `None` where that is [`Certificate::MOST`].
+    pub hardest: Option<Hardest>,
+}
+
+/// The decision about a ray that has the least to spare.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Hardest {
+    /// What was to be decided.
+    pub question: Question,
+    /// The object that it was about.
+    pub object: u32,
+    /// The bound of the error, as a share, in the unit of [`Question`]; of [`Step::Exact`], that of
+    /// double-double, which did not suffice.
+    pub bound: f64,
+}
+
+/// What is decided about a ray and an object. With the eye's way to the centre q, radius r and
+/// direction d; of a plane, the normal n and the way to its point p.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Question {
+    /// Whether the eye is inside a sphere: `(|q|^2 - r^2) / (|q|^2 + r^2)`; or on which side of a
+    /// plane: `n.p / (|n| |p|)`.
+    Side,
+    /// Whether the line meets a sphere: `D / (|d|^2 |q|^2)`, the sine squared of its angular radius
+    /// less that of the angle between the ray and its centre.
+    Meets,
+    /// Whether a sphere's centre is ahead: `q.d / (|q| |d|)`; or whether the ray looks along a
+    /// plane's normal or against it: `n.d / (|n| |d|)`.
+    Ahead,
+    /// Whether the object is hit after the one that is first: the difference of both t, as a share
+    /// of their sum.
+    Order,
+}
+
+/// A number to be decided about, with its bound and the share that both are told in.
+struct Bounded {
+    question: Question,
+    value: f64,
+    bound: f64,
+    unit: f64,
+}
+
+impl Certificate {
+    /// The largest margin that is told, in bits: also where there is nothing to decide. An error
+    /// could be ten trillion times as large, and nothing would change.
+    pub const MOST: f64 = 44.0;
+
+    const SURE: Certificate =
+        Certificate { step: Step::F64, margin: Certificate::MOST, hardest: None };
+
+    /// The decision by a value, where it is beyond its bound.
+    fn decided(step: Step, object: u32, bounded: &Bounded) -> Option<Certificate> {
+        let Bounded { question, value, bound, unit } = *bounded;
+        (value.abs() > bound).then(|| {
+            let margin = (value.abs() / bound).log2();
+            if margin >= Certificate::MOST {
+                return Certificate { step, ..Certificate::SURE };
+            }
+            let hardest = Some(Hardest { question, object, bound: bound / unit });
+            Certificate { step, margin, hardest }
+        })
+    }
+
+    /// A decision that only integers made.
+    fn exact(question: Question, object: u32, bound: f64) -> Certificate {
+        let hardest = Some(Hardest { question, object, bound });
+        Certificate { step: Step::Exact, margin: 0.0, hardest }
+    }
+
+    /// Compares how sure they are: the lower step first, in a step the larger margin.
+    fn compare(&self, other: &Certificate) -> Ordering {
+        self.step.cmp(&other.step).then(other.margin.total_cmp(&self.margin))
+    }
+
+    /// That both hold.
+    fn and(self, other: Certificate) -> Certificate {
+        if other.compare(&self) == Ordering::Greater { other } else { self }
+    }
+
+    /// That one of them holds.
+    fn or(self, other: Certificate) -> Certificate {
+        if other.compare(&self) == Ordering::Less { other } else { self }
+    }
+}
+
+/// The surest of what is known.
+fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate> {
+    ways.into_iter().flatten().reduce(Certificate::or)
+}
+
+/// How near a line has to come to a sphere that may have less than so many bits to spare: a share `s`
+/// of its distance.
+///
+/// With m the distance of the line from the centre, `m - r > 2 s |q|` of one that is passed by
+/// farther than that. Then `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`; and D's bound is below
+/// `26 u |d|^2 |q| m` in either form, where d is known to little more than u.
+const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
+
+impl Scene {
+    /// How surely [`Scene::first_hit_of`] is decided. The answer does not depend on the order in
+    /// which objects are looked at.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ball = Sphere::new([0.0, 1.0, -5.0], 1.0)?;
+    /// let scene = Scene::new(vec![ball], vec![])?;
+    /// let along = |direction| Ray::new([0.0; 3], direction);
+    /// let certificate = scene.certificate_of(&ExactRay::from_ray(&along([0.0, 0.2, -1.0])?)?);
+    /// assert_eq!(certificate.step, Step::F64);
+    /// assert!(certificate.margin > 20.0);
+    /// // A tangent.
+    /// let certificate = scene.certificate_of(&ExactRay::from_ray(&along([0.0, 0.0, -1.0])?)?);
+    /// assert_eq!((certificate.step, certificate.margin), (Step::Exact, 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn certificate_of(&self, ray: &ExactRay) -> Certificate {
+        if ray.rough.doubt > 1.5 * UNIT {
+            let all: Vec<u32> = (0..self.spheres().len() as u32).collect();
+            return self.certificate_among(ray, &all);
+        }
+        let mut found = Certificate::SURE;
+        for (share, spared) in PASSED {
+            found = self.certificate_among(ray, &self.spheres_near(ray, share));
+            if found.step > Step::F64 || found.margin <= spared {
+                break;
+            }
+        }
+        found
+    }
+
+    /// [`Scene::certificate_of`], with only these spheres counted beside the one that is hit.
+    pub(crate) fn certificate_among(&self, ray: &ExactRay, spheres: &[u32]) -> Certificate {
+        let count = self.spheres().len() as u32;
+        let seen = |index: u32| Some(ObjectFromOrigin::new(&self.object(index)?, ray.origin()));
+        let first = self.first_hit_of(ray);
+        let first = first.and_then(|root| Some((root.object, seen(root.object)?)));
+        let first = first.as_ref().map(|(index, seen)| {
+            let root = seen.root_of_hit();
+            Hit { index: *index, seen, root }
+        });
+        let mut all = first.as_ref().map_or(Certificate::SURE, |hit| is_hit(hit, ray));
+        for index in spheres.iter().copied().chain(count..self.len() as u32) {
+            if first.as_ref().is_some_and(|hit| hit.index == index) {
+                continue;
+            }
+            let Some(seen) = seen(index) else { continue };
+            all = all.and(is_not_first(index, &seen, first.as_ref(), ray));
+        }
+        all
+    }
+
+    /// [`Scene::certificate_of`] of a camera's pixels in these rows and columns, row by row; in
+    /// parallel.
+    pub fn certificates(
+        &self,
+        camera: &ResolvedCamera,
+        rows: &[u32],
+        columns: &[u32],
+    ) -> Vec<Certificate> {
+        self.make_index();
+        let of_row = |row: &u32| {
+            let of_pixel = |column: &u32| {
+                let pixel = Pixel { row: *row, column: *column };
+                self.certificate_of(&camera.exact_ray(pixel))
+            };
+            columns.iter().map(of_pixel).collect::<Vec<_>>()
+        };
+        rows.par_iter().flat_map_iter(of_row).collect()
+    }
+}
+
+/// That the ray hits the object.
+fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
+    let Hit { index, seen, .. } = *hit;
+    let side = side_of(index, seen);
+    match seen {
+        // From inside, every ray hits it; of an eye on it, nothing is surer than the side.
+        ObjectFromOrigin::Sphere(sphere) if sphere.side != Ordering::Greater => side,
+        ObjectFromOrigin::Sphere(sphere) => {
+            let rough = Quadratic::new(&sphere.rough, &ray.rough);
+            let fine = Quadratic::new(&sphere.fine, &ray.fine);
+            let (rough, fine) =
+                (Signs::new(&rough, &sphere.rough), Signs::new(&fine, &sphere.fine));
+            let by_ladder = |rough: &Bounded, fine: &Bounded| {
+                Certificate::decided(Step::F64, index, rough)
+                    .or_else(|| Certificate::decided(Step::DoubleDouble, index, fine))
+                    .unwrap_or_else(|| {
+                        Certificate::exact(fine.question, index, fine.bound / fine.unit)
+                    })
+            };
+            side.and(by_ladder(&rough.meets, &fine.meets)).and(by_ladder(&rough.ahead, &fine.ahead))
+        }
+        ObjectFromOrigin::Plane(plane) => side.and(rate_of(index, plane, ray).0),
+    }
+}
+
+/// That the ray does not hit the object before its first hit.
+fn is_not_first(
+    index: u32,
+    seen: &ObjectFromOrigin,
+    first: Option<&Hit>,
+    ray: &ExactRay,
+) -> Certificate {
+    let hit = Hit { index, seen, root: seen.root_of_hit() };
+    if first.is_some_and(|first| first.seen.is_same(seen)) {
+        return Certificate::SURE;
+    }
+    let side = side_of(index, seen);
+    let later = first.and_then(|first| is_later(&hit, first, ray)).map(|later| side.and(later));
+    match seen {
+        ObjectFromOrigin::Sphere(sphere) => sphere_is_not_first(&hit, sphere, first, later, ray),
+        ObjectFromOrigin::Plane(plane) => {
+            let (rate, sign) = rate_of(index, plane, ray);
+            let is_passed = sign != Some(plane.side) || plane.side == Ordering::Equal;
+            let passed = is_passed.then(|| side.and(rate));
+            let found = surest([passed, later]);
+            found.unwrap_or_else(|| side.and(order_of(&hit, first, ray)))
+        }
+    }
+}
+
+/// That of a sphere, where it may be later for sure.
+fn sphere_is_not_first(
+    hit: &Hit,
+    sphere: &SphereFromOrigin,
+    first: Option<&Hit>,
+    later: Option<Certificate>,
+    ray: &ExactRay,
+) -> Certificate {
+    let (index, side) = (hit.index, side_of(hit.index, hit.seen));
+    if sphere.side == Ordering::Less {
+        return later.unwrap_or_else(|| side.and(order_of(hit, first, ray)));
+    }
+    let passed = |step: Step, signs: &Signs| {
+        let missed = Certificate::decided(step, index, &signs.meets);
+        let behind = Certificate::decided(step, index, &signs.ahead);
+        surest([
+            missed.filter(|_| signs.meets.value < 0.0),
+            behind.filter(|_| signs.ahead.value < 0.0).map(|behind| side.and(behind)),
+        ])
+    };
+    let rough = Signs::new(&Quadratic::new(&sphere.rough, &ray.rough), &sphere.rough);
+    let by_f64 = surest([passed(Step::F64, &rough), later]);
+    if let Some(found) = by_f64.filter(|found| found.step == Step::F64) {
+        return found;
+    }
+    let fine = Signs::new(&Quadratic::new(&sphere.fine, &ray.fine), &sphere.fine);
+    if let Some(found) = surest([by_f64, passed(Step::DoubleDouble, &fine)]) {
+        return found;
+    }
+    let is_met = fine.meets.value > fine.meets.bound;
+    if is_met && first.is_some() && sphere.side == Ordering::Greater {
+        return side.and(order_of(hit, first, ray));
+    }
+    let undecided = if is_met { fine.ahead } else { fine.meets };
+    side.and(Certificate::exact(undecided.question, index, undecided.bound / undecided.unit))
+}
+
+/// The two signs of a sphere's quadratic.
+struct Signs {
+    meets: Bounded,
+    ahead: Bounded,
+}
+
+impl Signs {
+    fn new<T: Number>(quadratic: &Quadratic<T>, sphere: &SphereTerms<T>) -> Signs {
+        let Quadratic { b_doubt, discriminant_doubt, .. } = *quadratic;
+        let reach = quadratic.a.near().sqrt() * sphere.distance;
+        let (discriminant, b) = (quadratic.discriminant.near(), quadratic.b.near());
+        let bounded = |question, value, bound, unit| Bounded { question, value, bound, unit };
+        Signs {
+            meets: bounded(Question::Meets, discriminant, discriminant_doubt, reach * reach),
+            ahead: bounded(Question::Ahead, b, b_doubt, reach),
+        }
+    }
+}
+
+/// On which side of the object the eye is.
+fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
+    let (value, unit, [rough, fine]) = match seen {
+        ObjectFromOrigin::Sphere(sphere) => {
+            let SphereTerms { distance, radius, c, .. } = &sphere.fine;
+            let squares = distance * distance + radius.hi * radius.hi;
+            (c.hi, squares, [ROUGH_SHARE, FINE_SHARE])
+        }
+        ObjectFromOrigin::Plane(plane) => (plane.offset_share, 1.0, PlaneFromOrigin::SIDE_SHARES),
+    };
+    let (step, question) = (seen.side_step(), Question::Side);
+    let share = if step == Step::F64 { rough } else { fine };
+    let bounded = Bounded { question, value, bound: share * unit, unit };
+    let decided =
+        if step == Step::Exact { None } else { Certificate::decided(step, index, &bounded) };
+    decided.unwrap_or_else(|| Certificate::exact(question, index, fine))
+}
+
+/// Whether the ray goes along a plane's normal or against it, and its sign where a step with a bound
+/// knows it.
+fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate, Option<Ordering>) {
+    fn bounded<T: Number>(
+        plane: &PlaneFromOrigin,
+        rate: &Rate<T>,
+        direction: &DirectionTerms<T>,
+    ) -> Bounded {
+        let unit = plane.normal_length * direction.length;
+        let question = Question::Ahead;
+        Bounded { question, value: rate.value.near(), bound: rate.doubt, unit }
+    }
+    let rough = bounded(plane, &plane.rough_rate(ray), &ray.rough);
+    if let Some(found) = Certificate::decided(Step::F64, index, &rough) {
+        return (found, Some(rough.value.total_cmp(&0.0)));
+    }
+    let fine = bounded(plane, &plane.fine_rate(ray), &ray.fine);
+    match Certificate::decided(Step::DoubleDouble, index, &fine) {
+        Some(found) => (found, Some(fine.value.total_cmp(&0.0))),
+        None => (Certificate::exact(Question::Ahead, index, fine.bound / fine.unit), None),
+    }
+}
+
+/// That the object is met after the first hit, if it is met at all, where `f64` knows.
+fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
+    let (t, share) = rough_t(hit, ray)?;
+    let (first_t, first_share) = rough_t(first, ray)?;
+    let bound = 1.01 * (share * t.abs() + first_share * first_t.abs());
+    let (question, unit) = (Question::Order, t.abs() + first_t.abs());
+    let bounded = Bounded { question, value: t - first_t, bound, unit };
+    Certificate::decided(Step::F64, hit.index, &bounded).filter(|_| t > first_t)
+}
+
+/// `t` in `f64` and how far it may be off, as a share. Where the line only may meet a sphere, both
+/// roots are near `b / a` if they are there at all:
+///
+/// ```text
+/// |t - b / a| <= sqrt(D + bound of D) / a
+/// ```
+fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
+    if let Some(found) = hit.seen.rough_t(ray, hit.root) {
+        return Some(found);
+    }
+    let ObjectFromOrigin::Sphere(sphere) = hit.seen else { return None };
+    let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } =
+        Quadratic::new(&sphere.rough, &ray.rough);
+    if discriminant.abs() > discriminant_doubt || b <= b_doubt {
+        return None;
+    }
+    let swing = (discriminant.max(0.0) + discriminant_doubt).sqrt();
+    let share = SECOND_ORDER * ((b_doubt + swing) / b + a_doubt + 4.0 * UNIT);
+    let t = ldexp(b / a * ray.stretch, sphere.scale - ray.scale);
+    (t.is_normal() && share < 0.25).then_some((t, share))
+}
+
+/// The order of two hits that `f64` does not know.
+fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
+    let Some(first) = first else { return Certificate::SURE };
+    let (t, first_t) = (hit.seen.t(ray, hit.root), first.seen.t(ray, first.root));
+    let question = Question::Order;
+    let (value, bound, unit) = t.difference(first_t).unwrap_or((f64::INFINITY, 0.0, 1.0));
+    let bounded = Bounded { question, value, bound, unit };
+    Certificate::decided(Step::DoubleDouble, hit.index, &bounded)
+        .unwrap_or_else(|| Certificate::exact(question, hit.index, bound / unit))
+}

@@ -1,0 +1,25 @@
+//! Certificates of many spheres: those that are left out would not have counted.
+
+use super::cloud;
+use crate::camera::Camera;
+use crate::camera::image::Pixel;
+use crate::scene::Scene;
+use crate::scene::certificate::Certificate;
+
+#[test]
+fn spheres_that_are_passed_by_have_the_most_to_spare() {
+    let camera = Camera { eye: glam::DVec3::splat(50.0), ..Camera::CANONICAL };
+    let camera = camera.resolve().unwrap();
+    let mut below = 0;
+    for radii in [(-5.0, -3.0), (-2.0, 0.0), (-1.0, 1.0)] {
+        let scene = Scene::new(cloud(1000, radii), vec![]).unwrap();
+        let all: Vec<u32> = (0..1000).collect();
+        for k in 0..100 {
+            let ray = camera.exact_ray(Pixel { row: 7 * k % 400, column: 11 * k % 400 });
+            let certificate = scene.certificate_of(&ray);
+            assert_eq!(certificate, scene.certificate_among(&ray, &all));
+            below += usize::from(certificate.margin < Certificate::MOST);
+        }
+    }
+    assert!((50..250).contains(&below), "{below}");
+}

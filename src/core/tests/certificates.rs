@@ -1,0 +1,187 @@
+//! Certificates: what they tell of every pixel is held against the reference.
+
+use std::collections::BTreeSet;
+
+use pinhole_core::*;
+use pinhole_reference::{Family, FrameCase, View};
+
+use crate::common::given;
+
+/// The exact value that a pixel's hardest decision is about, in the unit of [`Question`]; `None`
+/// where the question turns out not to arise.
+fn exact_value(case: &FrameCase, view: &View, pixel: Pixel, hardest: &Hardest) -> Option<f64> {
+    let (object, Pixel { row, column }) = (hardest.object as usize, pixel);
+    let root = |square: f64| square.abs().sqrt().copysign(square);
+    let is_plane = matches!(case.objects[object], pinhole_reference::Object::Plane { .. });
+    match hardest.question {
+        Question::Side => {
+            let share = case.objects[object].share_of_side(case.camera.eye).to_f64();
+            Some(if is_plane { root(share) } else { share })
+        }
+        Question::Meets => Some(view.grazing_of_pixel(object, row, column)?.to_f64()),
+        Question::Ahead => Some(root(view.cosine_squared_of_pixel(object, row, column)?.to_f64())),
+        Question::Order => {
+            let first = view.first_hit_of_pixel(row, column)?.t;
+            let roots = view.roots_of_pixel(object, row, column);
+            let t = roots.iter().find(|t| t.to_f64() > 0.0)?;
+            Some(t.relative_difference(&first))
+        }
+    }
+}
+
+/// Asserts that a decision has the margin that is told: `|2^margin - |exact| / bound| <= 1`, as the
+/// computed value is within the bound of the exact one; and of integers, that double-double could
+/// not have decided.
+#[track_caller]
+fn assert_margin(certificate: &Certificate, exact: f64, about: &str) {
+    let Certificate { step, margin, hardest, .. } = *certificate;
+    let bound = hardest.unwrap().bound;
+    let ratio = exact.abs() / bound;
+    match step {
+        Step::Exact => {
+            assert_eq!(margin, 0.0);
+            assert!(ratio <= 3.0, "{about}: double-double knew it by {ratio} bounds");
+        }
+        _ => {
+            let told = margin.exp2();
+            // The unit is that of a rounded t.
+            let slack = 1.0 + told * (1e-6 + 4.0 * bound);
+            assert!((told - ratio).abs() <= slack, "{about}: {told} told, {ratio} is so");
+        }
+    }
+}
+
+/// Asserts that the answer has the sign that was decided.
+#[track_caller]
+fn assert_sign(certificate: &Certificate, first: Option<u32>, exact: f64, about: &str) {
+    let Hardest { question, object, .. } = certificate.hardest.unwrap();
+    match question {
+        Question::Meets => assert_eq!(exact >= 0.0, first == Some(object), "{about}"),
+        // A tie, each to 440 bits.
+        Question::Order => assert!(exact >= -1e-120, "{about}: {exact}"),
+        _ => {}
+    }
+}
+
+/// A scene's objects of these indices, in their order.
+fn some_of(scene: &Scene, mut indices: Vec<u32>) -> Scene {
+    indices.sort_unstable();
+    let (mut spheres, mut planes) = (Vec::new(), Vec::new());
+    for index in indices {
+        match scene.object(index).unwrap() {
+            Object::Sphere(sphere) => spheres.push(sphere),
+            Object::Plane(plane) => planes.push(plane),
+        }
+    }
+    Scene::new(spheres, planes).unwrap()
+}
+
+fn is_less_sure(one: &Certificate, other: &Certificate) -> bool {
+    (one.step, -one.margin) > (other.step, -other.margin)
+}
+
+/// The step and the margin of the first hit beside each other object alone, the least sure of them.
+fn by_pairs(scene: &Scene, ray: &ExactRay) -> (Step, f64) {
+    let first = scene.first_hit_of(ray).map(|hit| hit.object);
+    let others = (0..scene.len() as u32).filter(|index| Some(*index) != first);
+    let scenes = others.map(|index| vec![index]).chain([vec![]]).map(|mut indices| {
+        indices.extend(first);
+        some_of(scene, indices)
+    });
+    let all = scenes.map(|scene| scene.certificate_of(ray));
+    let least = all.reduce(|a, b| if is_less_sure(&b, &a) { b } else { a }).unwrap();
+    (least.step, least.margin)
+}
+
+/// Checks every pixel of a frame, and collects which steps decided which questions.
+fn check(case: &FrameCase, name: &str, seen: &mut BTreeSet<String>) {
+    let (scene, camera) = (given::scene(&case.objects), given::camera(&case.camera));
+    let (Ok(resolved), Ok(view)) = (camera.resolve(), case.camera.prepare(&case.objects)) else {
+        return;
+    };
+    let raster = Raster::full(camera.image);
+    let (rows, columns) = (raster.rows(), raster.columns());
+    let certificates = scene.certificates(&resolved, rows, columns);
+    assert_eq!(certificates.len(), rows.len() * columns.len());
+    for (k, certificate) in certificates.iter().enumerate() {
+        let pixel = Pixel { row: rows[k / columns.len()], column: columns[k % columns.len()] };
+        let about = format!("{name}, {pixel:?}, {certificate:?}");
+        let ray = resolved.exact_ray(pixel);
+        assert!((0.0..=Certificate::MOST).contains(&certificate.margin), "{about}");
+        assert_eq!(by_pairs(&scene, &ray), (certificate.step, certificate.margin), "{about}");
+        let Some(hardest) = certificate.hardest else {
+            assert_eq!(certificate.margin, Certificate::MOST, "{about}");
+            continue;
+        };
+        seen.insert(format!("{:?} {:?}", certificate.step, hardest.question));
+        let Some(exact) = exact_value(case, &view, pixel, &hardest) else { continue };
+        let first = view.first_hit_of_pixel(pixel.row, pixel.column).map(|hit| hit.object as u32);
+        assert_margin(certificate, exact, &about);
+        assert_sign(certificate, first, exact, &about);
+    }
+}
+
+#[test]
+fn each_margin_is_what_the_reference_says() {
+    let mut seen = BTreeSet::new();
+    for family in Family::all() {
+        for knob in family.knobs() {
+            for case in family.frames(*knob, 18, 2, false) {
+                check(&case, &format!("{} {knob}", family.name()), &mut seen);
+            }
+        }
+    }
+    for step in ["F64", "DoubleDouble", "Exact"] {
+        for question in ["Meets", "Order"] {
+            assert!(seen.contains(&format!("{step} {question}")), "{step} {question}: {seen:?}");
+        }
+    }
+    assert!(seen.contains("F64 Ahead") && seen.contains("F64 Side"), "{seen:?}");
+}
+
+fn middle(scene: &Scene) -> Certificate {
+    let ray = Ray::new([0.0; 3], [0.0, 0.0, -1.0]).unwrap();
+    scene.certificate_of(&ExactRay::from_ray(&ray).unwrap())
+}
+
+#[test]
+fn where_nothing_is_to_be_decided_the_margin_is_the_largest() {
+    let certificate = middle(&Scene::default());
+    assert_eq!((certificate.step, certificate.margin), (Step::F64, Certificate::MOST));
+    assert_eq!(certificate.hardest, None);
+    let far = Sphere::new([100.0, 0.0, -5.0], 1.0).unwrap();
+    assert_eq!(middle(&Scene::new(vec![far], vec![]).unwrap()), certificate);
+}
+
+/// A sphere given twice: the one listed first is hit, for which nothing needs to be computed.
+#[test]
+fn a_sphere_given_twice_is_as_sure_as_once() {
+    let ball = Sphere::new([0.0, 0.5, -5.0], 1.0).unwrap();
+    let [once, twice] = [1, 2].map(|n| middle(&Scene::new(vec![ball; n], vec![]).unwrap()));
+    assert_eq!(once, twice);
+    assert_eq!(once.step, Step::F64);
+}
+
+/// A tangent that is hidden behind a wall decides nothing.
+#[test]
+fn what_is_hidden_costs_no_bits() {
+    let tangent = Sphere::new([0.0, 1.0, -5.0], 1.0).unwrap();
+    let wall = |z: f64| Plane::new([0.0, 0.0, z], [0.0, 0.0, 1.0]).unwrap();
+    let with = |z| middle(&Scene::new(vec![tangent], vec![wall(z)]).unwrap());
+    assert_eq!(with(-6.0).step, Step::Exact);
+    assert_eq!(with(-4.0).step, Step::F64);
+    assert!(with(-4.0).margin > 20.0);
+}
+
+/// Closer to the silhouette there is less to spare.
+#[test]
+fn the_margin_falls_towards_the_silhouette() {
+    let beside = |gap: f64| {
+        let ball = Sphere::new([0.0, 1.0 + gap, -5.0], 1.0).unwrap();
+        middle(&Scene::new(vec![ball], vec![]).unwrap())
+    };
+    let certificates = [1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 0.0].map(beside);
+    assert!(certificates.is_sorted_by(|a, b| is_less_sure(b, a)), "{certificates:?}");
+    assert_eq!(certificates[5].step, Step::DoubleDouble);
+    assert_eq!((certificates[6].step, certificates[6].margin), (Step::Exact, 0.0));
+}
