@@ -52,7 +52,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l shade -d 'How
 normal\t''
 t\t''
 object\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l aov -d 'Also write t, normal, u, v and object of every pixel as OpenEXR' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l aov -d 'Also write t, normal, u, v, object and certainty of every pixel as OpenEXR' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l overlay -d 'Draw the camera over the world view, and the image\'s marks over the camera\'s'
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input' -r -F

@@ -132,10 +132,13 @@ pub struct RenderArguments {
         value_parser = one_of(Shade::ALL, |shade| shade.name().into())
     )]
     pub shade: Shade,
-    /// Also write t, normal, u, v and object of every pixel as OpenEXR
+    /// Also write t, normal, u, v, object and certainty of every pixel as OpenEXR
     ///
-    /// Float channels t, N.X, N.Y, N.Z, u, v and a uint channel object. Where nothing is hit, t is
-    /// infinite, N is 0 and object is 4294967295.
+    /// Float channels t, N.X, N.Y, N.Z, u, v, margin and uint channels object and step. Where nothing
+    /// is hit, t is infinite, N is 0 and object is 4294967295. step is the arithmetic that the pixel's
+    /// hardest decision needed: 0 for f64, 1 for double-double, 2 for exact. margin is what that
+    /// decision has to spare, in bits: log2(|value| / bound of its error), 0 where it is exact, at
+    /// most 44.
     #[arg(long, value_name = "OUT.exr")]
     pub aov: Option<PathBuf>,
 }

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         view: arguments.view,
         overlay: arguments.overlay,
         shade: arguments.shade,
-        normals: arguments.aov.is_some(),
+        aov: arguments.aov.is_some(),
     };
     let progress = if arguments.overlay || arguments.view == View::World {
         Progress::during("drawing")
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
     #[cfg(feature = "exr")]
     if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
-        pinhole_exchange::images::exr::save(aov, frame)?;
+        pinhole_exchange::images::exr::save(aov, frame, &rendering.certificates)?;
     }
     Ok(())
 }

@@ -1,6 +1,8 @@
 //! The picture of either view, for `pinhole render`.
 
-use pinhole_core::{Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level};
+use pinhole_core::{
+    Certificate, Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level,
+};
 use pinhole_exchange::document::Document;
 
 use super::error::CommandError;
@@ -23,8 +25,9 @@ pub struct RenderOptions {
     pub overlay: bool,
     /// The shading: how a hit becomes a colour.
     pub shade: Shade,
-    /// Computes normals even if the shading does not need them.
-    pub normals: bool,
+    /// Computes what the camera's rays meet, with normals and certificates, even if the picture does
+    /// not need it.
+    pub aov: bool,
 }
 
 /// A finished picture.
@@ -34,6 +37,8 @@ pub struct Rendering {
     pub pixels: Vec<[u8; 4]>,
     /// Hits of the camera's rays, pixel by pixel, where they were asked for or needed anyway.
     pub frame: Option<Frame<f32>>,
+    /// How surely each pixel of the frame is decided, where that was asked for.
+    pub certificates: Vec<Certificate>,
 }
 
 /// Draws a view of the document, `options.size` large. `done` hears of finished rows.
@@ -56,22 +61,27 @@ pub fn render_view(
     let camera = document.camera.resolve().map_err(|error| input(&error))?;
     let scene = document.scene().map_err(|error| input(&error))?;
     let trace = || {
-        let outputs = Outputs { normal: options.normals, ..Outputs::default() };
+        let outputs = Outputs { normal: options.aov, ..Outputs::default() };
         let raster = Raster::full(camera.image());
         trace_at_level(Level::new(), &scene, &camera, &raster, outputs, &done)
+    };
+    let certificates = || {
+        let [rows, columns] = [options.size.height(), options.size.width()];
+        let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
+        if options.aov { scene.certificates(&camera, &rows, &columns) } else { Vec::new() }
     };
     if options.view == View::Camera && !options.overlay {
         let frame = trace();
         let color_of = |object| document.color_of(object);
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
-        return Ok(Rendering { pixels, frame: Some(frame) });
+        return Ok(Rendering { pixels, frame: Some(frame), certificates: certificates() });
     }
     let pixels = with_overlay(&document, &scene, options).map_err(|fault| input(&fault))?;
-    if !options.normals {
+    if !options.aov {
         done(options.size.height() as usize);
-        return Ok(Rendering { pixels, frame: None });
+        return Ok(Rendering { pixels, frame: None, certificates: Vec::new() });
     }
-    Ok(Rendering { pixels, frame: Some(trace()) })
+    Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
 }
 
 /// The view as the window shows it, labels included. No ray is selected, so none is drawn.

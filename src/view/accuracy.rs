@@ -119,8 +119,21 @@ pub(crate) fn mark_wrong(
     scale: f32,
     dots: &mut [Color32],
 ) {
+    let wrong = comparison.errors.iter().enumerate().filter(|(_, e)| **e == PixelError::Wrong);
+    let wrong: Vec<usize> = wrong.map(|(index, _)| index).collect();
+    mark(&wrong, WRONG, raster, (width, scale), dots);
+}
+
+/// Marks these pixels of the raster in a colour, as [`mark_wrong`] says.
+pub(crate) fn mark(
+    pixels: &[usize],
+    color: Color32,
+    raster: &Raster,
+    (width, scale): (usize, f32),
+    dots: &mut [Color32],
+) {
     let (columns, height) = (raster.columns().len(), dots.len().checked_div(width).unwrap_or(0));
-    if columns == 0 || comparison.wrong == 0 {
+    if columns == 0 || pixels.is_empty() {
         return;
     }
     let least = (MARK * scale).round().max(1.0) as usize;
@@ -130,16 +143,16 @@ pub(crate) fn mark_wrong(
         let missing = least.saturating_sub(end - start);
         (start.saturating_sub(missing / 2), (end + missing.div_ceil(2)).min(dots))
     };
-    let wrong = comparison.errors.iter().enumerate().filter(|(_, e)| **e == PixelError::Wrong);
-    let marks: Vec<_> = wrong
-        .map(|(index, _)| {
+    let marks: Vec<_> = pixels
+        .iter()
+        .map(|&index| {
             let rows = across(index / columns, raster.rows().len(), height);
             (rows, across(index % columns, columns, width))
         })
         .collect();
-    // All edges are painted first: where many pixels are wrong, the marks merge into one area with
+    // All edges are painted first: where many pixels are marked, the marks merge into one area with
     // one edge.
-    for (grow, color) in [(edge, Color32::WHITE), (0, WRONG)] {
+    for (grow, color) in [(edge, Color32::WHITE), (0, color)] {
         for ((top, bottom), (left, right)) in &marks {
             let columns = left.saturating_sub(grow)..(right + grow).min(width);
             for row in top.saturating_sub(grow)..(bottom + grow).min(height) {

@@ -4,6 +4,7 @@
 pub mod accuracy;
 pub mod adaptive_resolution;
 mod answer_twins;
+pub mod certainty;
 pub mod derivation;
 pub mod derive;
 pub mod formula;

@@ -64,14 +64,14 @@ fn progress_hears_of_every_row_once() {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     let document = document("planet", 30, 333);
-    for (overlay, normals) in [(false, false), (true, false), (true, true)] {
+    for (overlay, aov) in [(false, false), (true, false), (true, true)] {
         let rows = AtomicUsize::new(0);
         let options = RenderOptions {
             size: document.camera.image,
             view: View::Camera,
             overlay,
             shade: Shade::Lambert,
-            normals,
+            aov,
         };
         let rendering = render_view(&document, options, |done| {
             rows.fetch_add(done, Ordering::Relaxed);
@@ -81,8 +81,9 @@ fn progress_hears_of_every_row_once() {
         assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
         match rendering.frame {
             Some(frame) => assert_eq!(frame.t, traced(&document).t),
-            None => assert!(overlay && !normals),
+            None => assert!(overlay && !aov),
         }
+        assert_eq!(rendering.certificates.len(), if aov { 30 * 333 } else { 0 });
     }
 }
 
@@ -172,13 +173,13 @@ fn the_exr_file_holds_what_the_rays_meet() {
     assert_eq!((image.layer_data.size.width(), image.layer_data.size.height()), (50, 30));
     let channels = &image.layer_data.channel_data.list;
     let names: Vec<String> = channels.iter().map(|c| c.name.to_string()).collect();
-    assert_eq!(names, ["N.X", "N.Y", "N.Z", "object", "t", "u", "v"]);
+    assert_eq!(names, ["N.X", "N.Y", "N.Z", "margin", "object", "step", "t", "u", "v"]);
     let floats = |name: &str| -> &[f32] {
         let channel = channels.iter().find(|c| c.name.to_string() == name).unwrap();
         let FlatSamples::F32(samples) = &channel.sample_data else { panic!("{name} is no float") };
         samples
     };
-    let FlatSamples::U32(objects) = &channels[3].sample_data else { panic!("object is no uint") };
+    let FlatSamples::U32(objects) = &channels[4].sample_data else { panic!("object is no uint") };
     assert_eq!(objects, &frame.object);
     assert!(objects.contains(&NO_OBJECT) && objects.contains(&0));
     assert_eq!(NO_OBJECT, 4_294_967_295);
@@ -192,6 +193,81 @@ fn the_exr_file_holds_what_the_rays_meet() {
         );
         let uv = camera.uv_of_pixel(frame.at(k / 50, k % 50).pixel);
         assert_eq!([floats("u")[k], floats("v")[k]], [uv.x as f32, uv.y as f32]);
+    }
+}
+
+/// A ball that one pixel's ray touches, and one that the next pixel's all but touches; before a wall.
+#[cfg(feature = "report")]
+const TANGENTS: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+     [image]\nwidth = 21\nheight = 21\n\
+     [[sphere]]\ncenter = [0, 1, -5]\nradius = 1\n\
+     [[sphere]]\ncenter = [0.19047619047619047, 1.0000000000000002, -4]\nradius = 1\n\
+     [[plane]]\npoint = [0, 0, -6]\nnormal = [0, 0, 1]\n";
+
+#[cfg(feature = "report")]
+#[test]
+fn each_pixel_s_margin_in_the_exr_file_is_that_of_exact_arithmetic() {
+    use pinhole_core::{Certificate, Question, Step};
+    use pinhole_exchange::scenes::SceneSource;
+    use pinhole_reference::{Camera, Object, Orientation};
+
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("s.toml"), TANGENTS).unwrap();
+    render(folder.path(), "s.toml -o out.png --aov out.exr").done();
+    let image = read_first_flat_layer_from_file(folder.path().join("out.exr")).unwrap();
+    let channels = &image.layer_data.channel_data.list;
+    let samples = |name| &channels.iter().find(|c| c.name.to_string() == name).unwrap().sample_data;
+    let FlatSamples::F32(margins) = samples("margin") else { panic!("margin is no float") };
+    let FlatSamples::U32(steps) = samples("step") else { panic!("step is no uint") };
+    assert!((0..3).all(|step| steps.contains(&step)), "{steps:?}");
+
+    let exact = Camera {
+        eye: [0.0; 3],
+        orientation: Orientation::View { view: [0.0, 0.0, -1.0], up: [0.0, 1.0, 0.0] },
+        width: 1.0,
+        height: 1.0,
+        distance: 1.0,
+        columns: 21,
+        rows: 21,
+    };
+    let objects = [
+        Object::Sphere { center: [0.0, 1.0, -5.0], radius: 1.0 },
+        Object::Sphere { center: [4.0 / 21.0, 1.0_f64.next_up(), -4.0], radius: 1.0 },
+        Object::Plane { point: [0.0, 0.0, -6.0], normal: [0.0, 0.0, 1.0] },
+    ];
+    let exact = exact.prepare(&objects).unwrap();
+    let document =
+        SceneSource::from_argument(&folder.path().join("s.toml")).unwrap().load().unwrap();
+    let (scene, camera) = (document.scene().unwrap(), document.camera.resolve().unwrap());
+    let all: Vec<u32> = (0..21).collect();
+    let certificates = scene.certificates(&camera, &all, &all);
+    for (k, certificate) in certificates.iter().enumerate() {
+        let (row, column) = (k as u32 / 21, k as u32 % 21);
+        let step = [Step::F64, Step::DoubleDouble, Step::Exact][steps[k] as usize];
+        assert_eq!((step, margins[k]), (certificate.step, certificate.margin as f32));
+        let Some(hardest) = certificate.hardest else {
+            assert_eq!(f64::from(margins[k]), Certificate::MOST);
+            continue;
+        };
+        let object = hardest.object as usize;
+        let value = match hardest.question {
+            Question::Meets => exact.grazing_of_pixel(object, row, column).unwrap().to_f64(),
+            Question::Order => {
+                let first = exact.first_hit_of_pixel(row, column).unwrap().t;
+                let roots = exact.roots_of_pixel(object, row, column);
+                let Some(t) = roots.first() else { continue };
+                t.relative_difference(&first)
+            }
+            other => panic!("{other:?} is easy here"),
+        };
+        let (told, is_so) = (f64::from(margins[k]).exp2(), value.abs() / hardest.bound);
+        let about = format!("row {row}, column {column}: {certificate:?}, {is_so}");
+        if step == Step::Exact {
+            assert!(margins[k] == 0.0 && is_so <= 2.0, "{about}");
+        } else {
+            // What is computed is within a bound of what is exact; an f32 has 24 bits.
+            assert!((told - is_so).abs() <= 1.0 + 1e-5 * told, "{about}");
+        }
     }
 }
 

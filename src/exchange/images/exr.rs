@@ -4,19 +4,25 @@ use std::io::{self, BufWriter};
 use std::path::Path;
 
 use exr::prelude::*;
-use pinhole_core::{DVec3, Frame};
+use pinhole_core::{Certificate, DVec3, Frame, Step};
 
 use crate::{FileError, atomic};
 
-/// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and the uint channel `object` of a
-/// frame that was traced with normals, as a whole or not at all.
+/// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v`, `margin` and the uint channels `object`
+/// and `step` of a frame that was traced with normals, as a whole or not at all. There is one
+/// certificate for each of its pixels.
 ///
 /// (u, v) is the pixel's centre. Where nothing is hit, `t` is infinite, the normal is zero and
-/// `object` is [`pinhole_core::NO_OBJECT`], 4294967295.
+/// `object` is [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the
+/// [`Certificate`]: 0 for `f64`, 1 for double-double, 2 for exact; and bits.
 ///
 /// # Errors
 /// Returns an error if the file cannot be written.
-pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileError> {
+pub fn save(
+    path: &Path,
+    frame: &Frame<f32>,
+    certificates: &[Certificate],
+) -> std::result::Result<(), FileError> {
     let (rows, columns) = (frame.raster().rows(), frame.raster().columns());
     let camera = frame.camera();
     let floats = |name: &str, samples: Vec<f32>| AnyChannel::new(name, FlatSamples::F32(samples));
@@ -31,7 +37,9 @@ pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileErro
             floats("N.Z", normals(|n| n.z)),
             floats("u", rows.iter().flat_map(|_| u.iter().copied()).collect()),
             floats("v", v.flat_map(|v| std::iter::repeat_n(v, columns.len())).collect()),
+            floats("margin", certificates.iter().map(|pixel| pixel.margin as f32).collect()),
             AnyChannel::new("object", FlatSamples::U32(frame.object.clone())),
+            AnyChannel::new("step", FlatSamples::U32(certificates.iter().map(number_of).collect())),
         ]
         .into_iter()
         .collect(),
@@ -45,6 +53,15 @@ pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileErro
     atomic::write(path, |file| {
         Image::from_layer(layer).write().to_buffered(BufWriter::new(file)).map_err(to_io)
     })
+}
+
+/// The number that stands for a step.
+fn number_of(certificate: &Certificate) -> u32 {
+    match certificate.step {
+        Step::F64 => 0,
+        Step::DoubleDouble => 1,
+        _ => 2,
+    }
 }
 
 fn to_io(error: Error) -> io::Error {

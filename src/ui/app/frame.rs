@@ -266,7 +266,8 @@ impl App {
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
-            let beside = page.beside.map_or("", |beside| beside.name);
+            let settings = &scene.session.settings;
+            let beside = page.beside.map_or("", |beside| (beside.name)(settings));
             changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
             let is_free = scene.session.hand.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;

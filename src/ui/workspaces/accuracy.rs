@@ -20,7 +20,7 @@ pub(super) const ACCURACY: Page = Page {
         Areas { world: None, camera: Some(left), beside: Some(right), rest }
     },
     beside: Some(&Beside {
-        name: views::MAP,
+        name: accuracy::map_name,
         derive: |sizes, size| sizes.map = Some(size),
         show: error_map,
     }),
@@ -37,15 +37,26 @@ pub(super) const ACCURACY: Page = Page {
 
 fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
     let derived = desk.derived;
-    let changed = Changed::edited(&mut desk.session.settings.compared, |compared| {
-        accuracy::strip(ui, area, compared);
+    let changed = Changed::edited(&mut desk.session.settings, |settings| {
+        accuracy::strip(ui, area, settings);
     });
-    if let (Some(shown), Some(compared)) = (&derived.error_map, &derived.compared) {
-        desk.picture(ui, rect, shown, derived.fault.is_some());
-        views::speak(ui, views::MAP, &accuracy::summary(compared));
-        accuracy::legend(ui, area, compared);
-    } else if let Some(why) = derived.too_many {
-        accuracy::no_map(ui, rect, why);
+    let is_dimmed = derived.fault.is_some();
+    match (&derived.error_map, &derived.compared, &derived.certainty) {
+        (Some(shown), Some(compared), _) => {
+            desk.picture(ui, rect, shown, is_dimmed);
+            views::speak(ui, views::MAP, &accuracy::summary(compared));
+            accuracy::legend(ui, area, compared);
+        }
+        (Some(shown), None, Some(certainty)) => {
+            desk.picture(ui, rect, shown, is_dimmed);
+            views::speak(ui, views::CERTAINTY, &accuracy::certainty::summary(certainty));
+            accuracy::certainty::legend(ui, area, certainty);
+        }
+        _ => {
+            if let Some(why) = derived.too_many {
+                accuracy::no_map(ui, rect, why);
+            }
+        }
     }
     changed
 }

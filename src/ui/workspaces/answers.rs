@@ -13,7 +13,7 @@ use crate::ui::scene::views;
 pub(super) const ANSWERS: Page = Page {
     areas: |divider| divider.three_above(Split::Answers),
     beside: Some(&Beside {
-        name: views::ANSWERS,
+        name: |_| views::ANSWERS,
         derive: |sizes, size| sizes.answers = Some(size),
         show: map,
     }),

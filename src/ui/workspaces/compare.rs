@@ -16,7 +16,7 @@ pub(super) const COMPARE: Page = Page {
         Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest }
     },
     beside: Some(&Beside {
-        name: views::GHOST,
+        name: |_| views::GHOST,
         derive: |sizes, size| sizes.ghost = Some(size),
         show: ghost,
     }),

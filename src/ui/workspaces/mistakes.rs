@@ -12,7 +12,7 @@ use crate::ui::scene::views;
 pub(super) const MISTAKES: Page = Page {
     areas: |divider| divider.three_above(Split::Mistakes),
     beside: Some(&Beside {
-        name: views::WRONG,
+        name: |_| views::WRONG,
         derive: |sizes, size| sizes.wrong = Some(size),
         show: wrong_camera,
     }),

@@ -5,7 +5,7 @@ use egui::{Context, Rect, RichText, Ui};
 use crate::figures::Subject;
 use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
-use crate::model::session::{Session, Split};
+use crate::model::session::{Session, Settings, Split};
 use crate::ui::action::{Action, LessonAction};
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
@@ -41,8 +41,8 @@ pub(crate) struct Page {
 
 /// A picture beside the camera's, as large.
 pub(crate) struct Beside {
-    /// The name, for screen readers.
-    pub(crate) name: &'static str,
+    /// Returns the name, for screen readers.
+    pub(crate) name: fn(&Settings) -> &'static str,
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
     /// Shows it in a frame, with its title above the area.

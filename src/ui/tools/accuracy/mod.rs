@@ -1,6 +1,7 @@
 //! The accuracy view: another method's error map beside the camera's picture; below, error against
 //! run time as plot and table.
 
+pub(crate) mod certainty;
 mod plot;
 mod table;
 
@@ -10,12 +11,13 @@ use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, trace};
 use pinhole_exchange::document::Document;
 
 use crate::model::number::{short, written_whole};
-use crate::model::session::{MethodName, Selection, Session};
+use crate::model::session::{MethodName, Selection, Session, Settings};
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::scene::views::MAP;
+use crate::ui::scene::views::{CERTAINTY, MAP};
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::widgets::spoken::Spoken as _;
+use crate::view;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
@@ -41,11 +43,26 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     response.named(name);
 }
 
-/// Shows the title above the map, with the choice of its method.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, compared: &mut MethodName) {
+/// Returns the name of the map that is chosen.
+pub(crate) fn map_name(settings: &Settings) -> &'static str {
+    if settings.maps_certainty { CERTAINTY } else { MAP }
+}
+
+/// Shows the choice of the map above it; of an error map, with its method.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
-        ui.strong(MAP);
-        method(ui, "error map of", compared);
+        let width = ui.spacing().icon_width + ui.spacing().item_spacing.x;
+        let combo = ComboBox::from_id_salt("map").selected_text(map_name(settings)).truncate();
+        let room = if settings.maps_certainty { 360.0 } else { 110.0 };
+        let combo = combo.width(f32::min(room, ui.available_width() - width));
+        let response = combo.show_ui(ui, |ui| {
+            ui.selectable_value(&mut settings.maps_certainty, false, MAP);
+            ui.selectable_value(&mut settings.maps_certainty, true, CERTAINTY);
+        });
+        response.response.named("map");
+        if !settings.maps_certainty {
+            method(ui, "error map of", &mut settings.compared);
+        }
     });
 }
 
@@ -176,17 +193,22 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
 /// Returns the results of the ladder and of the map's method at the selected pixel, whether or not
 /// the map shows that pixel.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
-    if derived.too_many.is_some() {
+    if derived.too_many.is_some() && !session.settings.maps_certainty {
         return None;
     }
     let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
     let pixel = pixel_of(session.selection, resolved)?;
+    let from = u32::from(session.settings.count_from_one);
+    let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
+    if session.settings.maps_certainty {
+        let certificate = scene.certificate_of(&resolved.exact_ray(pixel));
+        let words = view::certainty::words(&certificate, document);
+        return Some(RichText::new(format!("{position}: {words}")).strong());
+    }
     let method = session.settings.compared.0;
     let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
     let truth = trace(scene, resolved, &raster, Outputs::default());
     let traced = trace_by(method, scene, resolved, &raster);
-    let from = u32::from(session.settings.count_from_one);
-    let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
         // Every digit: the difference is in the last ones.
