@@ -245,6 +245,16 @@ impl Scene {
 
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
+        let (index, seen, root) = self.first_seen(ray, steps)?;
+        Some(seen.root(index, ray, root))
+    }
+
+    /// The object that [`Scene::first_hit_counting`] finds, and at which of its roots.
+    pub(crate) fn first_seen(
+        &self,
+        ray: &ExactRay,
+        steps: &mut Steps,
+    ) -> Option<(u32, ObjectFromOrigin, RootSide)> {
         let mut first: Option<(u32, ObjectFromOrigin, RootSide)> = None;
         // At least the first hit's t, as far as it is known.
         let mut nearest = f64::INFINITY;
@@ -277,7 +287,7 @@ impl Scene {
                 first = Some((index, seen, root));
             }
         }
-        first.map(|(index, seen, root)| seen.root(index, ray, root))
+        first
     }
 
     /// The spheres of which `may` says so, each given by the middle and the half extents of its box;

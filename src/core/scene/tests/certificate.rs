@@ -3,8 +3,10 @@
 use super::cloud;
 use crate::camera::Camera;
 use crate::camera::image::Pixel;
+use crate::exact::steps::Steps;
 use crate::scene::Scene;
 use crate::scene::certificate::Certificate;
+use crate::scene::object_from_origin::Hit;
 
 #[test]
 fn spheres_that_are_passed_by_have_the_most_to_spare() {
@@ -13,11 +15,14 @@ fn spheres_that_are_passed_by_have_the_most_to_spare() {
     let mut below = 0;
     for radii in [(-5.0, -3.0), (-2.0, 0.0), (-1.0, 1.0)] {
         let scene = Scene::new(cloud(1000, radii), vec![]).unwrap();
-        let all: Vec<u32> = (0..1000).collect();
         for k in 0..100 {
             let ray = camera.exact_ray(Pixel { row: 7 * k % 400, column: 11 * k % 400 });
             let certificate = scene.certificate_of(&ray);
-            assert_eq!(certificate, scene.certificate_among(&ray, &all));
+            let first = scene.first_seen(&ray, &mut Steps::default());
+            let first =
+                first.as_ref().map(|(index, seen, root)| Hit { index: *index, seen, root: *root });
+            let of_all = scene.certificate_among(&ray, first.as_ref(), 0..1000);
+            assert_eq!(certificate, of_all);
             below += usize::from(certificate.margin < Certificate::MOST);
         }
     }
