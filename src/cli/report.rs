@@ -94,26 +94,44 @@ fn measured(mut runs: Vec<Run>) -> Report {
 /// Writes the files that were asked for, and the table or the JSON to standard output. All of it is
 /// whole in memory before the first file is written.
 fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandError> {
-    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut text = table::to_table(report);
     if arguments.json.is_some() {
         let json = to_json(report)?;
         match json_file(arguments) {
-            Some(path) => files.push((path, json.into_bytes())),
+            Some(path) => files.push((path.to_owned(), json.into_bytes())),
             None => text = json,
         }
     }
     if let Some(path) = &arguments.csv {
-        files.push((path, csv::to_csv(report).map_err(|error| unmade(path, &error))?));
+        let bytes = csv::to_csv(report).map_err(|error| unmade(path, &error))?;
+        files.push((path.clone(), bytes));
     }
     if let Some(path) = &arguments.plot {
         let format = format_of(path)?;
         let scale = if format == Format::Png { PNG_SCALE } else { 1.0 };
-        let bytes = plot::figure(report, scale).to_file(format);
-        files.push((path, bytes.map_err(|error| unmade(path, &error))?));
+        for (page, figure) in (1..).zip(plot::pages(report, scale)) {
+            let path = page_path(path, page);
+            let bytes = figure.to_file(format).map_err(|error| unmade(&path, &error))?;
+            files.push((path, bytes));
+        }
     }
     write_all(files)?;
     to_stdout(|out| out.write_all(text.as_bytes()))
+}
+
+/// The file of a page of the plot: `a.png`, `a-2.png`, `a-3.png` and so on.
+fn page_path(plot: &Path, page: usize) -> PathBuf {
+    let (stem, ending) = (plot.file_stem(), plot.extension());
+    match (page, stem, ending) {
+        (2.., Some(stem), Some(ending)) => {
+            let mut name = stem.to_owned();
+            name.push(format!("-{page}."));
+            name.push(ending);
+            plot.with_file_name(name)
+        }
+        _ => plot.to_owned(),
+    }
 }
 
 /// The file for the JSON; none for `--json` without a path, or with the sign for standard output.
@@ -149,7 +167,7 @@ fn format_of(plot: &Path) -> Result<Format, CommandError> {
 
 /// Writes the files, each as a whole. Ctrl-C waits until then, so that no temporary file stays behind
 /// either.
-fn write_all(files: Vec<(&Path, Vec<u8>)>) -> Result<(), CommandError> {
+fn write_all(files: Vec<(PathBuf, Vec<u8>)>) -> Result<(), CommandError> {
     let over = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
         // Where a signal cannot be held, it ends the program as ever.
@@ -157,7 +175,7 @@ fn write_all(files: Vec<(&Path, Vec<u8>)>) -> Result<(), CommandError> {
     }
     let written: Result<(), _> = files
         .into_iter()
-        .try_for_each(|(path, bytes)| atomic::write(path, |file| file.write_all(&bytes)));
+        .try_for_each(|(path, bytes)| atomic::write(&path, |file| file.write_all(&bytes)));
     over.store(true, Ordering::SeqCst);
     Ok(written?)
 }

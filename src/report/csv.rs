@@ -18,7 +18,7 @@ pub fn to_csv(report: &Report) -> csv::Result<Vec<u8>> {
 }
 
 /// Returns the columns' names and the cells of a row.
-fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 16] {
+fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 25] {
     let number = |x: Option<f64>| x.map(|x| format!("{x:?}")).unwrap_or_default();
     let count = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_default();
     [
@@ -38,5 +38,14 @@ fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 16] {
         ("steps_f64", count(row.steps.map(|steps| steps.f64))),
         ("steps_double_double", count(row.steps.map(|steps| steps.double_double))),
         ("steps_exact", count(row.steps.map(|steps| steps.exact))),
+        ("ulp_f64_median", number(row.ulp_f64.median)),
+        ("ulp_f64_p99", number(row.ulp_f64.p99)),
+        ("ulp_f64_max", number(row.ulp_f64.max)),
+        ("wrong_share", number(row.wrong_share)),
+        ("backward_error_max", number(row.backward_error_max)),
+        ("condition_median", number(case.condition.map(|condition| condition.median))),
+        ("condition_max", number(case.condition.map(|condition| condition.max))),
+        ("steps_of_t_double_double", count(row.steps_of_t.map(|steps| steps.double_double))),
+        ("steps_of_t_exact", count(row.steps_of_t.map(|steps| steps.exact))),
     ]
 }

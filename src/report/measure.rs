@@ -6,6 +6,7 @@
 //! slows the machine down slows all of them.
 
 mod case;
+mod condition;
 mod families;
 mod scenes;
 mod subject;
@@ -53,7 +54,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Will measure a scene as a camera sees it, in at most 20 seconds on two cores.
+    /// Will measure a scene as a camera sees it: the same pixels on every machine.
     ///
     /// # Errors
     /// Returns an error if a camera sees nothing.
@@ -62,11 +63,11 @@ impl Run {
         Ok(Run::new(cases, left_out, "a frame of the scene"))
     }
 
-    /// Will measure all stress families, in at most 3 minutes on two cores. The same seed gives the
-    /// same cases.
+    /// Will measure all stress families, in about two minutes on two cores. The same seed gives the
+    /// same cases, and all of them are compared with the truth on every machine.
     pub fn of_families(seed: u64) -> Run {
         let (cases, left_out) = families::cases(seed);
-        Run::new(cases, left_out, "the family's rays one by one, or its frames")
+        Run::new(cases, left_out, "the family's rays one by one, or its frames at some 8000 pixels")
     }
 
     fn new(cases: Vec<CaseRun>, left_out: Vec<String>, timed_what: &'static str) -> Run {
@@ -114,10 +115,10 @@ impl Run {
             reference: subject::REFERENCE.to_owned(),
             cpu: machine::describe("every method"),
             baseline: format!(
-                "{BASELINE}, both roots, timed as all are: {}, one thread; the ladder's time is that of \
-                 a frame whose every t is rounded once from more digits than f64 has, pixel by pixel \
-                 (pictures on the screen have the same objects, and t in f32, in a fraction of that), \
-                 the others' that of their formula",
+                "{BASELINE}, both roots, timed as all are: {}, one thread; ladder-f32 is how pictures \
+                 on the screen are traced; the ladder has the same objects, and every t rounded once \
+                 from more digits than f64 has, pixel by pixel; the others' time is that of their \
+                 formula",
                 self.timed_what
             ),
             cases: begun.map(CaseRun::report).collect(),

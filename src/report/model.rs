@@ -35,6 +35,20 @@ pub struct Case {
     /// Name of the knob; empty without one.
     #[serde(default)]
     pub knob_name: String,
+    /// How much t depends on what is given, over the rays that hit.
+    #[serde(default)]
+    pub condition: Option<Condition>,
+}
+
+/// Spread of the condition number of t: the share of itself that t moves by, where centre, radius, origin
+/// and direction each move by a small share of their sizes, is at most this times that share. Tangents,
+/// where it is infinite, are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Condition {
+    /// Half of them are at most this.
+    pub median: f64,
+    /// All are at most this.
+    pub max: f64,
 }
 
 /// Results of one method in one case.
@@ -47,7 +61,7 @@ pub struct MethodRow {
     /// All decisions.
     pub decisions: u64,
     /// The error in t, in ulps of the method's own precision, over the rays that truth and method
-    /// decide alike.
+    /// decide alike. [`MethodRow::ulp_f64`] has the same errors on one scale.
     pub ulp: Ulps,
     /// The largest angle between the method's normal and the true one, in radians.
     pub normal_error_max: Option<f64>,
@@ -55,7 +69,27 @@ pub struct MethodRow {
     pub ns_per_pixel: Times,
     /// Decisions by each step of the ladder; the ladder alone has steps.
     pub steps: Option<Steps>,
+    /// The error in t, in ulps of `f64` whatever the method's precision: an ulp of `f32` is 2^29 of
+    /// them. What is compared among methods.
+    #[serde(default)]
+    pub ulp_f64: Ulps,
+    /// `t` by the step of the ladder that found it, where `t` has a step of its own: rounded once from
+    /// more digits than `f64` has, it is found in double-double or exactly.
+    #[serde(default)]
+    pub steps_of_t: Option<Steps>,
+    /// Wrong decisions as a share of all rays of the case, 0 to 1. Where more is compared with the truth
+    /// beside outlines than elsewhere, both are weighted by how many pixels there are.
+    #[serde(default)]
+    pub wrong_share: Option<f64>,
+    /// The largest backward error, in units of 2^-53: centre, radius, origin and direction each moved by
+    /// this share of their sizes make the method's t exact. Times the condition number it is at least
+    /// the error in ulps of `f64`, to first order.
+    #[serde(default)]
+    pub backward_error_max: Option<f64>,
 }
+
+/// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), wherever both are normal numbers.
+pub const SINGLE: f64 = (1u64 << 29) as f64;
 
 /// Spread of the errors in t, in ulps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -68,6 +102,14 @@ pub struct Ulps {
     pub max: Option<f64>,
 }
 
+impl Ulps {
+    /// The same errors in ulps of another precision, of which each of these is `count`.
+    pub fn times(self, count: f64) -> Ulps {
+        let times = |error: Option<f64>| error.map(|error| error * count).filter(|x| x.is_finite());
+        Ulps { median: times(self.median), p99: times(self.p99), max: times(self.max) }
+    }
+}
+
 /// Run times of interleaved rounds, in nanoseconds a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Times {
@@ -75,6 +117,12 @@ pub struct Times {
     pub median: Option<f64>,
     /// The shortest one.
     pub min: Option<f64>,
+    /// A quarter of them are at most this.
+    #[serde(default)]
+    pub lower_quartile: Option<f64>,
+    /// Three quarters of them are at most this.
+    #[serde(default)]
+    pub upper_quartile: Option<f64>,
 }
 
 /// Decisions by each step of the ladder.
@@ -87,6 +135,20 @@ pub struct Steps {
     /// Decided exactly.
     pub exact: u64,
 }
+
+/// A precision, the one with the fewest digits first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Digits {
+    /// `f32`
+    Single,
+    /// `f64`
+    Double,
+    /// Two `f64`.
+    DoubleDouble,
+}
+
+/// The half-b formula in double-double.
+const DOUBLE_DOUBLE: &str = "double-double";
 
 impl Report {
     /// Takes in what another run measured on the same machine.
@@ -127,24 +189,35 @@ impl MethodRow {
     /// A sentence that says by which steps of the ladder the method decided, where it has steps.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
+        let of_t = match self.steps_of_t.unwrap_or_default() {
+            Steps { double_double: 0, exact: 0, .. } => String::new(),
+            of_t => format!("; t: {} in double-double, {} exactly", of_t.double_double, of_t.exact),
+        };
         Some(format!(
-            "{} decided {} in f64, {} in double-double, {} exactly, in all that was timed",
+            "{} decided {} in f32 or f64, {} in double-double, {} exactly{of_t}; in all that was timed",
             self.name, steps.f64, steps.double_double, steps.exact
         ))
     }
 
-    /// Wrong decisions as a share of all, 0 to 1; `None` where there are none at all.
-    pub fn wrong_share(&self) -> Option<f64> {
-        (self.decisions > 0).then(|| self.wrong as f64 / self.decisions as f64)
-    }
-
     /// Returns whether it computes in single precision.
     pub fn is_single(&self) -> bool {
-        self.name.ends_with("-f32")
+        self.digits() == Digits::Single
     }
 
-    /// The name without the precision: `half-b`.
-    pub fn family(&self) -> &str {
-        self.name.strip_suffix("-f32").or(self.name.strip_suffix("-f64")).unwrap_or(&self.name)
+    /// The name without the precision: `half-b`, of which `double-double` is one more precision.
+    pub fn formula(&self) -> &str {
+        match self.name.as_str() {
+            DOUBLE_DOUBLE => "half-b",
+            name => name.strip_suffix("-f32").or(name.strip_suffix("-f64")).unwrap_or(name),
+        }
+    }
+
+    /// The precision that it computes in.
+    pub fn digits(&self) -> Digits {
+        match self.name.as_str() {
+            DOUBLE_DOUBLE => Digits::DoubleDouble,
+            name if name.ends_with("-f32") => Digits::Single,
+            _ => Digits::Double,
+        }
     }
 }

@@ -58,13 +58,18 @@ fn several_scenes_are_several_cases_in_every_file() {
     let line = "report s.toml two.toml --json a.json --csv a.csv --plot a.svg";
     let table = report(folder.path(), line).done();
     assert!(table.contains("\ns.toml: ") && table.contains("\ntwo.toml: "), "{table}");
-    assert_eq!(entries(folder.path()), ["a.csv", "a.json", "a.svg", "s.toml", "two.toml"]);
+    assert_eq!(
+        entries(folder.path()),
+        ["a-2.svg", "a.csv", "a.json", "a.svg", "s.toml", "two.toml"]
+    );
     let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(json_of(&read("a.json"))["cases"].as_array().unwrap().len(), 2);
     let csv = read("a.csv");
     assert!(csv.starts_with("case,knob_name,knob,coverage,method,wrong,"), "{csv}");
     assert!(csv.contains("\ns.toml,") && csv.contains("\ntwo.toml,"), "{csv}");
-    let svg = read("a.svg");
+    // The summary is the first page.
+    assert!(read("a.svg").contains(">wrong decisions</tspan>"), "{}", read("a.svg"));
+    let svg = read("a-2.svg");
     assert!(svg.contains(">s.toml</tspan>") && svg.contains(">two.toml</tspan>"), "{svg}");
 }
 
@@ -74,8 +79,8 @@ fn a_plot_may_be_pixels() {
     report(folder.path(), "report s.toml --plot a.PNG").done();
     let bytes = fs::read(folder.path().join("a.PNG")).unwrap();
     let image = image_of(&bytes);
-    assert_eq!(image.width, 1920);
-    assert!(image.height > 600, "{}", image.height);
+    assert_eq!((image.width, image.height), (1920, 1080));
+    assert_eq!(entries(folder.path()), ["a.PNG", "s.toml", "two.toml"]);
 }
 
 fn image_of(bytes: &[u8]) -> png::OutputInfo {

@@ -1,7 +1,7 @@
 //! The measuring engine: what it counts, in slices, on small scenes.
 
 use pinhole::report::measure::Run;
-use pinhole::report::model::{Case, MethodRow, Report};
+use pinhole::report::model::{Case, MethodRow, Report, SINGLE};
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, DVec3, ImageSize, Plane, Scene, Sphere, Viewport};
 
@@ -42,18 +42,38 @@ fn a_small_scene_is_measured_whole() {
     assert_eq!((case.name.as_str(), case.knob), ("small", None));
     assert!((0.05..0.2).contains(&case.coverage), "{}", case.coverage);
     let names: Vec<_> = case.methods.iter().map(|row| row.name.as_str()).collect();
-    assert_eq!(names, Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>());
+    assert_eq!(names, Method::of_frames().map(Method::name).collect::<Vec<_>>());
     for row in &case.methods {
         assert_eq!(row.decisions, 24 * 20, "{}", row.name);
         let (median, max) = (row.ulp.median.unwrap(), row.ulp.max.unwrap());
         assert!(median <= row.ulp.p99.unwrap() && row.ulp.p99.unwrap() <= max, "{row:?}");
-        assert!(max < 1000.0, "{row:?}");
+        assert!(max < 1000.0 && row.ulp_f64.max.unwrap() >= max, "{row:?}");
         let times = row.ns_per_pixel;
         assert!(0.0 < times.min.unwrap() && times.min <= times.median, "{row:?}");
         assert!(row.normal_error_max.unwrap() < if row.is_single() { 1e-2 } else { 1e-10 });
     }
-    let ladder = row(case, "ladder");
-    assert_eq!(ladder.wrong, 0);
+    for ladder in [row(case, "ladder"), row(case, "ladder-f32")] {
+        assert_eq!(ladder.wrong, 0);
+        assert!(ladder.steps.is_some());
+    }
+    // What a method loses is told from what the problem does.
+    let condition = case.condition.unwrap();
+    assert!(1.0 < condition.median && condition.median < condition.max, "{condition:?}");
+    for row in &case.methods {
+        let bound = condition.max * row.backward_error_max.unwrap();
+        assert!(row.ulp_f64.max.unwrap() <= 1.01 * bound, "{row:?} {bound}");
+    }
+    // Every t of the ladder is rounded from more digits than f64 has; the picture's comes with the
+    // decision.
+    let of_t = |name: &str| row(case, name).steps_of_t.unwrap();
+    assert_eq!((of_t("ladder").f64, of_t("ladder").exact), (0, 0));
+    assert_eq!(of_t("ladder").double_double, (case.coverage * 480.0).round() as u64);
+    assert_eq!(of_t("ladder-f32"), Default::default());
+    // An ulp of the picture's f32, on the scale of all others.
+    let picture = row(case, "ladder-f32");
+    assert!(picture.ulp.max.unwrap() <= 1.0, "{picture:?}");
+    assert_eq!(picture.ulp_f64.max.unwrap(), picture.ulp.max.unwrap() * SINGLE);
+    assert_eq!(row(case, "textbook-f64").ulp_f64, row(case, "textbook-f64").ulp);
     assert!(report.cpu.contains(std::env::consts::ARCH), "{}", report.cpu);
     assert!(report.baseline.starts_with("textbook-f32"), "{}", report.baseline);
     assert!(report.reference.starts_with("arbitrary precision"), "{}", report.reference);
@@ -146,4 +166,40 @@ fn families_begin_with_the_ordinary_one() {
         assert!(row.ns_per_pixel.median.is_some(), "{row:?}");
     }
     assert!(report.left_out.iter().any(|line| line.contains("families of bases")));
+    // A frame's method has no single rays to follow, and the report says so.
+    assert!(case.methods.iter().all(|row| row.name != "ladder-f32"));
+    assert!(report.left_out.iter().any(|line| line.starts_with("ladder-f32 in the families")));
+}
+
+/// What is compared depends on the scene alone, not on how busy the machine is: all but the times is the
+/// same again.
+#[test]
+fn a_second_run_says_the_same_of_everything_but_time() {
+    let timeless = || {
+        let mut report = finished(run_of(&[sphere([0.25, 0.0, -5.0], 1.0)], &[floor()]));
+        let rows = report.cases.iter_mut().flat_map(|case| &mut case.methods);
+        rows.for_each(|row| row.ns_per_pixel = Default::default());
+        report
+    };
+    assert_eq!(timeless(), timeless());
+}
+
+/// Of a large picture, pixels beside outlines are compared more often than others; shares are of the
+/// whole picture all the same.
+#[test]
+fn shares_are_weighted_by_how_many_pixels_there_are() {
+    let camera = Camera { image: ImageSize::new(400, 400).unwrap(), ..Camera::CANONICAL };
+    // A far, tiny ball: in f32 the textbook is wrong at its outline, if anywhere.
+    let scene = Scene::new(vec![sphere([0.0, 0.0, -5000.0], 1500.0)], vec![]).unwrap();
+    let report = finished(Run::of_scene("far", &scene, &camera).unwrap());
+    let case = &report.cases[0];
+    let textbook = row(case, "textbook-f32");
+    assert!(textbook.decisions < 160_000, "{textbook:?}");
+    let (compared, whole) =
+        (textbook.wrong as f64 / textbook.decisions as f64, textbook.wrong_share.unwrap());
+    assert!(
+        textbook.wrong > 0 && whole < 0.9 * compared,
+        "{whole} of all, {compared} of those compared"
+    );
+    assert!(report.left_out.iter().any(|line| line.contains("were not compared with the truth")));
 }

@@ -1,9 +1,10 @@
 //! A report as it may come out of a run: a scene, and a family with a knob.
 
-use pinhole::report::model::{Case, MethodRow, Report, Steps, Times, Ulps};
+use pinhole::report::model::{Case, Condition, MethodRow, Report, SINGLE, Steps, Times, Ulps};
 
 /// Name, ns a pixel, and what it is like at its best and its worst.
-const METHODS: [(&str, f64, f64); 16] = [
+const METHODS: [(&str, f64, f64); 17] = [
+    ("ladder-f32", 2.1, 0.9),
     ("ladder", 10.2, 0.5),
     ("double-double", 24.7, 0.5),
     ("textbook-f32", 3.9, 65_000.0),
@@ -51,21 +52,36 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
         let lost = method == "textbook-f32" && hardness > 4.0;
         let wrong = if error > 1.0 { (hardness * error.log10() * 30.0) as u64 } else { 0 };
         let some = |x: f64| (!lost).then_some(x);
+        let ulp = Ulps {
+            median: if knob.is_none() { some(0.0) } else { some(0.2 * max) },
+            p99: some(0.8 * max),
+            max: if method == "lagrange-f64" && knob.is_none() { Some(0.0) } else { some(max) },
+        };
+        let wrong = if method.ends_with("f32") { wrong } else { wrong / 40 };
         MethodRow {
             name: method.to_owned(),
-            wrong: if method.ends_with("f32") { wrong } else { wrong / 40 },
+            wrong,
+            backward_error_max: some(0.3 * error),
+            wrong_share: Some(wrong as f64 / 4096.0),
             decisions: 4096,
-            ulp: Ulps {
-                median: if knob.is_none() { some(0.0) } else { some(0.2 * max) },
-                p99: some(0.8 * max),
-                max: if method == "lagrange-f64" && knob.is_none() { Some(0.0) } else { some(max) },
-            },
+            ulp,
+            ulp_f64: ulp.times(if method.ends_with("f32") { SINGLE } else { 1.0 }),
             normal_error_max: some(3e-16 * max),
-            ns_per_pixel: Times { median: Some(time), min: Some(0.9 * time) },
-            steps: (method == "ladder").then(|| Steps {
+            ns_per_pixel: Times {
+                median: Some(time),
+                min: Some(0.9 * time),
+                lower_quartile: Some(0.95 * time),
+                upper_quartile: Some(1.1 * time),
+            },
+            steps: method.starts_with("ladder").then(|| Steps {
                 f64: 4096 - 10 * hardness as u64,
                 double_double: 9 * hardness as u64,
                 exact: hardness as u64,
+            }),
+            steps_of_t: (method == "ladder").then(|| Steps {
+                f64: 0,
+                double_double: 800 - 7 * hardness as u64,
+                exact: 7 * hardness as u64,
             }),
         }
     };
@@ -74,6 +90,7 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
         knob,
         coverage: 0.196 / (1.0 + hardness),
         methods: METHODS.iter().map(row).collect(),
+        condition: Some(Condition { median: 9.5, max: 1.0 / (0.1 + hardness) + 40.0 }),
         knob_name: knob.map_or("", |_| "radius / distance").to_owned(),
     }
 }

@@ -22,22 +22,27 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
         reference  dashu-float, 420 bits
         cpu        Some processor, AVX2 and FMA there, one thread
         baseline   textbook-f32: both roots, the same loop over the same rays
+        reading    errors in t in ulps of f64, of which an ulp of f32 is 2^29, and the largest one in ulps of the method's own
+                   precision; backward: the share of their sizes, in units of 2^-53, by which centre, radius, origin and
+                   direction move to make that t exact; an error in ulps of f64 is at most the problem's condition times it
 
-        canonical: 4096 decisions, coverage 19.6 %
-                                          error in t, ulps      rad    ns a pixel
-        method        wrong  share  median     p99     max   normal  median   min  × baseline
-        ladder            0    0 %       0     0.4     0.5  1.5e-16    10.2  9.18        2.62
-        textbook-f32      0    0 %       0     1.6       2    6e-16     3.9  3.51           1
-        half-b-f64        0    0 %       0     1.6       2    6e-16     5.3  4.77        1.36
-        ladder decided 4096 in f64, 0 in double-double, 0 exactly, in all that was timed
+        canonical: 4096 decisions, coverage 19.6 %, condition of t: median 9.5, max 50
+                                      error in t, ulps of f64  own ulps  backward      rad    ns a pixel
+        method        wrong  share   median      p99      max       max       max   normal  median   min  × base
+        ladder            0    0 %        0      0.4      0.5       0.5      0.15  1.5e-16    10.2  9.18    2.62
+        textbook-f32      0    0 %        0    8.6e8    1.1e9         2     19500    6e-16     3.9  3.51       1
+        half-b-f64        0    0 %        0      1.6        2         2     19200    6e-16     5.3  4.77    1.36
+        ladder decided 4096 in f32 or f64, 0 in double-double, 0 exactly; t: 800 in double-double, 0 exactly; in all that was
+        timed
 
-        tiny far sphere, radius / distance = 1e-12: 4096 decisions, coverage 3.27 %
-                                            error in t, ulps      rad    ns a pixel
-        method        wrong    share  median     p99     max   normal  median   min  × baseline
-        ladder            0      0 %     0.1     0.4     0.5  1.5e-16    10.2  9.18        2.62
-        textbook-f32    721   17.6 %       -       -       -        -     3.9  3.51           1
-        half-b-f64       18  0.439 %   1.3e7     5e7   6.3e7   1.9e-8     5.3  4.77        1.36
-        ladder decided 4046 in f64, 45 in double-double, 5 exactly, in all that was timed
+        tiny far sphere, radius / distance = 1e-12: 4096 decisions, coverage 3.27 %, condition of t: median 9.5, max 40.2
+                                        error in t, ulps of f64  own ulps  backward      rad    ns a pixel
+        method        wrong    share   median      p99      max       max       max   normal  median   min  × base
+        ladder            0      0 %      0.1      0.4      0.5       0.5      0.15  1.5e-16    10.2  9.18    2.62
+        textbook-f32    721   17.6 %        -        -        -         -         -        -     3.9  3.51       1
+        half-b-f64       18  0.439 %    1.3e7      5e7    6.3e7     6.3e7     19200   1.9e-8     5.3  4.77    1.36
+        ladder decided 4046 in f32 or f64, 45 in double-double, 5 exactly; t: 765 in double-double, 35 exactly; in all that
+        was timed
 
         all 2 together: wrong of decisions
         ladder                    0 of 8192
@@ -94,13 +99,27 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                   "normal_error_max": 1.5e-16,
                   "ns_per_pixel": {
                     "median": 10.2,
-                    "min": 9.18
+                    "min": 9.18,
+                    "lower_quartile": 9.69,
+                    "upper_quartile": 11.22
                   },
                   "steps": {
                     "f64": 4096,
                     "double_double": 0,
                     "exact": 0
-                  }
+                  },
+                  "ulp_f64": {
+                    "median": 0.0,
+                    "p99": 0.4,
+                    "max": 0.5
+                  },
+                  "steps_of_t": {
+                    "f64": 0,
+                    "double_double": 800,
+                    "exact": 0
+                  },
+                  "wrong_share": 0.0,
+                  "backward_error_max": 0.15
                 },
                 {
                   "name": "textbook-f32",
@@ -114,12 +133,26 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                   "normal_error_max": 6e-16,
                   "ns_per_pixel": {
                     "median": 3.9,
-                    "min": 3.51
+                    "min": 3.51,
+                    "lower_quartile": 3.7049999999999996,
+                    "upper_quartile": 4.29
                   },
-                  "steps": null
+                  "steps": null,
+                  "ulp_f64": {
+                    "median": 0.0,
+                    "p99": 858993459.2,
+                    "max": 1073741824.0
+                  },
+                  "steps_of_t": null,
+                  "wrong_share": 0.0,
+                  "backward_error_max": 19500.0
                 }
               ],
-              "knob_name": ""
+              "knob_name": "",
+              "condition": {
+                "median": 9.5,
+                "max": 50.0
+              }
             }
           ],
           "left_out": [
@@ -145,12 +178,12 @@ fn json_reads_back_to_the_same_numbers() {
 fn csv_has_a_row_a_case_and_method() {
     let text = String::from_utf8(csv::to_csv(&small()).unwrap()).unwrap();
     expect![[r#"
-        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact
-        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0
-        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,
-        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,
+        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact,ulp_f64_median,ulp_f64_p99,ulp_f64_max,wrong_share,backward_error_max,condition_median,condition_max,steps_of_t_double_double,steps_of_t_exact
+        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0,0.0,0.4,0.5,0.0,0.15,9.5,50.0,800,0
+        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,,0.0,858993459.2,1073741824.0,0.0,19500.0,9.5,50.0,,
+        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,,0.0,1.6,2.0,0.0,19200.0,9.5,50.0,,
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5,0.1,0.4,0.5,0.0,0.15,9.5,40.19607843137255,765,35
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,,,,,0.176025390625,,9.5,40.19607843137255,,
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,,12527855.188441262,50111420.75376505,62639275.94220631,0.00439453125,19200.0,9.5,40.19607843137255,,
     "#]].assert_eq(&text);
 }

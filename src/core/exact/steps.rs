@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 use std::ops::Add;
 
-/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly.
+/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly. Of
+/// `t`, which is counted apart, how many each step found.
 ///
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
 /// knows a bound of its own error and hands over what lies within it to the next.

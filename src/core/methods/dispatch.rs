@@ -21,10 +21,10 @@ use crate::methods::formulas::{
 use crate::methods::loops::{FrameBy, ViewRays, first_hit};
 use crate::methods::method::{Formula, Method, Precision};
 use crate::methods::number::{Real, RoundedRay, RoundedScene};
+use crate::render::frame::depth::Depth;
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
-use crate::render::trace;
+use crate::render::{retrace, trace_as};
 use crate::scene::Scene;
-use crate::scene::object::Root;
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,11 +50,17 @@ pub struct Traced {
 }
 
 /// Evaluates an expression with the type of a method chosen at run time: `$known` stands for it. The
-/// ladder has an expression of its own.
+/// ladder has expressions of its own, one for each precision of `t`.
 macro_rules! with_method {
-    ($method:expr, ladder => $ladder:expr, $known:ident => $body:expr) => {
+    (
+        $method:expr,
+        ladder => $ladder:expr,
+        ladder_f32 => $ladder_f32:expr,
+        $known:ident => $body:expr
+    ) => {
         match $method {
             Method::Ladder => $ladder,
+            Method::LadderF32 => $ladder_f32,
             Method::DoubleDouble => with_type!(ByQ<DoubleDouble, Plain>, $known => $body),
             Method::Known(formula, Precision::F32) => with_formula!(formula, f32, $known => $body),
             Method::Known(formula, Precision::F64) => with_formula!(formula, f64, $known => $body),
@@ -83,10 +89,6 @@ macro_rules! with_type {
     }};
 }
 
-fn hit_of_root(root: Option<Root>) -> Option<MethodHit> {
-    root.map(|Root { object, t, normal, .. }| MethodHit { object, t, normal })
-}
-
 /// A hit of rounded numbers, with its normal.
 fn hit_of_rounded<R: Real>(
     scene: &RoundedScene<R>,
@@ -104,11 +106,17 @@ fn hit_of_rounded<R: Real>(
 /// `u*U + v*V - distance*W` in the method's own precision, from the camera's basis rounded to it,
 /// against every object.
 pub fn trace_by(method: Method, scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
-    let by_ladder = || {
-        let frame = trace(scene, camera, raster, Outputs::default());
-        Traced { t: frame.t, object: frame.object }
-    };
-    with_method!(method, ladder => by_ladder(), M => trace_by_known::<M>(scene, camera, raster))
+    with_method!(
+        method,
+        ladder => trace_by_ladder::<f64>(scene, camera, raster),
+        ladder_f32 => trace_by_ladder::<f32>(scene, camera, raster),
+        M => trace_by_known::<M>(scene, camera, raster)
+    )
+}
+
+fn trace_by_ladder<T: Depth>(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
+    let frame = trace_as::<T>(scene, camera, raster, Outputs::default());
+    Traced { t: frame.t.into_iter().map(T::widened).collect(), object: frame.object }
 }
 
 fn trace_by_known<M: Intersect>(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
@@ -132,7 +140,7 @@ fn trace_by_known<M: Intersect>(scene: &Scene, camera: &ResolvedCamera, raster: 
 /// A raster traced by one method in one thread, for a caller that takes the time, and single pixels
 /// of it looked at closely.
 ///
-/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand.
+/// The ladder is the exception to the one thread: it is [`retrace`], in the thread pool at hand.
 pub trait FrameKernel: Send + Sync {
     /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
     /// memory of its own.
@@ -144,9 +152,9 @@ pub trait FrameKernel: Send + Sync {
     /// Outside the raster.
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit>;
 
-    /// Number of decisions that each step of the ladder made in the last trace; the ladder alone
-    /// has steps.
-    fn steps(&self) -> Option<Steps> {
+    /// Number of decisions that each step of the ladder made in the last trace, and of `t` that each
+    /// found; the ladder alone has steps.
+    fn steps(&self) -> Option<[Steps; 2]> {
         None
     }
 }
@@ -161,7 +169,8 @@ pub fn frame_kernel(
     let (scene, camera, raster) = (Arc::clone(scene), *camera, raster.clone());
     with_method!(
         method,
-        ladder => Box::new(LadderFrame { scene, camera, raster, frame: OnceLock::new() }),
+        ladder => Box::new(LadderFrame::<f64> { scene, camera, raster, frame: OnceLock::new() }),
+        ladder_f32 => Box::new(LadderFrame::<f32> { scene, camera, raster, frame: OnceLock::new() }),
         M => Box::new(KnownFrame::<M> {
             rays: ViewRays::new(&camera, &raster),
             rounded: RoundedScene::new(&scene),
@@ -174,22 +183,25 @@ pub fn frame_kernel(
     )
 }
 
-struct LadderFrame {
+struct LadderFrame<T> {
     scene: Arc<Scene>,
     camera: ResolvedCamera,
     raster: Raster,
-    frame: OnceLock<Frame>,
+    frame: OnceLock<Frame<T>>,
 }
 
-impl LadderFrame {
-    fn traced(&self) -> Frame {
-        trace(&self.scene, &self.camera, &self.raster, Outputs::default())
+impl<T: Depth> LadderFrame<T> {
+    fn traced(&self) -> Frame<T> {
+        trace_as(&self.scene, &self.camera, &self.raster, Outputs::default())
     }
 }
 
-impl FrameKernel for LadderFrame {
+impl<T: Depth + 'static> FrameKernel for LadderFrame<T> {
     fn trace(&mut self) {
-        self.frame = OnceLock::from(self.traced());
+        match self.frame.get_mut() {
+            Some(frame) => retrace(frame, Level::new(), &self.scene, &self.camera),
+            None => self.frame = OnceLock::from(self.traced()),
+        }
     }
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
@@ -198,11 +210,11 @@ impl FrameKernel for LadderFrame {
         // The frame was traced without normals, which cost more than all the rest.
         let root = self.scene.first_hit_of(&self.camera.exact_ray(traced.pixel));
         let normal = root.filter(|root| root.object == object)?.normal;
-        Some(MethodHit { object, t: traced.t, normal })
+        Some(MethodHit { object, t: traced.t.widened(), normal })
     }
 
-    fn steps(&self) -> Option<Steps> {
-        self.frame.get().map(|frame| frame.steps)
+    fn steps(&self) -> Option<[Steps; 2]> {
+        self.frame.get().map(|frame| [frame.steps, frame.steps_of_t])
     }
 }
 
@@ -246,19 +258,25 @@ pub trait RayKernel: Send + Sync {
     /// Returns what [`RayKernel::intersect`] found for a ray; nothing before that.
     fn hit(&self, index: usize) -> Option<MethodHit>;
 
-    /// Number of decisions that each step of the ladder made the last time; the ladder alone has steps.
-    fn steps(&self) -> Option<Steps> {
+    /// Number of decisions that each step of the ladder made the last time, and of `t` that each
+    /// found; the ladder alone has steps.
+    fn steps(&self) -> Option<[Steps; 2]> {
         None
     }
 }
 
-/// A method's [`RayKernel`]. Scenes and rays are rounded to the method's precision here, before
-/// anything is timed.
-pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> {
-    let (hits, steps) = (Vec::new(), Steps::default());
-    with_method!(
+/// A method's [`RayKernel`]; none of [`Method::LadderF32`], which traces frames alone. Scenes and rays
+/// are rounded to the method's precision here, before anything is timed.
+pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Option<Box<dyn RayKernel>> {
+    let kernel: Box<dyn RayKernel> = with_method!(
         method,
-        ladder => Box::new(LadderRays { cases: cases.to_vec(), hits, steps }),
+        ladder => Box::new(LadderRays {
+            cases: cases.to_vec(),
+            hits: Vec::new(),
+            steps: Steps::default(),
+            steps_of_t: Steps::default(),
+        }),
+        ladder_f32 => return None,
         M => {
             let rounded = |(scene, ray): &(Scene, Ray)| {
                 (RoundedScene::new(scene), RoundedRay::new(ray))
@@ -266,32 +284,38 @@ pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> 
             let cases: Vec<_> = cases.iter().map(rounded).collect();
             Box::new(KnownRays::<M> { hits: vec![None; cases.len()], cases })
         }
-    )
+    );
+    Some(kernel)
 }
 
 struct LadderRays {
     cases: Vec<(Scene, Ray)>,
-    hits: Vec<Option<MethodHit>>,
+    hits: Vec<Option<(u32, f64)>>,
     steps: Steps,
+    steps_of_t: Steps,
 }
 
 impl RayKernel for LadderRays {
     fn intersect(&mut self) {
         self.hits.clear();
-        self.steps = Steps::default();
-        for (scene, ray) in &self.cases {
-            let ray = ExactRay::from_ray(ray).ok();
-            let root = ray.and_then(|ray| scene.first_hit_counting(&ray, &mut self.steps));
-            self.hits.push(hit_of_root(root));
-        }
+        let LadderRays { cases, hits, steps, steps_of_t } = self;
+        (*steps, *steps_of_t) = Default::default();
+        let first = |(scene, ray): &(Scene, Ray)| {
+            scene.first_t_counting(&ExactRay::from_ray(ray).ok()?, steps, steps_of_t)
+        };
+        hits.extend(cases.iter().map(first));
     }
 
     fn hit(&self, index: usize) -> Option<MethodHit> {
-        *self.hits.get(index)?
+        let (object, t) = (*self.hits.get(index)?)?;
+        let (scene, ray) = self.cases.get(index)?;
+        // Found without its normal, as the other methods' hits are.
+        let root = scene.first_hit(ray).filter(|root| root.object == object)?;
+        Some(MethodHit { object, t, normal: root.normal })
     }
 
-    fn steps(&self) -> Option<Steps> {
-        (!self.hits.is_empty()).then_some(self.steps)
+    fn steps(&self) -> Option<[Steps; 2]> {
+        (!self.hits.is_empty()).then_some([self.steps, self.steps_of_t])
     }
 }
 

@@ -74,6 +74,9 @@ pub enum Method {
     /// The steps that this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).
     Ladder,
+    /// The same steps with `t` in `f32`, as pictures are made: [`trace_as::<f32>`](crate::trace_as). It
+    /// traces whole frames, not single rays.
+    LadderF32,
     /// [`Formula::HalfB`] in double-double, rounded at the end: no filter, no exact step.
     DoubleDouble,
     /// A known formula, every operation in one precision, no error bound.
@@ -81,8 +84,8 @@ pub enum Method {
 }
 
 impl Method {
-    /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32`
-    /// first.
+    /// All methods for any ray: the ladder, double-double, then the known formulas, from the plainest
+    /// on, `f32` first.
     pub const ALL: &'static [Method] = {
         use Formula::*;
         use Precision::*;
@@ -106,6 +109,11 @@ impl Method {
         ]
     };
 
+    /// All methods for whole frames: [`Method::LadderF32`], then [`Method::ALL`].
+    pub fn of_frames() -> impl Iterator<Item = Method> {
+        std::iter::once(Method::LadderF32).chain(Method::ALL.iter().copied())
+    }
+
     /// The name in commands, files and tables.
     pub fn name(self) -> &'static str {
         self.facts()[0]
@@ -113,13 +121,14 @@ impl Method {
 
     /// The method of this name.
     pub fn from_name(name: &str) -> Option<Method> {
-        Method::ALL.iter().copied().find(|method| method.name() == name)
+        Method::of_frames().find(|method| method.name() == name)
     }
 
     /// The precision of the answer, in whose ulps its error is counted.
     pub fn precision(self) -> Precision {
         match self {
             Method::Known(_, precision) => precision,
+            Method::LadderF32 => Precision::F32,
             Method::Ladder | Method::DoubleDouble => Precision::F64,
         }
     }
@@ -141,7 +150,13 @@ impl Method {
                 "ladder",
                 "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
                 "Each decision in f64 with an error bound, where that leaves doubt in double-double, \
-                 and where that does too, exactly.",
+                 and where that does too, exactly; t from more digits than f64 has, rounded once.",
+            ],
+            Method::LadderF32 => [
+                "ladder-f32",
+                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
+                "How pictures are drawn: each decision in f32 with an error bound, where that leaves \
+                 doubt by the ladder; t within an ulp of f32.",
             ],
             Method::DoubleDouble => [
                 "double-double",

@@ -14,7 +14,7 @@
 //! let scene = Scene::new(vec![floor], vec![])?;
 //! let ray = Ray::new([0.0; 3], [0.25, -0.25, -1.0])?;
 //! let t = |name| {
-//!     let mut kernel = ray_kernel(Method::from_name(name)?, &[(scene.clone(), ray)]);
+//!     let mut kernel = ray_kernel(Method::from_name(name)?, &[(scene.clone(), ray)])?;
 //!     kernel.intersect();
 //!     kernel.hit(0).map(|hit| hit.t)
 //! };

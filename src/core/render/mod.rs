@@ -187,7 +187,7 @@ fn fill<T: Depth>(
     finish: Option<Finish<'_, T>>,
     done: &(dyn Fn(usize) + Sync),
 ) {
-    let Frame { camera, raster, t, object, normal, steps, counts } = frame;
+    let Frame { camera, raster, t, object, normal, steps, counts, steps_of_t } = frame;
     if raster.is_empty() {
         return;
     }
@@ -208,16 +208,16 @@ fn fill<T: Depth>(
         band.draw_others();
         let drawn = band.counted();
         let found = if needs_t { T::found(t) } else { &mut [] };
-        fill_exactly(&plan, rows.clone(), object, found, part.normal);
+        let of_t = fill_exactly(&plan, rows.clone(), object, found, part.normal);
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
         }
         done(rows.len());
-        drawn
+        (drawn.0, drawn.1, of_t)
     };
     let bands = bands.into_iter().zip(buffers);
     let of_bands;
-    (*steps, of_bands) = if is_quick {
+    (*steps, of_bands, *steps_of_t) = if is_quick {
         let mut own = OwnBuffers::new();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
@@ -227,8 +227,10 @@ fn fill<T: Depth>(
     *counts += of_bands;
 }
 
-fn sums(a: (Steps, Counts), b: (Steps, Counts)) -> (Steps, Counts) {
-    (a.0 + b.0, a.1 + b.1)
+type Counted = (Steps, Counts, Steps);
+
+fn sums(a: Counted, b: Counted) -> Counted {
+    (a.0 + b.0, a.1 + b.1, a.2 + b.2)
 }
 
 /// The tracer of one precision.

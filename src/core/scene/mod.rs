@@ -249,6 +249,18 @@ impl Scene {
         Some(seen.root(index, ray, root))
     }
 
+    /// The object that is hit first and its `t`: [`Scene::first_hit_of`] without point and normal. Adds
+    /// its decisions to `steps`, and the step that `t` took to `steps_of_t`.
+    pub fn first_t_counting(
+        &self,
+        ray: &ExactRay,
+        steps: &mut Steps,
+        steps_of_t: &mut Steps,
+    ) -> Option<(u32, f64)> {
+        let (index, seen, root) = self.first_seen(ray, steps)?;
+        Some((index, seen.rounded_t_counting(ray, root, steps_of_t)))
+    }
+
     /// The object that [`Scene::first_hit_counting`] finds, and at which of its roots.
     pub(crate) fn first_seen(
         &self,

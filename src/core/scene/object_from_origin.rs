@@ -86,17 +86,32 @@ impl ObjectFromOrigin {
 
     /// `t` there, rounded to `f64`: what is told of it.
     pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
-        match self {
+        self.rounded_t_counting(ray, root, &mut Steps::default())
+    }
+
+    /// [`ObjectFromOrigin::rounded_t`], counted by the step that it took.
+    pub(crate) fn rounded_t_counting(
+        &self,
+        ray: &ExactRay,
+        root: RootSide,
+        steps: &mut Steps,
+    ) -> f64 {
+        let (t, step) = match self {
             ObjectFromOrigin::Sphere(seen) => seen.rounded_t(ray, root),
-            ObjectFromOrigin::Plane(_) => self.t(ray, root).to_f64(),
-        }
+            ObjectFromOrigin::Plane(seen) => {
+                let (t, step) = seen.t(ray, T_DOUBT);
+                (t.to_f64(), step)
+            }
+        };
+        steps.count(step);
+        t
     }
 
     /// `t` there, with a relative error of at most `doubt`.
     pub(crate) fn t_within(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
         match self {
-            ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, doubt),
-            ObjectFromOrigin::Plane(seen) => seen.t(ray, doubt),
+            ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, doubt).0,
+            ObjectFromOrigin::Plane(seen) => seen.t(ray, doubt).0,
         }
     }
 

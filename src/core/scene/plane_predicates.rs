@@ -150,10 +150,11 @@ impl PlaneFromOrigin {
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
 
-    /// `t` of a line that is not parallel, with a relative error of at most `doubt`.
-    pub(crate) fn t(&self, ray: &ExactRay, doubt: f64) -> Precise {
+    /// `t` of a line that is not parallel, with a relative error of at most `doubt`, and the step
+    /// that it took.
+    pub(crate) fn t(&self, ray: &ExactRay, doubt: f64) -> (Precise, Step) {
         if self.side == Ordering::Equal {
-            return Precise::ZERO;
+            return (Precise::ZERO, Step::DoubleDouble);
         }
         let rate = self.fine_rate(ray);
         let off = self.offset_doubt
@@ -163,9 +164,10 @@ impl PlaneFromOrigin {
                     + DoubleDouble::PRODUCT);
         let t = self.offset / rate.value;
         if off <= doubt && (1e-250..1e250).contains(&t.hi.abs()) {
-            return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+            let t = Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+            return (t, Step::DoubleDouble);
         }
-        ray.big().t(&self.big_root(ray))
+        (ray.big().t(&self.big_root(ray)), Step::Exact)
     }
 
     /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.

@@ -172,20 +172,22 @@ impl SphereFromOrigin {
         if self.side == Ordering::Greater { RootSide::Near } else { RootSide::Far }
     }
 
-    /// `t` at an root of a chord that is there, with a relative error of at most `doubt`.
-    pub(crate) fn t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
+    /// `t` at an root of a chord that is there, with a relative error of at most `doubt`, and the
+    /// step that it took.
+    pub(crate) fn t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> (Precise, Step) {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {
-            return Precise::ZERO;
+            return (Precise::ZERO, Step::DoubleDouble);
         }
         if let Some(t) = self.fine_t(ray, root, doubt) {
-            return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+            let t = Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+            return (t, Step::DoubleDouble);
         }
-        ray.big().t(&self.big_root(ray, root))
+        (ray.big().t(&self.big_root(ray, root)), Step::Exact)
     }
 
     /// `t` at a root of a chord that is there, rounded to the nearest `f64` where double-double knows
-    /// which one that is, and else from [`SphereFromOrigin::t`].
-    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
+    /// which one that is, and else from [`SphereFromOrigin::t`]; and the step that it took.
+    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> (f64, Step) {
         let quadratic = Quadratic::new(&self.fine, &ray.fine);
         if self.side != Ordering::Equal
             && let Some((t, off)) = quadratic.root(&self.fine, root == RootSide::Far)
@@ -194,10 +196,11 @@ impl SphereFromOrigin {
             let t = t.times(ray.stretch);
             let rounded = ldexp(t.hi, self.scale - ray.scale);
             if t.rounds_surely(off * t.hi.abs()) && rounded.abs() > f64::MIN_POSITIVE {
-                return rounded;
+                return (rounded, Step::DoubleDouble);
             }
         }
-        self.t(ray, root, T_DOUBT).to_f64()
+        let (t, step) = self.t(ray, root, T_DOUBT);
+        (t.to_f64(), step)
     }
 
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0

@@ -3,13 +3,13 @@
 use std::time::{Duration, Instant};
 
 use pinhole_core::methods::{Method, MethodHit};
-use pinhole_reference::Hit;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use super::condition::Problem;
 use super::subject::{Kernel, Subject};
-use super::tally::Tally;
-use crate::report::model::Case;
+use super::tally::{Tally, quantile, sorted};
+use crate::report::model::{Case, Condition};
 
 /// Rays and the methods that follow them.
 pub(super) struct Set {
@@ -22,8 +22,8 @@ pub(super) struct Made {
     pub(super) sets: Vec<Set>,
     /// The share of rays that hit, where it is known; else that of the rays decided.
     pub(super) coverage: Option<f64>,
-    /// A sentence about the rays that were not decided: from the number of those that were.
-    pub(super) left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
+    /// A sentence about what is not decided.
+    pub(super) left_out: Option<String>,
 }
 
 /// One case: to come, under way or done.
@@ -36,21 +36,18 @@ pub(super) struct CaseRun {
     left_out: Option<String>,
 }
 
-/// The amount of work for a case.
+/// The amount of work for a case: the same on every machine, however busy it is.
 pub(super) struct Limits {
     /// Number of times that every method is timed.
     pub(super) rounds: usize,
-    /// Time after which to stop, finished or not.
-    pub(super) budget: Duration,
     /// Number of pieces of work that it counts as.
     pub(super) pieces: usize,
 }
 
 struct Work {
     sets: Vec<SetWork>,
-    left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
+    left_out: Option<String>,
     coverage: Option<f64>,
-    spent: Duration,
     is_timing_next: bool,
 }
 
@@ -59,6 +56,8 @@ struct SetWork {
     workers: Vec<Worker>,
     decided: usize,
     hits: usize,
+    /// Condition numbers of `t`, with the stratum of each.
+    conditions: Vec<(f64, usize)>,
     /// Number of rays to decide at a time.
     chunk: usize,
     /// Number of measurements of time made, of all methods together.
@@ -89,12 +88,9 @@ impl CaseRun {
     }
 
     pub(super) fn done(&self) -> usize {
-        let Limits { rounds, budget, pieces } = self.limits;
+        let Limits { rounds, pieces } = self.limits;
         match &self.work {
-            Some(work) => {
-                let share = work.share(rounds).max(work.spent.div_duration_f64(budget));
-                ((share * pieces as f64) as usize).min(pieces)
-            }
+            Some(work) => ((work.share(rounds) * pieces as f64) as usize).min(pieces),
             None if self.has_begun() => pieces,
             None => 0,
         }
@@ -105,8 +101,7 @@ impl CaseRun {
     }
 
     pub(super) fn is_done(&self) -> bool {
-        let Limits { rounds, budget, .. } = self.limits;
-        let is_over = |work: &Work| work.spent >= budget || work.share(rounds) >= 1.0;
+        let is_over = |work: &Work| work.share(self.limits.rounds) >= 1.0;
         self.work.as_ref().map_or(self.has_begun(), is_over)
     }
 
@@ -126,7 +121,7 @@ impl CaseRun {
 
     pub(super) fn left_out(&self) -> Option<String> {
         match &self.work {
-            Some(work) => (work.left_out)(work.sets.first().map_or(0, |set| set.decided)),
+            Some(work) => work.left_out.clone(),
             None => self.left_out.clone(),
         }
     }
@@ -135,10 +130,11 @@ impl CaseRun {
         let Some(work) = &self.work else { return self.case.clone() };
         let workers = work.sets.iter().flat_map(|set| &set.workers);
         let mut rows: Vec<_> = workers.map(|w| (w.method, w.tally.row(w.method))).collect();
-        let index = |method| Method::ALL.iter().position(|other| *other == method);
+        let index = |method| Method::of_frames().position(|other| other == method);
         rows.sort_by_key(|(method, _)| index(*method));
         Case {
             coverage: work.coverage(),
+            condition: work.sets.first().and_then(SetWork::condition),
             methods: rows.into_iter().map(|(_, row)| row).collect(),
             ..self.case.clone()
         }
@@ -147,15 +143,8 @@ impl CaseRun {
 
 impl Work {
     fn new(made: Made) -> Work {
-        let start = Instant::now();
         let sets = made.sets.into_iter().map(SetWork::new).collect();
-        Work {
-            sets,
-            left_out: made.left_out,
-            coverage: made.coverage,
-            spent: start.elapsed(),
-            is_timing_next: false,
-        }
+        Work { sets, left_out: made.left_out, coverage: made.coverage, is_timing_next: false }
     }
 
     /// Share of the work that is done, up to 1.
@@ -177,7 +166,6 @@ impl Work {
 
     /// Decides some rays and takes some times, in turn.
     fn step(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
-        let start = Instant::now();
         let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
         if to_time && (self.is_timing_next || !to_decide) {
@@ -193,20 +181,35 @@ impl Work {
             }
         }
         self.is_timing_next = !self.is_timing_next;
-        self.spent += start.elapsed();
     }
 }
 
 impl SetWork {
     fn new(set: Set) -> SetWork {
         let Set { subject, methods } = set;
-        let worker = |method: Method| Worker {
-            method,
-            kernel: subject.kernel(method),
-            tally: Tally::default(),
+        let worker = |method: Method| {
+            let kernel = subject.kernel(method)?;
+            Some(Worker { method, kernel, tally: Tally::of(subject.populations()) })
         };
-        let workers = methods.into_iter().map(worker).collect();
-        SetWork { subject, workers, decided: 0, hits: 0, chunk: 4, timings: 0 }
+        let workers = methods.into_iter().filter_map(worker).collect();
+        SetWork {
+            subject,
+            workers,
+            decided: 0,
+            hits: 0,
+            conditions: Vec::new(),
+            chunk: 4,
+            timings: 0,
+        }
+    }
+
+    /// Spread of the condition numbers.
+    fn condition(&self) -> Option<Condition> {
+        let weights = self.workers.first()?.tally.weights();
+        let weighted = self.conditions.iter().map(|(x, stratum)| (*x, weights[*stratum]));
+        let sorted = sorted(weighted);
+        let (max, _) = sorted.last()?;
+        Some(Condition { median: quantile(&sorted, 0.5)?, max: *max })
     }
 
     /// Number of the round that it is in.
@@ -218,15 +221,23 @@ impl SetWork {
     fn decide(&mut self) {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
-        let follow = |index: usize| -> (Option<Hit>, Vec<Option<MethodHit>>) {
+        let follow = |index: usize| {
             let found = |worker: &Worker| self.subject.found(&worker.kernel, index);
-            (self.subject.truth(index), self.workers.iter().map(found).collect())
+            let found: Vec<Option<MethodHit>> = self.workers.iter().map(found).collect();
+            let truth = self.subject.truth(index);
+            let problem = truth.as_ref().and_then(|truth| self.subject.problem(index, truth));
+            (truth, problem, found)
         };
         let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
-        for (truth, found) in answers {
+        for (index, (truth, problem, found)) in (self.decided..end).zip(answers) {
             self.hits += usize::from(truth.is_some());
+            let stratum = self.subject.stratum(index);
+            if let Some(condition) = problem.as_ref().and_then(Problem::condition) {
+                self.conditions.push((condition, stratum));
+            }
+            let truth = truth.as_ref().map(|truth| (truth, problem.as_ref()));
             for (worker, found) in self.workers.iter_mut().zip(found) {
-                worker.tally.decide(worker.method, truth.as_ref(), found.as_ref());
+                worker.tally.decide(worker.method, stratum, truth, found.as_ref());
             }
         }
         self.decided = end;

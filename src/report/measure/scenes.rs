@@ -2,13 +2,12 @@
 
 use std::cmp::Ordering;
 use std::sync::Arc;
-use std::time::Duration;
 
 use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
 
 use super::case::{CaseRun, Limits, Made, Set};
-use super::subject::{Picture, Subject, objects_of};
+use super::subject::{Picture, Populations, Subject, objects_of};
 use crate::report::model::Case;
 
 /// Maximum number of pixels a side that are looked at.
@@ -48,11 +47,11 @@ pub(super) fn cases(
 
 /// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
 fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
-    let subset = |title: String, scene: Scene, seconds, pieces| {
-        let limits = Limits { rounds: 41, budget: Duration::from_secs(seconds), pieces };
+    let subset = |title: String, scene: Scene, pieces| {
+        let limits = Limits { rounds: 41, pieces };
         Subset { title, scene, limits }
     };
-    let mut subsets = vec![subset(name.to_owned(), scene.clone(), 12, 400)];
+    let mut subsets = vec![subset(name.to_owned(), scene.clone(), 400)];
     let (spheres, planes) = (scene.spheres(), scene.planes());
     let objects = objects_of(scene);
     let is_inside = |index: &usize| {
@@ -61,7 +60,7 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
     let around: Vec<_> = (0..spheres.len()).filter(is_inside).map(|i| spheres[i]).collect();
     let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
         if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
-            subsets.push(subset(format!("{name}: {what}"), scene, 3, 100));
+            subsets.push(subset(format!("{name}: {what}"), scene, 100));
         }
     };
     if !around.is_empty() && around.len() < objects.len() {
@@ -94,9 +93,9 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
 pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
     let differ = |method: &Method| match method {
         Method::Known(formula, _) => !scene.spheres().is_empty() || *formula == Formula::Textbook,
-        Method::Ladder | Method::DoubleDouble => true,
+        Method::Ladder | Method::LadderF32 | Method::DoubleDouble => true,
     };
-    Method::ALL.iter().copied().filter(differ).collect()
+    Method::of_frames().filter(differ).collect()
 }
 
 fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Made {
@@ -106,25 +105,25 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
     let sample = sample(&frame.object, raster.columns().len());
     let (methods, scene) = (methods_for(&scene), Arc::new(scene));
     let timed = timed_raster(resolved, scene.len());
-    let mut picture = Picture::new(&scene, camera, resolved, raster, timed);
-    picture.pixels = sample.pixels;
-    let (title, all) = (title.to_owned(), frame.object.len());
-    let (outline, seen) = (sample.outline, picture.pixels.len());
-    let left_out = move |decided: usize| {
-        let outline = outline.min(if decided < seen { decided.div_ceil(2) } else { outline });
-        let at_random = decided.saturating_sub(outline);
-        (decided < all).then(|| {
-            format!(
-                "{title}: of {all} pixels, {} were not compared with the truth; those that were: \
-                 {outline} beside an outline, {at_random} at random (seed {SEED})",
-                all - decided
-            )
-        })
-    };
+    let mut picture = Picture::new(&scene, camera, resolved, raster, (*resolved, timed));
+    let (all, seen) = (frame.object.len(), sample.pixels.len());
+    let outline = sample.strata.iter().filter(|stratum| **stratum == 0).count();
+    let left_out = (seen < all).then(|| {
+        format!(
+            "{title}: of {all} pixels, {} were not compared with the truth; those that were: {outline} \
+             beside an outline, of {}, {} others at random (seed {SEED}), each weighted by how many \
+             there are of its kind",
+            all - seen,
+            sample.populations[0],
+            seen - outline,
+        )
+    });
+    (picture.pixels, picture.strata) = (sample.pixels, sample.strata);
+    picture.populations = sample.populations;
     Made {
         sets: vec![Set { subject: Subject::Frames(vec![picture]), methods }],
         coverage: Some(covered as f64 / all.max(1) as f64),
-        left_out: Box::new(left_out),
+        left_out,
     }
 }
 
@@ -139,12 +138,14 @@ fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
 struct Sample {
     /// Rows and columns.
     pixels: Vec<(usize, usize)>,
-    /// Number of them that lie beside an outline.
-    outline: usize,
+    /// 0 for a pixel beside an outline, 1 for any other.
+    strata: Vec<usize>,
+    /// Number of both kinds in the whole picture.
+    populations: Populations,
 }
 
 /// Pixels beside an outline, where another object or none is next to them, and any others, in turn,
-/// so that of both kinds there are some however soon it stops.
+/// so that of both kinds there are some.
 fn sample(object: &[u32], width: usize) -> Sample {
     let is_outline = |index: &usize| {
         let (row, column) = (index / width, index % width);
@@ -157,6 +158,7 @@ fn sample(object: &[u32], width: usize) -> Sample {
     let mut order: Vec<usize> = (0..object.len()).collect();
     order.sort_by_key(|index| mixed(SEED ^ *index as u64));
     let (outline, others): (Vec<_>, Vec<_>) = order.into_iter().partition(is_outline);
+    let populations = [outline.len(), others.len()];
     let (mut outline_left, mut others_left) = (outline.iter(), others.iter());
     let in_turn = std::iter::from_fn(|| match (outline_left.next(), others_left.next()) {
         (None, None) => None,
@@ -164,8 +166,9 @@ fn sample(object: &[u32], width: usize) -> Sample {
     });
     let indices: Vec<usize> = in_turn.flatten().copied().take(MOST_PIXELS).collect();
     Sample {
-        outline: indices.iter().filter(|index| is_outline(index)).count(),
+        strata: indices.iter().map(|index| usize::from(!is_outline(index))).collect(),
         pixels: indices.into_iter().map(|index| (index / width, index % width)).collect(),
+        populations,
     }
 }
 

@@ -5,10 +5,13 @@ use std::time::{Duration, Instant};
 
 use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Camera, DVec3, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere, Steps, Viewport,
+    Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere, Steps,
+    Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
+
+use super::condition::Problem;
 
 /// The reference, in words.
 pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
@@ -36,9 +39,17 @@ pub(super) struct Picture {
     pub(super) raster: Raster,
     /// Rows and columns of the raster.
     pub(super) pixels: Vec<(usize, usize)>,
-    /// Raster that is traced for the time.
-    timed: Raster,
+    /// Which stratum each of them is of; empty where all are of the first.
+    pub(super) strata: Vec<usize>,
+    /// Number of pixels of each stratum in the whole raster.
+    pub(super) populations: Populations,
+    /// What is traced for the time.
+    timed: (ResolvedCamera, Raster),
 }
+
+/// The rays of a case fall into two strata, of which more or fewer may be compared with the truth:
+/// number of rays that each stands for. Errors and shares are weighted by it.
+pub(super) type Populations = [usize; 2];
 
 /// One method at work on a subject.
 pub(super) enum Kernel {
@@ -78,6 +89,23 @@ impl Subject {
         None
     }
 
+    /// Number of rays that each stratum stands for.
+    pub(super) fn populations(&self) -> Populations {
+        match self {
+            Subject::Rays(cases) => [cases.len(), 0],
+            Subject::Frames(pictures) => pictures.iter().fold([0, 0], |[a, b], picture| {
+                [a + picture.populations[0], b + picture.populations[1]]
+            }),
+        }
+    }
+
+    /// The stratum of the ray of this number.
+    pub(super) fn stratum(&self, index: usize) -> usize {
+        let Subject::Frames(pictures) = self else { return 0 };
+        let located = Subject::locate(pictures, index);
+        located.and_then(|(_, picture, pixel)| picture.strata.get(pixel).copied()).unwrap_or(0)
+    }
+
     /// The true first hit of the ray of this number.
     pub(super) fn truth(&self, index: usize) -> Option<Hit> {
         match self {
@@ -93,26 +121,42 @@ impl Subject {
         }
     }
 
-    /// A method, prepared to follow these rays.
-    pub(super) fn kernel(&self, method: Method) -> Kernel {
+    /// The problem whose answer this true hit is.
+    pub(super) fn problem(&self, index: usize, truth: &Hit) -> Option<Problem> {
+        let object = |scene: &Scene| scene.object(u32::try_from(truth.object).ok()?);
         match self {
             Subject::Rays(cases) => {
-                let mut kernel = ray_kernel(method, cases);
+                let (scene, ray) = &cases[index];
+                Some(Problem::new(ray, &object(scene)?, truth))
+            }
+            Subject::Frames(pictures) => {
+                let (_, picture, pixel) = Subject::locate(pictures, index)?;
+                let ray = picture.camera.ray_of_pixel(picture.pixel(pixel));
+                Some(Problem::new(&ray, &object(&picture.scene)?, truth))
+            }
+        }
+    }
+
+    /// A method, prepared to follow these rays; `None` for single rays and a method of frames alone.
+    pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
+        Some(match self {
+            Subject::Rays(cases) => {
+                let mut kernel = ray_kernel(method, cases)?;
                 let start = Instant::now();
                 kernel.intersect();
                 let fitting = MEASUREMENT.div_duration_f64(start.elapsed());
                 Kernel::Rays { kernel, repeats: (fitting as u32).clamp(1, 100) }
             }
             Subject::Frames(pictures) => {
-                let make = |picture: &Picture, raster: &Raster| {
-                    frame_kernel(method, &picture.scene, &picture.camera, raster)
+                let make = |picture: &Picture, camera: &ResolvedCamera, raster: &Raster| {
+                    frame_kernel(method, &picture.scene, camera, raster)
                 };
                 Kernel::Frames {
-                    of_pixels: pictures.iter().map(|p| make(p, &p.raster)).collect(),
-                    timed: pictures.iter().map(|p| make(p, &p.timed)).collect(),
+                    of_pixels: pictures.iter().map(|p| make(p, &p.camera, &p.raster)).collect(),
+                    timed: pictures.iter().map(|p| make(p, &p.timed.0, &p.timed.1)).collect(),
                 }
             }
-        }
+        })
     }
 
     /// The hit that the method finds for the ray of this number.
@@ -132,7 +176,7 @@ impl Subject {
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
         let pixels = match (self, &*kernel) {
             (Subject::Rays(cases), Kernel::Rays { repeats, .. }) => cases.len() * *repeats as usize,
-            (Subject::Frames(pictures), _) => pictures.iter().map(|p| p.timed.len()).sum(),
+            (Subject::Frames(pictures), _) => pictures.iter().map(|p| p.timed.1.len()).sum(),
             (Subject::Rays(_), Kernel::Frames { .. }) => 0,
         };
         let mut measure = || {
@@ -152,42 +196,58 @@ impl Subject {
 }
 
 impl Kernel {
-    /// Returns how far up the ladder the last measurement of time had to go.
-    pub(super) fn steps(&self) -> Option<Steps> {
+    /// Returns how far up the ladder the last measurement of time had to go: for decisions, and for
+    /// `t`.
+    pub(super) fn steps(&self) -> Option<[Steps; 2]> {
         match self {
             Kernel::Rays { kernel, .. } => kernel.steps(),
             Kernel::Frames { timed, .. } => {
                 let mut each = timed.iter().map(|kernel| kernel.steps());
-                each.try_fold(Steps::default(), |sum, steps| Some(sum + steps?))
+                each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
+                    let [more, more_of_t] = steps?;
+                    Some([decisions + more, of_t + more_of_t])
+                })
             }
         }
     }
 }
 
 impl Picture {
-    /// `pixels` are compared with the truth; `timed` is traced for the time.
+    /// Pixels of `raster` are compared with the truth; `timed` is traced for the time.
     pub(super) fn new(
         scene: &Arc<Scene>,
         given: &Camera,
         camera: &ResolvedCamera,
         raster: Raster,
-        timed: Raster,
+        timed: (ResolvedCamera, Raster),
     ) -> Picture {
         let objects = objects_of(scene);
         let of_reference = reference_camera(given);
         let view =
             if objects.len() < MANY_OBJECTS { of_reference.prepare(&objects).ok() } else { None };
         let scene = Arc::clone(scene);
-        let pixels = Vec::new();
-        Picture { scene, camera: *camera, of_reference, objects, view, raster, pixels, timed }
+        Picture {
+            scene,
+            camera: *camera,
+            of_reference,
+            objects,
+            view,
+            raster,
+            pixels: Vec::new(),
+            strata: Vec::new(),
+            populations: [0, 0],
+            timed,
+        }
+    }
+
+    /// The pixel of this number.
+    fn pixel(&self, pixel: usize) -> Pixel {
+        let (row, column) = self.pixels[pixel];
+        Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
     }
 
     fn truth(&self, pixel: usize) -> Option<Hit> {
-        let (row, column) = self.pixels[pixel];
-        let pixel = pinhole_core::Pixel {
-            row: self.raster.rows()[row],
-            column: self.raster.columns()[column],
-        };
+        let pixel = self.pixel(pixel);
         if let Some(view) = &self.view {
             return view.first_hit_of_pixel(pixel.row, pixel.column);
         }

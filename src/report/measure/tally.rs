@@ -5,46 +5,67 @@ use std::f64::consts::PI;
 use pinhole_core::methods::{Method, MethodHit, Precision};
 use pinhole_reference::{Hit, angle_between};
 
-use crate::report::model::{MethodRow, Steps, Times, Ulps};
+use super::condition::Problem;
+use super::subject::Populations;
+use crate::report::model::{MethodRow, SINGLE, Steps, Times, Ulps};
 
 /// Results of one method in one case so far.
 #[derive(Default)]
 pub(super) struct Tally {
-    decisions: u64,
-    wrong: u64,
-    ulps: Vec<f64>,
+    /// Number of rays that each stratum stands for.
+    populations: Populations,
+    /// Decisions in each stratum.
+    decisions: [u64; 2],
+    /// Those that are wrong.
+    wrong: [u64; 2],
+    /// Errors, with the stratum of each.
+    ulps: Vec<(f64, usize)>,
     normal_error_max: Option<f64>,
+    backward_error_max: Option<f64>,
     /// Nanoseconds a pixel, one a round.
     times: Vec<f64>,
-    steps: Option<Steps>,
+    /// For decisions, and for `t`.
+    steps: Option<[Steps; 2]>,
 }
 
 impl Tally {
+    /// Nothing yet, of so many rays.
+    pub(super) fn of(populations: Populations) -> Tally {
+        Tally { populations, ..Tally::default() }
+    }
+
     /// One more decision. Errors are taken where it is right; that of t, where the true t is a number
     /// of the method's precision at its full number of digits.
     pub(super) fn decide(
         &mut self,
         method: Method,
-        truth: Option<&Hit>,
+        stratum: usize,
+        truth: Option<(&Hit, Option<&Problem>)>,
         found: Option<&MethodHit>,
     ) {
-        self.decisions += 1;
-        let (truth, found) = match (truth, found) {
+        self.decisions[stratum] += 1;
+        let (truth, problem, found) = match (truth, found) {
             (None, None) => return,
-            (Some(truth), Some(found)) if truth.object == found.object as usize => (truth, found),
+            (Some((truth, problem)), Some(found)) if truth.object == found.object as usize => {
+                (truth, problem, found)
+            }
             _ => {
-                self.wrong += 1;
+                self.wrong[stratum] += 1;
                 return;
             }
         };
         match method.precision() {
             Precision::F32 if truth.t.is_representable_f32() => {
-                self.ulps.push(truth.t.ulps_from_f32(found.t as f32));
+                self.ulps.push((truth.t.ulps_from_f32(found.t as f32), stratum));
             }
             Precision::F64 if truth.t.is_representable() => {
-                self.ulps.push(truth.t.ulps_from(found.t));
+                self.ulps.push((truth.t.ulps_from(found.t), stratum));
             }
             _ => {}
+        }
+        if let Some(error) = problem.and_then(|problem| problem.backward_error(truth, found.t)) {
+            let max = self.backward_error_max.map_or(error, |max| max.max(error));
+            self.backward_error_max = Some(max);
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
         // A normal of no direction is as wrong as one the other way round.
@@ -58,41 +79,77 @@ impl Tally {
     }
 
     /// Keeps how far up the ladder the last round had to go.
-    pub(super) fn climb(&mut self, steps: Option<pinhole_core::Steps>) {
-        self.steps = steps.map(|steps| Steps {
+    pub(super) fn climb(&mut self, steps: Option<[pinhole_core::Steps; 2]>) {
+        let plain = |steps: pinhole_core::Steps| Steps {
             f64: steps.f64,
             double_double: steps.double_double,
             exact: steps.exact,
-        });
+        };
+        self.steps = steps.map(|steps| steps.map(plain));
+    }
+
+    /// Number of rays that a decision of each stratum stands for.
+    pub(super) fn weights(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.populations[k] as f64 / self.decisions[k].max(1) as f64)
+    }
+
+    /// Wrong decisions as a share of all rays, not of those that happen to be compared.
+    fn wrong_share(&self, weights: [f64; 2]) -> Option<f64> {
+        let weighted = |counts: [u64; 2]| -> f64 {
+            counts.iter().zip(weights).map(|(count, weight)| *count as f64 * weight).sum()
+        };
+        let all = weighted(self.decisions);
+        (all > 0.0).then(|| weighted(self.wrong) / all)
     }
 
     pub(super) fn row(&self, method: Method) -> MethodRow {
-        let ulps = sorted(&self.ulps);
-        let times = sorted(&self.times);
+        let weights = self.weights();
+        let ulps = sorted(self.ulps.iter().map(|(ulps, stratum)| (*ulps, weights[*stratum])));
+        let times = sorted(self.times.iter().map(|time| (*time, 1.0)));
+        let ulp = Ulps {
+            median: quantile(&ulps, 0.5),
+            p99: quantile(&ulps, 0.99),
+            max: ulps.last().map(|(ulps, _)| *ulps),
+        };
         MethodRow {
             name: method.name().to_owned(),
-            wrong: self.wrong,
-            decisions: self.decisions,
-            ulp: Ulps {
-                median: quantile(&ulps, 0.5),
-                p99: quantile(&ulps, 0.99),
-                max: ulps.last().copied(),
-            },
+            wrong: self.wrong.iter().sum(),
+            decisions: self.decisions.iter().sum(),
+            wrong_share: self.wrong_share(weights),
+            ulp,
+            ulp_f64: ulp.times(match method.precision() {
+                Precision::F32 => SINGLE,
+                Precision::F64 => 1.0,
+            }),
             normal_error_max: self.normal_error_max,
-            ns_per_pixel: Times { median: quantile(&times, 0.5), min: times.first().copied() },
-            steps: self.steps,
+            backward_error_max: self.backward_error_max,
+            ns_per_pixel: Times {
+                median: quantile(&times, 0.5),
+                min: times.first().map(|(time, _)| *time),
+                lower_quartile: quantile(&times, 0.25),
+                upper_quartile: quantile(&times, 0.75),
+            },
+            steps: self.steps.map(|[decisions, _]| decisions),
+            steps_of_t: self.steps.map(|[_, of_t]| of_t),
         }
     }
 }
 
-fn sorted(values: &[f64]) -> Vec<f64> {
-    let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
+/// Values with their weights, ascending.
+pub(super) fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
     values
 }
 
-/// The smallest value that at least this share of them do not exceed.
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    let rank = (share * sorted.len() as f64).ceil() as usize;
-    sorted.get(rank.max(1) - 1).copied()
+/// The smallest value that at least this share of the weight does not exceed.
+pub(super) fn quantile(sorted: &[(f64, f64)], share: f64) -> Option<f64> {
+    // Sums of weights that are whole numbers are exact; the others are a hair off.
+    let all: f64 = sorted.iter().map(|(_, weight)| weight).sum();
+    let mut below = 0.0;
+    let reaches = |(_, weight): &&(f64, f64)| {
+        below += weight;
+        below >= share * all * (1.0 - 1e-12)
+    };
+    sorted.iter().find(reaches).or(sorted.last()).map(|(value, _)| *value)
 }

@@ -15,10 +15,10 @@ pub(crate) const GRID: Color32 = Color32::from_gray(0xe4);
 pub(crate) const MARGIN: f64 = 28.0;
 
 /// The size of the numbers at a scale.
-pub(crate) const SMALL: f64 = 16.0;
+pub(crate) const SMALL: f64 = 14.0;
 
-/// Right of panels: room for the names of lines.
-pub(crate) const GAP: f64 = 68.0;
+/// Room between numbers at a scale.
+const GAP: f64 = 6.0;
 
 /// The frame of a panel, in points.
 #[derive(Clone, Copy, Debug)]
@@ -31,29 +31,22 @@ pub(crate) struct Frame {
 
 /// Draws the vertical lines with their numbers below, and the name of the scale.
 pub(crate) fn across(chart: &mut Chart, frame: Frame, ticks: Vec<Tick>, name: &str) {
+    // A number that would touch the one before, or the next panel's, is left out.
+    let mut free = frame.left - GAP;
     for Tick { at, text } in ticks {
         chart.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);
-        chart.text([at, frame.bottom + 16.0], Align::Center, plain(SMALL), TEXT, text);
+        let half = 0.26 * SMALL * text.chars().count() as f64;
+        if at - half >= free && at + half <= frame.right + GAP {
+            chart.text([at, frame.bottom + 13.0], Align::Center, plain(SMALL), TEXT, text);
+            free = at + half + GAP;
+        }
     }
-    let y = frame.bottom + 40.0;
-    let (width, needed) = (frame.right - frame.left, text_width(name, NAME));
-    if needed <= width {
-        let middle = 0.5 * (frame.left + frame.right);
-        chart.text([middle, y], Align::Center, plain(NAME), TEXT, name);
-    } else {
-        // A long name goes on to the right, and to the left as far as its neighbour lets it; it gets
-        // smaller where it must.
-        let size = (NAME * (width + GAP + 50.0) / needed).min(NAME);
-        chart.text([frame.right + GAP, y], Align::RIGHT, plain(size), TEXT, name);
+    // Noto Sans needs half its size for a character.
+    let most = ((frame.right - frame.left) / (0.51 * SMALL)) as usize;
+    for (index, line) in lines(name, most).into_iter().enumerate() {
+        let middle = [0.5 * (frame.left + frame.right), frame.bottom + 32.0 + 16.0 * index as f64];
+        chart.text(middle, Align::Center, plain(SMALL), TEXT, line);
     }
-}
-
-/// The size of the name of a scale.
-const NAME: f64 = 18.0;
-
-/// Estimated width of a text, rather more than less: Noto Sans needs half its size for a character.
-pub(crate) fn text_width(text: &str, size: f64) -> f64 {
-    0.51 * size * text.chars().count() as f64
 }
 
 /// Writes text over as many lines as it needs; returns where the next may stand.
@@ -62,7 +55,7 @@ pub(crate) fn paragraph(chart: &mut Chart, mut y: f64, size: f64, text: &str) ->
     let most = ((chart.width - 2.0 * MARGIN) / (0.53 * size)) as usize;
     for line in lines(text, most) {
         chart.text([MARGIN, y], Align::LEFT, plain(size), WEAK, line);
-        y += 1.5 * size;
+        y += 1.35 * size;
     }
     y
 }

@@ -1,9 +1,10 @@
-//! Marks that tell methods apart: a shape and a colour each, hollow in single precision, filled in
-//! double.
+//! Marks that tell methods apart: a shape and a colour for each formula, hollow in `f32`, filled in
+//! `f64`, filled and framed in double-double.
 
 use egui::Color32;
 
 use crate::figures::chart::{Chart, Point};
+use crate::report::model::Digits;
 
 /// A shape and a colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,16 +22,15 @@ enum Shape {
 }
 
 /// Half the width of a mark, in points.
-const RADIUS: f64 = 7.0;
+const RADIUS: f64 = 6.0;
 
 /// Wrong decisions, wherever they are shown.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which readers who do not see red
 /// or green can tell apart; yellow, too light for white paper, is wine instead (Tol 2021).
-const MARKERS: [(&str, Marker); 9] = [
+const MARKERS: [(&str, Marker); 8] = [
     ("ladder", Marker { color: Color32::BLACK, shape: Shape::Star }),
-    ("double-double", marker([0x77, 0x77, 0x77], 6, 0.0)),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
     ("half-b", marker([0xe6, 0x9f, 0x00], 4, 45.0)),
     ("kahan", marker([0x00, 0x9e, 0x73], 3, 0.0)),
@@ -47,9 +47,9 @@ const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f64) -> Marker {
     Marker { color: Color32::from_rgb(r, g, b), shape: Shape::Regular(sides, turned) }
 }
 
-/// The mark of a method, by its name without the precision.
-pub(crate) fn marker_of(family: &str) -> Marker {
-    MARKERS.iter().find(|(name, _)| *name == family).map_or(STRANGER, |(_, marker)| *marker)
+/// The mark of a formula.
+pub(crate) fn marker_of(formula: &str) -> Marker {
+    MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
 /// Draws the mark of a method that decided wrong: a ring around its own.
@@ -77,22 +77,26 @@ impl Marker {
     }
 
     /// Draws the mark.
-    pub(crate) fn draw(&self, chart: &mut Chart, center: Point, hollow: bool) {
-        let corners = self.corners(center);
-        if hollow {
-            chart.outline(&corners, self.color, 2.5);
-        } else {
-            chart.fill(&corners, self.color);
-            // A line of white keeps a filled mark apart from what lies under it.
-            chart.outline(&corners, Color32::WHITE, 1.0);
+    pub(crate) fn draw(&self, chart: &mut Chart, center: Point, digits: Digits) {
+        let corners = self.corners(center, 1.0);
+        if digits == Digits::Single {
+            chart.fill(&corners, Color32::WHITE);
+            chart.outline(&corners, self.color, 2.0);
+            return;
+        }
+        chart.fill(&corners, self.color);
+        // A line of white keeps a filled mark apart from what lies under it.
+        chart.outline(&corners, Color32::WHITE, 1.0);
+        if digits == Digits::DoubleDouble {
+            chart.outline(&self.corners(center, 1.55), self.color, 1.5);
         }
     }
 
     /// The corners around a center. Triangles and stars are drawn larger, to look as large.
-    fn corners(&self, [x, y]: Point) -> Vec<Point> {
+    fn corners(&self, [x, y]: Point, scale: f64) -> Vec<Point> {
         let corner = |degrees: f64, radius: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
-            [x + radius * sin, y - radius * cos]
+            [x + scale * radius * sin, y - scale * radius * cos]
         };
         match self.shape {
             Shape::Star => {

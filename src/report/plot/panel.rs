@@ -5,16 +5,20 @@ use egui::{Align, Color32};
 use super::axis::{Close, Decades, Knobs, Tick};
 use super::frame::{FRAME, Frame, GRID, SMALL, TEXT, WEAK, across};
 use super::marker::{self, marker_of};
-use super::summary::{SINGLE, Summary, in_ulps_of_f64};
+use super::summary::{Summary, Worst, front};
 use crate::figures::chart::{Chart, Point, plain};
+use crate::report::model::{Digits, SINGLE};
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
+/// The Pareto front, wide and pale behind the curves.
+const FRONT: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
+
 /// The height of the places for zero errors and for methods that have no error to show.
-const LANE: f64 = 30.0;
+const LANE: f64 = 22.0;
 
 /// Room between the outermost values and the frame.
-const MARGIN: f64 = 12.0;
+const MARGIN: f64 = 10.0;
 
 /// The scale of errors, which both panels of a row share.
 pub(crate) struct Errors {
@@ -72,40 +76,46 @@ impl Errors {
     pub(crate) fn name_ulps(&self, chart: &mut Chart, frame: Frame) {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.holds(ulp) {
-                let at = [frame.right + 6.0, self.scale.position(ulp)];
-                chart.text(at, Align::LEFT, plain(14.0), WEAK, name);
+                let at = [frame.right + 5.0, self.scale.position(ulp)];
+                chart.text(at, Align::LEFT, plain(12.0), WEAK, name);
             }
         }
     }
 }
 
-/// Error against time: a mark a method at its largest error, with a stem down to the 99th
-/// percentile.
+/// Error against time: a curve a formula, over its precisions, each with a bar from quartile to quartile
+/// of the times; behind them the Pareto front.
 pub(crate) fn time(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &Summary) {
     let times = summary.methods.iter().filter_map(|method| method.time);
-    let scale = Close::over(times, [frame.left, frame.right]);
+    let spreads = summary.methods.iter().filter_map(|method| method.spread).flatten();
+    let scale = Close::over(times.chain(spreads), [frame.left, frame.right]);
     across(chart, frame, scale.ticks(), "nanoseconds a pixel");
     errors.draw(chart, frame, true);
+    let at = |method: &Worst| -> Option<Point> {
+        Some([scale.position(method.time?), errors.position(method.max)?])
+    };
+    let front: Vec<Point> = front(&summary.methods).into_iter().filter_map(at).collect();
+    if front.len() > 1 {
+        chart.line(&front, FRONT, 7.0);
+    }
     let mut marks = Vec::new();
     for method in &summary.methods {
-        let (Some(time), Some(y)) =
-            (method.time.filter(|time| *time > 0.0), errors.position(method.max))
-        else {
-            continue;
-        };
-        let x = scale.position(time);
-        let look = marker_of(method.family);
-        if method.p99.is_some() && method.max.is_some() {
-            let low = errors.scale.position(method.p99.unwrap_or_default());
-            chart.line(&[[x, y], [x, low]], look.color, 1.5);
-            chart.line(&[[x - 5.0, low], [x + 5.0, low]], look.color, 2.0);
+        let Some(center) = at(method) else { continue };
+        if let Some([low, high]) = method.spread.filter(|[low, _]| *low > 0.0) {
+            let y = center[1];
+            let ends = [[scale.position(low), y], [scale.position(high), y]];
+            chart.line(&ends, marker_of(method.formula).color, 1.5);
         }
-        marks.push(Mark {
-            center: [x, y],
-            family: method.family,
-            hollow: method.single,
-            wrong: method.wrong > 0,
-        });
+        let (formula, digits, wrong) = (method.formula, method.digits, method.wrong > 0);
+        marks.push(Mark { center, formula, digits, wrong });
+    }
+    for first in &marks {
+        let mut curve: Vec<&Mark> = marks.iter().filter(|m| m.formula == first.formula).collect();
+        curve.sort_by_key(|mark| mark.digits);
+        if curve.len() > 1 && std::ptr::eq(curve[0], first) {
+            let points: Vec<Point> = curve.iter().map(|mark| mark.center).collect();
+            chart.line(&points, marker_of(first.formula).color, 2.0);
+        }
     }
     draw_marks(chart, &marks);
 }
@@ -121,19 +131,15 @@ pub(crate) fn knob(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &S
     errors.draw(chart, frame, false);
     let mut marks = Vec::new();
     for method in &summary.methods {
-        let color = marker_of(method.family).color;
+        let color = marker_of(method.formula).color;
         let mut chain: Vec<Point> = Vec::new();
         let mut chains: Vec<Vec<Point>> = Vec::new();
         for (knob, row) in summary.along_knob(method.name) {
-            let error = in_ulps_of_f64(row, row.ulp.max);
+            let error = row.ulp_f64.max;
             let Some(y) = errors.position(error) else { continue };
             let center = [scale.position(knob), y];
-            marks.push(Mark {
-                center,
-                family: method.family,
-                hollow: method.single,
-                wrong: row.wrong > 0,
-            });
+            let (formula, digits, wrong) = (method.formula, method.digits, row.wrong > 0);
+            marks.push(Mark { center, formula, digits, wrong });
             // A curve ends where there is no error to show.
             if error.is_some() {
                 chain.push(center);
@@ -143,7 +149,7 @@ pub(crate) fn knob(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &S
         }
         chains.push(chain);
         for points in chains.into_iter().filter(|chain| chain.len() > 1) {
-            if method.single {
+            if method.digits == Digits::Single {
                 chart.dashed(&points, color, 2.0);
             } else {
                 chart.line(&points, color, 2.0);
@@ -156,18 +162,16 @@ pub(crate) fn knob(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &S
 /// A method's mark, somewhere.
 struct Mark<'a> {
     center: Point,
-    family: &'a str,
-    hollow: bool,
+    formula: &'a str,
+    digits: Digits,
     wrong: bool,
 }
 
 /// The first method on top of the others, as it is the one to look for; rings last, so that no
 /// mark hides one.
 fn draw_marks(chart: &mut Chart, marks: &[Mark]) {
-    for hollow in [false, true] {
-        for mark in marks.iter().rev().filter(|mark| mark.hollow == hollow) {
-            marker_of(mark.family).draw(chart, mark.center, hollow);
-        }
+    for mark in marks.iter().rev() {
+        marker_of(mark.formula).draw(chart, mark.center, mark.digits);
     }
     for mark in marks.iter().filter(|mark| mark.wrong) {
         marker::ring(chart, mark.center);

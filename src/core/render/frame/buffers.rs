@@ -24,6 +24,7 @@ pub(crate) fn empty_frame<T: Depth>(
         normal: vec![DVec3::ZERO; pixels(outputs.normal)],
         steps: Steps::default(),
         counts: Counts::default(),
+        steps_of_t: Steps::default(),
     }
 }
 

@@ -4,21 +4,23 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
 use crate::scene::object_from_origin::{ObjectFromOrigin, plane_normal};
 
 /// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
-/// is no room for it.
+/// is no room for it. Returns the steps that `t` took.
 pub(crate) fn fill_exactly(
     plan: &Plan,
     rows: Range<usize>,
     object: &[u32],
     t: &mut [f64],
     normals: &mut [DVec3],
-) {
+) -> Steps {
+    let mut steps = Steps::default();
     if t.is_empty() && normals.is_empty() {
-        return;
+        return steps;
     }
     let (camera, width) = (plan.rays.camera(), plan.axes.width());
     let mut known: Option<(u32, ObjectFromOrigin)> = None;
@@ -37,7 +39,7 @@ pub(crate) fn fill_exactly(
         let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
         let root = seen.root_of_hit();
         if let Some(t) = t.get_mut(offset) {
-            *t = seen.rounded_t(&ray, root);
+            *t = seen.rounded_t_counting(&ray, root, &mut steps);
         }
         if let Some(normal) = normals.get_mut(offset) {
             *normal = match seen {
@@ -46,4 +48,5 @@ pub(crate) fn fill_exactly(
             };
         }
     }
+    steps
 }

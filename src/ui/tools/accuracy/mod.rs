@@ -34,7 +34,7 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     let response = combo
         .height(420.0)
         .show_ui(ui, |ui| {
-            for &method in Method::ALL {
+            for method in Method::of_frames() {
                 let hint = format!("{}\n{}", method.about(), method.source());
                 ui.selectable_value(&mut chosen.0, method, method.name()).on_hover_text(hint);
             }

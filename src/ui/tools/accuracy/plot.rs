@@ -9,8 +9,7 @@ use pinhole_core::methods::Method;
 use super::table::color_of;
 use crate::model::number::{power_of_ten, short};
 use crate::report::columns;
-use crate::report::model::{Case, MethodRow};
-use crate::report::plot::{SINGLE, in_ulps_of_f64};
+use crate::report::model::{Case, Digits, MethodRow, SINGLE};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
@@ -76,7 +75,7 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
 
 fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
     let Mark { row, at, color } = mark;
-    let points = Points::new(row.name.clone(), vec![*at]).shape(shape_of(row.family()));
+    let points = Points::new(row.name.clone(), vec![*at]).shape(shape_of(row));
     plot.points(points.filled(!row.is_single()).color(*color).radius(RADIUS));
     if row.wrong > 0 {
         let ring = Points::new(format!("{}, wrong", row.name), vec![*at]).allow_hover(false);
@@ -88,15 +87,15 @@ fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
 /// Returns the position of a method; `None` before it was timed, or without any common hit.
 fn point_of(row: &MethodRow) -> Option<[f64; 2]> {
     let time = row.ns_per_pixel.median.filter(|time| *time > 0.0)?;
-    let error = in_ulps_of_f64(row, row.ulp.max)?;
+    let error = row.ulp_f64.max?;
     let error = if error > 0.0 { error.log10().max(EXACT + 0.5) } else { EXACT };
     Some([time.log10(), error])
 }
 
-fn shape_of(family: &str) -> MarkerShape {
-    match family {
+fn shape_of(row: &MethodRow) -> MarkerShape {
+    match row.formula() {
         "ladder" => MarkerShape::Asterisk,
-        "double-double" => MarkerShape::Plus,
+        "half-b" if row.digits() == Digits::DoubleDouble => MarkerShape::Plus,
         "half-b" => MarkerShape::Square,
         "kahan" => MarkerShape::Up,
         "perpendicular" => MarkerShape::Diamond,
@@ -113,7 +112,7 @@ fn description(row: &MethodRow) -> String {
     let mut lines = vec![
         row.name.clone(),
         format!("{} ns a pixel", number(row.ns_per_pixel.median)),
-        format!("t off by at most {} ulps of its own precision", number(row.ulp.max)),
+        format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
         format!("{} of {} decisions wrong", row.wrong, row.decisions),
     ];
     if let Some(method) = Method::from_name(&row.name) {

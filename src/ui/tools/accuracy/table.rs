@@ -15,9 +15,9 @@ use crate::view::typesetting::theme::error_color;
 const COLUMNS: [(&str, &str); 7] = [
     ("wrong", "Decisions (hit or miss, which object is first) that differ from exact arithmetic"),
     ("share", "Wrong decisions as a share of all"),
-    ("median", "Error in t, in ulps of the method's own precision: half are at most this"),
-    ("p99", "Error in t, in ulps of the method's own precision: 99 of 100 are at most this"),
-    ("max ulps", "Error in t, in ulps of the method's own precision: all are at most this"),
+    ("median", "Error in t, in ulps of f64: half are at most this"),
+    ("p99", "Error in t, in ulps of f64: 99 of 100 are at most this"),
+    ("max ulps", "Error in t, in ulps of f64: all are at most this"),
     ("rad", "The largest angle between its normal and the true one, in radians"),
     ("ns", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
 ];
@@ -73,10 +73,9 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
     let wrong = RichText::new(row.wrong.to_string());
     ui.label(if row.wrong > 0 { wrong.strong().color(error_color(ui)) } else { wrong });
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short).replace('-', "−");
-    ui.label(
-        row.wrong_share().map_or(String::new(), |share| format!("{} %", short(100.0 * share))),
-    );
-    for x in [row.ulp.median, row.ulp.p99, row.ulp.max, row.normal_error_max] {
+    ui.label(row.wrong_share.map_or(String::new(), |share| format!("{} %", short(100.0 * share))));
+    let ulps = row.ulp_f64;
+    for x in [ulps.median, ulps.p99, ulps.max, row.normal_error_max] {
         ui.label(number(x));
     }
     ui.label(number(row.ns_per_pixel.median));
@@ -84,5 +83,5 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
 
 /// Returns a method's colour on this window's background.
 pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
-    theme::finished(ui, marker_of(row.family()).color_on(ui.visuals().dark_mode))
+    theme::finished(ui, marker_of(row.formula()).color_on(ui.visuals().dark_mode))
 }
