@@ -111,6 +111,8 @@ fn length(v: DVec3) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
     use pinhole_core::{Plane, Sphere};
     use pinhole_reference as reference;
 
