@@ -120,7 +120,7 @@ pub fn trace_painted<T: Depth, P: Send>(
     let mut frame = empty_frame(camera, raster, needed);
     retrace_painted(&mut frame, scene, camera, paint, pixels);
     if !outputs.t {
-        frame.t = Vec::new();
+        (frame.t, frame.steps_of_t) = (Vec::new(), Steps::default());
     }
     if !outputs.object {
         frame.object = Vec::new();
@@ -194,7 +194,7 @@ fn fill<T: Depth>(
     let plan = Plan::new(level, scene, camera, raster);
     *counts = plan.counts;
     let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
-    let (width, bands) = (raster.columns().len(), plan.bands());
+    let (width, bands, keeps_t) = (raster.columns().len(), plan.bands(), !t.is_empty());
     let buffers = band_buffers(t, object, normal, (plan.band_rows * width, bands.len()));
     let draw = |own: &mut OwnBuffers<T>, (rows, part): (Range<usize>, BandBuffers<T>)| {
         let needs_t = !part.t.is_empty() || finish.is_some();
@@ -209,6 +209,7 @@ fn fill<T: Depth>(
         let drawn = band.counted();
         let found = if needs_t { T::found(t) } else { &mut [] };
         let of_t = fill_exactly(&plan, rows.clone(), object, found, part.normal);
+        let of_t = if keeps_t { of_t } else { Steps::default() };
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
         }

@@ -41,6 +41,8 @@ fn open(window: &mut Harness<'_, App>) {
 fn choose(window: &mut Harness<'_, App>, combo: &str, method: &str) {
     window.get_by_role_and_label(Role::ComboBox, combo).click();
     window.run_steps(3);
+    window.get_by_role_and_label(Role::Button, method).scroll_to_me();
+    window.run_steps(3);
     window.get_by_role_and_label(Role::Button, method).click();
     window.run_steps(3);
 }

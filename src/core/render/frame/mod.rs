@@ -67,7 +67,7 @@ pub struct Frame<T = f64> {
     pub steps: Steps,
     /// Counts of what was left out, and of what was left to do.
     pub counts: Counts,
-    /// Number of `t` in `f64` that each step of the ladder found: more digits than `f64` has are
+    /// Number of [`Frame::t`] in `f64` that each step of the ladder found: more digits than `f64` has are
     /// needed to round one right, so none is found in `f64`. In `f32`, `t` comes with the decision.
     pub steps_of_t: Steps,
 }

@@ -32,7 +32,7 @@ const TABLE: f32 = 560.0;
 pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     let combo = ComboBox::from_id_salt(name).selected_text(chosen.0.name()).width(150.0);
     let response = combo
-        .height(420.0)
+        .height(520.0)
         .show_ui(ui, |ui| {
             for method in Method::of_frames() {
                 let hint = format!("{}\n{}", method.about(), method.source());
