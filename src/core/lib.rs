@@ -95,8 +95,8 @@
 //!   between is rounded, neither the basis nor (u, v) nor the direction: [`ResolvedCamera::exact_ray`]
 //!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
 //!
-//! `t` is within half an ulp and 2^-40 of one (in frames of `f32`, within an ulp of those), a normal
-//! within 3e-16 rad. NaN, infinities, zero directions and radii are refused at the door, by
+//! `t` is the exact one, rounded to the nearest `f64` (in frames of `f32`, within an ulp of those), a
+//! normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused at the door, by
 //! [`Ray::check`], [`Scene::new`] and [`Camera::resolve`], with typed errors.
 //!
 //! # By raw numbers

@@ -6,8 +6,7 @@ use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::dyadic::Dyadic;
 use crate::exact::scale::ldexp;
 
-/// The largest relative error of a [`Precise`]: just below 2^-93. Rounded to `f64`, which has at
-/// most 2^53 ulp in a number, it is then within half an ulp, and 2^-40 of an ulp more.
+/// The largest relative error of a [`Precise`]: just below 2^-93, which is 2^-40 of an ulp of `f64`.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
 /// Returns whether `t d + term` is so small against `term`, with which `t d` cancels, that every
@@ -48,6 +47,12 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
+    /// The least and the greatest `f64` that a number within [`T_DOUBT`] of this one rounds to.
+    pub(crate) fn nearest(self) -> [f64; 2] {
+        let off = DoubleDouble::from(1.01 * T_DOUBT * self.value.hi.abs());
+        [self.value - off, self.value + off].map(|value| Precise { value, ..self }.to_f64())
+    }
+
     /// Compares the two; `None` where they are closer than their errors.
     pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
@@ -67,7 +72,7 @@ impl Precise {
     /// is so much the larger that the other is nothing beside it.
     pub(crate) fn difference(self, other: Precise) -> Option<(f64, f64, f64)> {
         let k = other.scale - self.scale;
-        if k.abs() > 1500 {
+        if k.abs() > 2000 {
             return None;
         }
         let (a, b) = if k < 0 {

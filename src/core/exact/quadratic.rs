@@ -3,6 +3,10 @@
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 
+/// Maximum relative error of a root whose bound is used: below it, what the bound leaves out, the square
+/// of the error, is within [`SECOND_ORDER`].
+pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
+
 /// The form of the discriminant that loses the least, by the origin's distance from the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {

@@ -64,8 +64,7 @@ use crate::scene::Scene;
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
 /// Each pixel's object is what [`Scene::first_hit_of`] says of its
-/// [exact ray](ResolvedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
-/// the last bit, where the exact `t` lies within 2^-40 of an ulp of the middle between two `f64`).
+/// [exact ray](ResolvedCamera::exact_ray), and its `t` is the same: the exact one, rounded.
 /// The same bits come from any number of threads and any processor. What the rays share is computed
 /// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
 /// without planes runs no plane code.

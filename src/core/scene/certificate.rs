@@ -8,6 +8,7 @@
 //! the eye, and is not hit first if the line misses it, or it is behind the eye, or its root comes
 //! later. All of a pixel is as sure as its least sure statement.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use rayon::prelude::*;
@@ -16,12 +17,13 @@ use crate::camera::exact_ray::ExactRay;
 use crate::camera::image::Pixel;
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::bounded::{Number, SECOND_ORDER, UNIT};
-use crate::exact::quadratic::{DirectionTerms, Quadratic, SphereTerms};
+use crate::exact::quadratic::{DirectionTerms, LARGEST_SHARE, Quadratic, SphereTerms};
 use crate::exact::scale::ldexp;
 use crate::exact::steps::{Step, Steps};
 use crate::scene::Scene;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
+use crate::scene::objects_from_origin::ObjectsFromOrigin;
 use crate::scene::plane_predicates::{PlaneFromOrigin, Rate};
 use crate::scene::point_power::{FINE_SHARE, ROUGH_SHARE};
 use crate::scene::sphere::Sphere;
@@ -164,65 +166,75 @@ impl Scene {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn certificate_of(&self, ray: &ExactRay) -> Certificate {
-        let first = self.first_seen(ray, &mut Steps::default());
-        let first =
-            first.as_ref().map(|(index, seen, root)| Hit { index: *index, seen, root: *root });
-        let is_known = ray.rough.doubt < 1.5 * UNIT;
-        if self.index().is_none() || !is_known {
-            return self.certificate_among(ray, first.as_ref(), 0..self.spheres().len() as u32);
-        }
-        let mut found = Certificate::SURE;
-        for (share, spared) in PASSED {
-            let near = self.spheres_near(ray, share);
-            found = self.certificate_among(ray, first.as_ref(), near);
-            if found.step > Step::F64 || found.margin <= spared {
-                break;
-            }
-        }
-        found
-    }
-
-    /// How surely this first hit is the first one of these spheres and all planes.
-    pub(crate) fn certificate_among(
-        &self,
-        ray: &ExactRay,
-        first: Option<&Hit>,
-        spheres: impl IntoIterator<Item = u32>,
-    ) -> Certificate {
-        let count = self.spheres().len() as u32;
-        let mut all = first.map_or(Certificate::SURE, |hit| is_hit(hit, ray));
-        for index in spheres.into_iter().chain(count..self.len() as u32) {
-            if first.is_some_and(|hit| hit.index == index) {
-                continue;
-            }
-            let Some(object) = self.object(index) else { continue };
-            if matches!(&object, Object::Sphere(sphere) if is_missed(sphere, ray, &all)) {
-                continue;
-            }
-            let seen = ObjectFromOrigin::new(&object, ray.origin());
-            all = all.and(is_not_first(index, &seen, first, ray));
-        }
-        all
+        certificate(&ObjectsFromOrigin::for_one_ray(self, ray), ray)
     }
 
     /// [`Scene::certificate_of`] of a camera's pixels in these rows and columns, row by row; in
-    /// parallel.
+    /// parallel. `done` hears of finished rows.
     pub fn certificates(
         &self,
         camera: &ResolvedCamera,
         rows: &[u32],
         columns: &[u32],
+        done: impl Fn(usize) + Sync,
     ) -> Vec<Certificate> {
         self.make_index();
+        let objects = ObjectsFromOrigin::for_many_rays(self, camera.eye());
         let of_row = |row: &u32| {
             let of_pixel = |column: &u32| {
                 let pixel = Pixel { row: *row, column: *column };
-                self.certificate_of(&camera.exact_ray(pixel))
+                certificate(&objects, &camera.exact_ray(pixel))
             };
-            columns.iter().map(of_pixel).collect::<Vec<_>>()
+            let found = columns.iter().map(of_pixel).collect::<Vec<_>>();
+            done(1);
+            found
         };
         rows.par_iter().flat_map_iter(of_row).collect()
     }
+}
+
+/// How surely the ray's first hit is decided.
+fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
+    let scene = objects.scene();
+    let first = objects.first_hit(ray, &mut Steps::default());
+    let is_known = ray.rough.doubt < 1.5 * UNIT;
+    if scene.index().is_none() || !is_known {
+        return certificate_among(objects, ray, first.as_ref(), 0..scene.spheres().len() as u32);
+    }
+    let mut found = Certificate::SURE;
+    for (share, spared) in PASSED {
+        let near = scene.spheres_near(ray, share);
+        found = certificate_among(objects, ray, first.as_ref(), near);
+        if found.step > Step::F64 || found.margin <= spared {
+            break;
+        }
+    }
+    found
+}
+
+/// How surely this first hit is the first one of these spheres and all planes.
+pub(crate) fn certificate_among(
+    objects: &ObjectsFromOrigin,
+    ray: &ExactRay,
+    first: Option<&Hit>,
+    spheres: impl IntoIterator<Item = u32>,
+) -> Certificate {
+    let scene = objects.scene();
+    let count = scene.spheres().len() as u32;
+    let mut all = first.map_or(Certificate::SURE, |hit| is_hit(hit, ray));
+    for index in spheres.into_iter().chain(count..scene.len() as u32) {
+        if first.is_some_and(|hit| hit.index == index) {
+            continue;
+        }
+        if let Some(Object::Sphere(sphere)) = scene.object(index)
+            && is_missed(&sphere, ray, &all)
+        {
+            continue;
+        }
+        let Some(object) = objects.get(index) else { continue };
+        all = all.and(is_not_first(index, object, first, ray));
+    }
+    all
 }
 
 /// Returns whether `f64` alone knows that the ray misses the sphere, and as surely as this at least:
@@ -238,9 +250,9 @@ fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
 
 /// That the ray hits the object.
 fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
-    let Hit { index, seen, .. } = *hit;
-    let side = side_of(index, seen);
-    match seen {
+    let index = hit.index;
+    let side = side_of(index, &hit.object);
+    match hit.object.as_ref() {
         // From inside, every ray hits it; of an eye on it, nothing is surer than the side.
         ObjectFromOrigin::Sphere(sphere) if sphere.side != Ordering::Greater => side,
         ObjectFromOrigin::Sphere(sphere) => {
@@ -264,17 +276,18 @@ fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
 /// That the ray does not hit the object before its first hit.
 fn is_not_first(
     index: u32,
-    seen: &ObjectFromOrigin,
+    object: Cow<'_, ObjectFromOrigin>,
     first: Option<&Hit>,
     ray: &ExactRay,
 ) -> Certificate {
-    let hit = Hit { index, seen, root: seen.root_of_hit() };
-    if first.is_some_and(|first| first.seen.is_same(seen)) {
+    if first.is_some_and(|first| first.object.is_same(&object)) {
         return Certificate::SURE;
     }
-    let side = side_of(index, seen);
+    let root = object.root_of_hit();
+    let hit = Hit { index, object, root };
+    let side = side_of(index, &hit.object);
     let later = first.and_then(|first| is_later(&hit, first, ray)).map(|later| side.and(later));
-    match seen {
+    match hit.object.as_ref() {
         ObjectFromOrigin::Sphere(sphere) => sphere_is_not_first(&hit, sphere, first, later, ray),
         ObjectFromOrigin::Plane(plane) => {
             let (rate, sign) = rate_of(index, plane, ray);
@@ -294,7 +307,7 @@ fn sphere_is_not_first(
     later: Option<Certificate>,
     ray: &ExactRay,
 ) -> Certificate {
-    let (index, side) = (hit.index, side_of(hit.index, hit.seen));
+    let (index, side) = (hit.index, side_of(hit.index, &hit.object));
     if sphere.side == Ordering::Less {
         return later.unwrap_or_else(|| side.and(order_of(hit, first, ray)));
     }
@@ -400,10 +413,10 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
 /// |t - b / a| <= sqrt(D + bound of D) / a
 /// ```
 fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
-    if let Some(found) = hit.seen.rough_t(ray, hit.root) {
+    if let Some(found) = hit.object.rough_t(ray, hit.root) {
         return Some(found);
     }
-    let ObjectFromOrigin::Sphere(sphere) = hit.seen else { return None };
+    let ObjectFromOrigin::Sphere(sphere) = hit.object.as_ref() else { return None };
     let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } =
         Quadratic::new(&sphere.rough, &ray.rough);
     if discriminant.abs() > discriminant_doubt || b <= b_doubt {
@@ -412,13 +425,13 @@ fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     let swing = (discriminant.max(0.0) + discriminant_doubt).sqrt();
     let share = SECOND_ORDER * ((b_doubt + swing) / b + a_doubt + 4.0 * UNIT);
     let t = ldexp(b / a * ray.stretch, sphere.scale - ray.scale);
-    (t.is_normal() && share < 0.25).then_some((t, share))
+    (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
 }
 
 /// The order of two hits that `f64` does not know.
 fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
     let Some(first) = first else { return Certificate::SURE };
-    let (t, first_t) = (hit.seen.t(ray, hit.root), first.seen.t(ray, first.root));
+    let (t, first_t) = (hit.object.t(ray, hit.root), first.object.t(ray, first.root));
     let question = Question::Order;
     let (value, bound, unit) = t.difference(first_t).unwrap_or((f64::INFINITY, 0.0, 1.0));
     let bounded = Bounded { question, value, bound, unit };

@@ -8,6 +8,7 @@ pub(crate) mod error;
 pub(crate) mod line;
 pub(crate) mod object;
 pub(crate) mod object_from_origin;
+pub(crate) mod objects_from_origin;
 pub(crate) mod plane;
 pub(crate) mod plane_predicates;
 pub(crate) mod point_power;
@@ -28,15 +29,16 @@ use glam::DVec3;
 
 use crate::camera::exact_ray::ExactRay;
 use crate::camera::ray::Ray;
-use crate::exact::steps::{Step, Steps};
+use crate::exact::steps::Steps;
 use crate::scene::error::SceneError;
 use crate::scene::line::Line;
 use crate::scene::object::{Object, RankedRoot, Root};
-use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
+use crate::scene::object_from_origin::Hit;
+use crate::scene::objects_from_origin::ObjectsFromOrigin;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
-use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
+use crate::scene::sphere_predicates::RootSide;
 use crate::scene::spheres::Spheres;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -206,18 +208,13 @@ impl Scene {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
         let planes = self.spheres().len() as u32..self.len() as u32;
-        let seen: Vec<(u32, ObjectFromOrigin)> = spheres
-            .into_iter()
-            .chain(planes)
-            .filter_map(|index| {
-                Some((index, ObjectFromOrigin::new(&self.object(index)?, ray.origin())))
-            })
-            .collect();
+        let objects = ObjectsFromOrigin::for_one_ray(self, ray);
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
-        for (index, seen) in &seen {
-            let index = *index;
-            hits.extend(seen.root_sides(ray, steps).iter().map(|&root| Hit { index, seen, root }));
+        for index in spheres.into_iter().chain(planes) {
+            let Some(object) = objects.get(index) else { continue };
+            let hit = |&root: &RootSide| Hit { index, object: object.clone(), root };
+            hits.extend(object.root_sides(ray, steps).iter().map(hit));
         }
         // Stable, so that equal roots stay in the order of objects.
         hits.sort_by(|a, b| a.compare(b, ray, steps));
@@ -245,8 +242,8 @@ impl Scene {
 
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
-        let (index, seen, root) = self.first_seen(ray, steps)?;
-        Some(seen.root(index, ray, root))
+        let objects = ObjectsFromOrigin::for_one_ray(self, ray);
+        Some(objects.first_hit(ray, steps)?.root(ray))
     }
 
     /// The object that is hit first and its `t`: [`Scene::first_hit_of`] without point and normal. Adds
@@ -257,49 +254,9 @@ impl Scene {
         steps: &mut Steps,
         steps_of_t: &mut Steps,
     ) -> Option<(u32, f64)> {
-        let (index, seen, root) = self.first_seen(ray, steps)?;
-        Some((index, seen.rounded_t_counting(ray, root, steps_of_t)))
-    }
-
-    /// The object that [`Scene::first_hit_counting`] finds, and at which of its roots.
-    pub(crate) fn first_seen(
-        &self,
-        ray: &ExactRay,
-        steps: &mut Steps,
-    ) -> Option<(u32, ObjectFromOrigin, RootSide)> {
-        let mut first: Option<(u32, ObjectFromOrigin, RootSide)> = None;
-        // At least the first hit's t, as far as it is known.
-        let mut nearest = f64::INFINITY;
-        let line = Line::from_ray(ray);
-        let near = self.index().map(|index| index.spheres_where(|m, h| line.may_meet(m, h)));
-        let count = self.spheres().len() as u32;
-        let passed = near.as_ref().map_or(0, |near| count - near.len() as u32);
-        steps.f64 += u64::from(passed);
-        let all = if near.is_some() { 0..0 } else { 0..count };
-        let spheres = all.chain(near.into_iter().flatten());
-        for index in spheres.chain(count..self.len() as u32) {
-            let Some(object) = self.object(index) else { continue };
-            if let Object::Sphere(sphere) = &object
-                && SphereFromOrigin::is_passed(sphere, ray, nearest)
-            {
-                steps.count(Step::F64);
-                continue;
-            }
-            let seen = ObjectFromOrigin::new(&object, ray.origin());
-            if seen.side_step() > Step::F64 {
-                steps.count(seen.side_step());
-            }
-            let Some(root) = seen.first_root(ray, steps) else { continue };
-            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_root)| {
-                let first = Hit { index: *first_index, seen: first_seen, root: *first_root };
-                Hit { index, seen: &seen, root }.is_before(&first, ray, steps)
-            });
-            if is_first {
-                nearest = seen.rough_t(ray, root).map_or(f64::INFINITY, |(t, off)| t + off * t);
-                first = Some((index, seen, root));
-            }
-        }
-        first
+        let objects = ObjectsFromOrigin::for_one_ray(self, ray);
+        let Hit { index, object, root } = objects.first_hit(ray, steps)?;
+        Some((index, object.rounded_t_counting(ray, root, steps_of_t)))
     }
 
     /// The spheres of which `may` says so, each given by the middle and the half extents of its box;

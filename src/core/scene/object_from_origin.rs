@@ -1,5 +1,6 @@
 //! Objects as the rays of one origin see them, and which of them a ray meets first.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use glam::DVec3;
@@ -10,6 +11,7 @@ use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
+use crate::exact::quadratic::LARGEST_SHARE;
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
@@ -79,7 +81,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// `t` there, to half an ulp of `f64`.
+    /// `t` there, with more digits than `f64` has.
     pub(crate) fn t(&self, ray: &ExactRay, root: RootSide) -> Precise {
         self.t_within(ray, root, T_DOUBT)
     }
@@ -96,15 +98,23 @@ impl ObjectFromOrigin {
         root: RootSide,
         steps: &mut Steps,
     ) -> f64 {
+        if let ObjectFromOrigin::Sphere(seen) = self
+            && let Some(t) = seen.rounded_t(ray, root)
+        {
+            steps.count(Step::DoubleDouble);
+            return t;
+        }
         let (t, step) = match self {
-            ObjectFromOrigin::Sphere(seen) => seen.rounded_t(ray, root),
-            ObjectFromOrigin::Plane(seen) => {
-                let (t, step) = seen.t(ray, T_DOUBT);
-                (t.to_f64(), step)
-            }
+            ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, T_DOUBT),
+            ObjectFromOrigin::Plane(seen) => seen.t(ray, T_DOUBT),
         };
-        steps.count(step);
-        t
+        let [low, high] = t.nearest();
+        if low == high {
+            steps.count(step);
+            return low;
+        }
+        steps.count(Step::Exact);
+        ray.big().rounded_t(&self.big_root(ray, root), [low, high])
     }
 
     /// `t` there, with a relative error of at most `doubt`.
@@ -122,7 +132,7 @@ impl ObjectFromOrigin {
             ObjectFromOrigin::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
-        (t.is_normal() && share < 0.25).then_some((t, share))
+        (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
     }
 
     /// Every `t`, ascending.
@@ -210,10 +220,10 @@ pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
 }
 
 /// One object's hit among others.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Hit<'a> {
     pub(crate) index: u32,
-    pub(crate) seen: &'a ObjectFromOrigin,
+    pub(crate) object: Cow<'a, ObjectFromOrigin>,
     pub(crate) root: RootSide,
 }
 
@@ -226,7 +236,7 @@ impl Hit<'_> {
 
     /// Compares two `t`.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = (self.seen.rough_t(ray, self.root), other.seen.rough_t(ray, other.root));
+        let rough = (self.object.rough_t(ray, self.root), other.object.rough_t(ray, other.root));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {
             let doubt = 1.01 * (share * t.abs() + other_share * other_t.abs());
             if (t - other_t).abs() > doubt {
@@ -234,28 +244,28 @@ impl Hit<'_> {
                 return t.total_cmp(&other_t);
             }
         }
-        if self.root == other.root && self.seen.is_same(other.seen) {
+        if self.root == other.root && self.object.is_same(&other.object) {
             steps.count(Step::F64);
             return Ordering::Equal;
         }
-        let (t, other_t) = (self.seen.t(ray, self.root), other.seen.t(ray, other.root));
+        let (t, other_t) = (self.object.t(ray, self.root), other.object.t(ray, other.root));
         if let Some(order) = t.compare(other_t) {
             steps.count(Step::DoubleDouble);
             return order;
         }
         steps.count(Step::Exact);
         let (one, other) =
-            (self.seen.big_root(ray, self.root), other.seen.big_root(ray, other.root));
+            (self.object.big_root(ray, self.root), other.object.big_root(ray, other.root));
         ray.big().compare(&one, &other)
     }
 
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
-        self.seen.root(self.index, ray, self.root)
+        self.object.root(self.index, ray, self.root)
     }
 
     /// `t |d|`, rounded once.
     pub(crate) fn distance(&self, ray: &ExactRay) -> f64 {
-        let t = self.seen.t(ray, self.root);
+        let t = self.object.t(ray, self.root);
         let length = dot(ray.fine.d, ray.fine.d).square_root() / DoubleDouble::from(ray.stretch);
         Precise::new(t.value * length, t.scale + ray.scale).to_f64()
     }
@@ -264,7 +274,7 @@ impl Hit<'_> {
 impl Sphere {
     /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given;
     /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
-    /// [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
+    /// [`Sphere::check`]. Each `t` is the exact one, rounded.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Sphere(*self).roots(ray)
     }
@@ -273,8 +283,8 @@ impl Sphere {
 impl Plane {
     /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: once,
     /// or not at all if it is parallel (even inside the plane); nowhere for a ray that does not
-    /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an
-    /// ulp, and 2^-40 of one.
+    /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is the exact one,
+    /// rounded.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Plane(*self).roots(ray)
     }

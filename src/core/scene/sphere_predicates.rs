@@ -185,22 +185,20 @@ impl SphereFromOrigin {
         (ray.big().t(&self.big_root(ray, root)), Step::Exact)
     }
 
-    /// `t` at a root of a chord that is there, rounded to the nearest `f64` where double-double knows
-    /// which one that is, and else from [`SphereFromOrigin::t`]; and the step that it took.
-    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> (f64, Step) {
-        let quadratic = Quadratic::new(&self.fine, &ray.fine);
-        if self.side != Ordering::Equal
-            && let Some((t, off)) = quadratic.root(&self.fine, root == RootSide::Far)
-            && (1e-250..1e250).contains(&t.hi.abs())
-        {
-            let t = t.times(ray.stretch);
-            let rounded = ldexp(t.hi, self.scale - ray.scale);
-            if t.rounds_surely(off * t.hi.abs()) && rounded.abs() > f64::MIN_POSITIVE {
-                return (rounded, Step::DoubleDouble);
-            }
+    /// `t` at a root of a chord that is there, rounded to the nearest `f64`, where double-double knows
+    /// which one that is.
+    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> Option<f64> {
+        if self.side == Ordering::Equal {
+            return None;
         }
-        let (t, step) = self.t(ray, root, T_DOUBT);
-        (t.to_f64(), step)
+        let quadratic = Quadratic::new(&self.fine, &ray.fine);
+        let (t, off) = quadratic.root(&self.fine, root == RootSide::Far)?;
+        let off = off * t.hi.abs();
+        let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
+        let t = t.times(ray.stretch);
+        let rounded = ldexp(t.hi, self.scale - ray.scale);
+        let is_normal = rounded.is_finite() && rounded.abs() > f64::MIN_POSITIVE;
+        (is_in_range && t.rounds_surely(off * ray.stretch) && is_normal).then_some(rounded)
     }
 
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0

@@ -101,7 +101,7 @@ fn check(case: &FrameCase, name: &str, seen: &mut BTreeSet<String>) {
     };
     let raster = Raster::full(camera.image);
     let (rows, columns) = (raster.rows(), raster.columns());
-    let certificates = scene.certificates(&resolved, rows, columns);
+    let certificates = scene.certificates(&resolved, rows, columns, |_| ());
     assert_eq!(certificates.len(), rows.len() * columns.len());
     for (k, certificate) in certificates.iter().enumerate() {
         let pixel = Pixel { row: rows[k / columns.len()], column: columns[k % columns.len()] };

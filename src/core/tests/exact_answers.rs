@@ -156,3 +156,25 @@ fn coordinates_that_cancel_are_zero() {
         -DVec3::Y
     );
 }
+
+/// A ray through the middle of a ball, which it meets half way between two numbers: at `s - q`, of
+/// which s has 49 bits and q is an odd number of half ulps.
+#[test]
+fn a_root_half_way_between_two_numbers_is_the_even_one() {
+    let half_ulp = f64::EPSILON / 2.0;
+    for k in 1..2000_u64 {
+        let digits = k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 16;
+        let (s, q) = ((1 << 52) + (digits >> 1) * 32, 2 * (digits % 1000) + 1);
+        let direction = vec3(3.0, 4.0, 12.0);
+        let ball = Sphere {
+            center: s as f64 * half_ulp * 2.0 * direction,
+            radius: 13.0 * q as f64 * half_ulp,
+        };
+        // In half ulps: odd, so that the neighbours are one half ulp away.
+        let t = 2 * s - q;
+        let even = if (t + 1) % 4 == 0 { t + 1 } else { t - 1 };
+        let ray = Ray { origin: DVec3::ZERO, direction };
+        let hit = Scene::new(vec![ball], vec![]).unwrap().first_hit(&ray).unwrap();
+        assert_eq!(hit.t, even as f64 * half_ulp, "{s} {q}");
+    }
+}

@@ -38,7 +38,7 @@ pub struct SphereDerivation {
     /// The ray's fate, decided exactly.
     pub meeting: SphereMeeting,
     /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
-    /// tangent stands once, as the nearer. Each `t` is within half an ulp and 2^-40 of one.
+    /// tangent stands once, as the nearer. Each `t` is the exact one, rounded.
     pub roots: [Option<Root>; 2],
     /// The hit: which of `roots` is the smallest `t > 0`.
     pub first: Option<usize>,

@@ -7,7 +7,7 @@ use fearless_simd::Level;
 use crate::render::frame::Frame;
 use crate::scene::Scene;
 
-/// The number that a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within
+/// The number that a frame keeps `t` in: `f64`, rounded from the exact one, or `f32`, within
 /// an ulp, at a fraction of the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
     /// 0

@@ -29,6 +29,9 @@ pub(crate) fn fill_exactly(
             if let Some(t) = t.get_mut(offset) {
                 *t = f64::INFINITY;
             }
+            if let Some(normal) = normals.get_mut(offset) {
+                *normal = DVec3::ZERO;
+            }
             continue;
         }
         if known.as_ref().is_none_or(|(index, _)| *index != object) {

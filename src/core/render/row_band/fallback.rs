@@ -1,5 +1,6 @@
 //! Pixels that go up the ladder by themselves.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -236,7 +237,7 @@ impl PixelLadder<'_> {
         let (camera, offset) = (self.plan.rays.camera(), self.offset(question));
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
         let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
-        let hit = Hit { index, seen, root };
+        let hit = Hit { index, object: Cow::Borrowed(seen), root };
         let known = self.object[offset];
         if known != NO_OBJECT
             && let Some(object) = self.plan.scene.object(known)
@@ -244,7 +245,8 @@ impl PixelLadder<'_> {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
             let known_seen = self.seen.get(known, make);
             // What a pixel shows is hit.
-            let known_hit = Hit { index: known, seen: known_seen, root: known_seen.root_of_hit() };
+            let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
+            let known_hit = Hit { index: known, object, root };
             let order = hit.compare(&known_hit, &ray, &mut self.steps);
             if order.then(index.cmp(&known)) == Ordering::Greater {
                 return;

@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::exact::bounded::{UNIT, Vector, dot};
-use crate::exact::quadratic::{DirectionTerms, Quadratic};
+use crate::exact::quadratic::{DirectionTerms, LARGEST_SHARE, Quadratic};
 use crate::exact::scale::ldexp;
 use crate::render::frame::NO_OBJECT;
 use crate::scene::object_from_origin::ObjectFromOrigin;
@@ -60,7 +60,7 @@ impl Rough {
         };
         let Some((t, share)) = found else { return Rough::Doubt };
         let reach = t * direction.length;
-        if !(share < 0.25 && LENGTHS.contains(&t) && LENGTHS.contains(&reach)) {
+        if !(share < LARGEST_SHARE && LENGTHS.contains(&t) && LENGTHS.contains(&reach)) {
             return Rough::Doubt;
         }
         let off = 1.05

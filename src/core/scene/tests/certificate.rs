@@ -5,8 +5,8 @@ use crate::camera::Camera;
 use crate::camera::image::Pixel;
 use crate::exact::steps::Steps;
 use crate::scene::Scene;
-use crate::scene::certificate::Certificate;
-use crate::scene::object_from_origin::Hit;
+use crate::scene::certificate::{Certificate, certificate_among};
+use crate::scene::objects_from_origin::ObjectsFromOrigin;
 
 #[test]
 fn spheres_that_are_passed_by_have_the_most_to_spare() {
@@ -18,10 +18,9 @@ fn spheres_that_are_passed_by_have_the_most_to_spare() {
         for k in 0..100 {
             let ray = camera.exact_ray(Pixel { row: 7 * k % 400, column: 11 * k % 400 });
             let certificate = scene.certificate_of(&ray);
-            let first = scene.first_seen(&ray, &mut Steps::default());
-            let first =
-                first.as_ref().map(|(index, seen, root)| Hit { index: *index, seen, root: *root });
-            let of_all = scene.certificate_among(&ray, first.as_ref(), 0..1000);
+            let objects = ObjectsFromOrigin::for_many_rays(&scene, ray.origin());
+            let first = objects.first_hit(&ray, &mut Steps::default());
+            let of_all = certificate_among(&objects, &ray, first.as_ref(), 0..1000);
             assert_eq!(certificate, of_all);
             below += usize::from(certificate.margin < Certificate::MOST);
         }

@@ -1,0 +1,90 @@
+//! A scene's objects as the rays of one origin see them, and the first of them that a ray hits.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::exact::steps::{Step, Steps};
+use crate::scene::Scene;
+use crate::scene::line::Line;
+use crate::scene::object::Object;
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
+use crate::scene::sphere_predicates::SphereFromOrigin;
+
+/// A scene's objects as the rays of one origin see them: each made when it is asked for, or, for
+/// many rays, once.
+pub(crate) struct ObjectsFromOrigin<'a> {
+    scene: &'a Scene,
+    origin: DVec3,
+    /// The first objects, as many as are made once.
+    made: Vec<ObjectFromOrigin>,
+}
+
+/// Maximum number of objects that are made once: some megabytes.
+const MOST_MADE: usize = 10_000;
+
+impl<'a> ObjectsFromOrigin<'a> {
+    /// The objects as one ray sees them.
+    pub(crate) fn for_one_ray(scene: &'a Scene, ray: &ExactRay) -> ObjectsFromOrigin<'a> {
+        ObjectsFromOrigin { scene, origin: ray.origin(), made: Vec::new() }
+    }
+
+    /// The objects as many rays from here see them.
+    pub(crate) fn for_many_rays(scene: &'a Scene, origin: DVec3) -> ObjectsFromOrigin<'a> {
+        let indices = 0..scene.len().min(MOST_MADE) as u32;
+        let objects = indices.filter_map(|index| scene.object(index));
+        let made = objects.map(|object| ObjectFromOrigin::new(&object, origin)).collect();
+        ObjectsFromOrigin { scene, origin, made }
+    }
+
+    /// The objects themselves.
+    pub(crate) fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// The object of this index.
+    pub(crate) fn get(&self, index: u32) -> Option<Cow<'_, ObjectFromOrigin>> {
+        if let Some(made) = self.made.get(index as usize) {
+            return Some(Cow::Borrowed(made));
+        }
+        let object = self.scene.object(index)?;
+        Some(Cow::Owned(ObjectFromOrigin::new(&object, self.origin)))
+    }
+
+    /// The hit with the smallest `t > 0`; of equal ones, that of the object listed first. Adds the
+    /// decisions to `steps`.
+    pub(crate) fn first_hit(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Hit<'_>> {
+        let scene = self.scene;
+        let mut first: Option<Hit> = None;
+        // At least the first hit's t, as far as it is known.
+        let mut nearest = f64::INFINITY;
+        let line = Line::from_ray(ray);
+        let near = scene.index().map(|index| index.spheres_where(|m, h| line.may_meet(m, h)));
+        let count = scene.spheres().len() as u32;
+        let passed = near.as_ref().map_or(0, |near| count - near.len() as u32);
+        steps.f64 += u64::from(passed);
+        let all = if near.is_some() { 0..0 } else { 0..count };
+        let spheres = all.chain(near.into_iter().flatten());
+        for index in spheres.chain(count..scene.len() as u32) {
+            if let Some(Object::Sphere(sphere)) = &scene.object(index)
+                && SphereFromOrigin::is_passed(sphere, ray, nearest)
+            {
+                steps.count(Step::F64);
+                continue;
+            }
+            let Some(object) = self.get(index) else { continue };
+            if object.side_step() > Step::F64 {
+                steps.count(object.side_step());
+            }
+            let Some(root) = object.first_root(ray, steps) else { continue };
+            let hit = Hit { index, object, root };
+            if first.as_ref().is_none_or(|first| hit.is_before(first, ray, steps)) {
+                let t = hit.object.rough_t(ray, root);
+                nearest = t.map_or(f64::INFINITY, |(t, off)| t + off * t);
+                first = Some(hit);
+            }
+        }
+        first
+    }
+}
