@@ -45,7 +45,9 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let progress = if arguments.overlay || arguments.view == View::World {
         Progress::during("drawing")
     } else {
-        Progress::counting("row", image.height() as usize)
+        // Each row is traced, and for the other file asked how surely.
+        let passes = 1 + usize::from(options.aov);
+        Progress::counting("row", passes * image.height() as usize)
     };
     let rendering = render_view(&document, options, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;

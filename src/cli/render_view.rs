@@ -68,7 +68,7 @@ pub fn render_view(
     let certificates = || {
         let [rows, columns] = [options.size.height(), options.size.width()];
         let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
-        if options.aov { scene.certificates(&camera, &rows, &columns) } else { Vec::new() }
+        if options.aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
     };
     if options.view == View::Camera && !options.overlay {
         let frame = trace();

@@ -25,7 +25,9 @@ pub(crate) const STEPS: [(Step, &str, Color32); 3] = [
 impl Certainty {
     /// Asks how surely each pixel of the raster is decided.
     pub fn new(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Certainty {
-        Certainty { certificates: scene.certificates(camera, raster.rows(), raster.columns()) }
+        Certainty {
+            certificates: scene.certificates(camera, raster.rows(), raster.columns(), |_| ()),
+        }
     }
 
     /// Number of pixels that this step decided.

@@ -240,7 +240,7 @@ fn each_pixel_s_margin_in_the_exr_file_is_that_of_exact_arithmetic() {
         SceneSource::from_argument(&folder.path().join("s.toml")).unwrap().load().unwrap();
     let (scene, camera) = (document.scene().unwrap(), document.camera.resolve().unwrap());
     let all: Vec<u32> = (0..21).collect();
-    let certificates = scene.certificates(&camera, &all, &all);
+    let certificates = scene.certificates(&camera, &all, &all, |_| ());
     for (k, certificate) in certificates.iter().enumerate() {
         let (row, column) = (k as u32 / 21, k as u32 % 21);
         let step = [Step::F64, Step::DoubleDouble, Step::Exact][steps[k] as usize];

@@ -53,12 +53,8 @@ fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> C
             accuracy::certainty::legend(ui, area, certainty);
         }
         _ => {
-            if desk.session.settings.maps_certainty {
-                if let Some(why) = derived.no_certainty {
-                    accuracy::no_map(ui, rect, "map", why);
-                }
-            } else if let Some(why) = derived.too_many {
-                accuracy::no_map(ui, rect, "error map", why);
+            if let Some(why) = derived.too_many {
+                accuracy::no_map(ui, rect, why);
             }
         }
     }

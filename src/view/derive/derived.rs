@@ -112,8 +112,6 @@ pub struct Derived {
     pub compared: Option<Arc<Compared>>,
     /// How surely the shown pixels are decided, if the map shows that.
     pub certainty: Option<Arc<Certainty>>,
-    /// The reason why the map does not show that, if it should.
-    pub no_certainty: Option<TooMany>,
     /// The error map, or the map of certainty.
     pub error_map: Option<Shown>,
     /// The derivation of all numbers, if the layout shows it.

@@ -27,9 +27,6 @@ use crate::view::overlay::{Loupe, Picture, loupe_window};
 /// work, during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// The same of the map of certainty, whose questions take longer.
-const MOST_CERTIFICATES: u64 = 32_000_000;
-
 /// The reason why only the ladder draws a picture: every other method tests every object at every
 /// pixel, which is more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,9 +38,9 @@ pub struct TooMany {
 }
 
 impl TooMany {
-    fn check(objects: usize, pixels: usize, most: u64) -> Option<TooMany> {
+    fn check(objects: usize, pixels: usize) -> Option<TooMany> {
         let (objects, pixels) = (objects as u64, pixels as u64);
-        let too_many = objects.saturating_mul(pixels) > most;
+        let too_many = objects.saturating_mul(pixels) > MOST_QUESTIONS;
         too_many.then_some(TooMany { objects, pixels })
     }
 }
@@ -92,8 +89,6 @@ pub(super) struct GoodPicture {
     pub(super) counts: Counts,
     /// The reason why no other method is compared with it, if one should be.
     pub(super) too_many: Option<TooMany>,
-    /// The reason why there is no map of certainty, if there should be.
-    pub(super) no_certainty: Option<TooMany>,
     /// The ladder's answers, if another method is compared with them.
     pub(super) truth: Option<Arc<Frame>>,
     /// The method that drew the picture, if it was not the ladder.
@@ -113,7 +108,7 @@ impl GoodPicture {
             Some((MapOf::Certainty(certainty), _)) => (None, Some(Arc::clone(certainty))),
             None => (None, None),
         };
-        (derived.too_many, derived.no_certainty) = (self.too_many, self.no_certainty);
+        derived.too_many = self.too_many;
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
         derived.truth.clone_from(&self.truth);
@@ -172,13 +167,10 @@ impl Pictures {
         let settings = &session.settings;
         // A method that is too slow for the full picture is not used during a drag, either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
-        let too_many = TooMany::check(world.scene.len(), all, MOST_QUESTIONS);
+        let too_many = TooMany::check(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let with_certainty = with_map && settings.maps_certainty;
-        let no_certainty =
-            TooMany::check(world.scene.len(), all, MOST_CERTIFICATES).filter(|_| with_certainty);
-        let certain = (with_certainty && no_certainty.is_none())
-            .then(|| self.certainty(&seen, &world.scene, watch));
+        let certain = with_certainty.then(|| self.certainty(&seen, &world.scene, watch));
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
@@ -224,7 +216,6 @@ impl Pictures {
             steps,
             counts,
             too_many: beside.too_many,
-            no_certainty,
             truth: beside.truth,
             drawn_by: beside.drawn_by,
             map,

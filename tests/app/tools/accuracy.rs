@@ -239,8 +239,8 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     assert_says(&window, &format!("Nothing is measured: {why}"));
     choose(&mut window, "map", CERTAINTY);
     let derived = window.state().derived().clone();
-    assert!(derived.certainty.is_none() && derived.error_map.is_none());
-    assert_says(&window, &format!("No map: {}", derived.no_certainty.unwrap()));
+    // Its pixels are asked by the ladder, which takes any number of objects.
+    assert!(derived.certainty.is_some() && derived.error_map.is_some());
 }
 
 #[test]

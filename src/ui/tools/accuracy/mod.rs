@@ -125,9 +125,9 @@ pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
 }
 
 /// Shows, in place of the map, the reason why there is none.
-pub(crate) fn no_map(ui: &mut Ui, rect: Rect, map: &str, why: TooMany) {
+pub(crate) fn no_map(ui: &mut Ui, rect: Rect, why: TooMany) {
     ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
-        ui.label(format!("No {map}: {why}"));
+        ui.label(format!("No error map: {why}"));
     });
 }
 
