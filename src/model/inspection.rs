@@ -122,7 +122,7 @@ impl Inspection {
             _ if t == 0.0 => "at the eye: no hit",
             Some(first) if first == index => "first hit (smallest t > 0)",
             Some(first) if self.ranks[first] == self.ranks[index] => "the same t, but listed later",
-            Some(first) if self.roots[first].t == t => {
+            Some(first) if self.roots[first].t == t && t.is_normal() => {
                 "farther than the hit, by less than the digits of t show"
             }
             _ => "farther than the hit",
@@ -142,7 +142,10 @@ impl Inspection {
         others.peek()?;
         Some(match others.any(tied) {
             true => "of equal ones, the object listed first",
-            false => "another is farther by less than the digits of t show",
+            false if self.roots[first].t.is_normal() => {
+                "another is farther by less than the digits of t show"
+            }
+            false => "another is farther; t is beyond f64's range",
         })
     }
 

@@ -164,12 +164,16 @@ fn a_hit_beyond_the_range_of_t_is_a_hit() {
     let text = inspect_spheres(viewport, [1, 1], &[(-5.0, 1.0)], "--pixel 0,0").done();
     let hits: String = text.split_once("hits\n").unwrap().1.replace("\n  ", "\n");
     expect![[r#"
-          object    t                             distance  point       normal
-          sphere 0  above 1.7976931348623157e308  4         (0, 0, -4)  (0, 0, 1)
-          sphere 0  above 1.7976931348623157e308  6         (0, 0, -6)  (0, 0, -1)
-          first: sphere 0 at t = above 1.7976931348623157e308, the smallest t above 0
+        object    t           distance  point       normal
+        sphere 0  beyond f64  4         (0, 0, -4)  (0, 0, 1)
+        sphere 0  beyond f64  6         (0, 0, -6)  (0, 0, -1)
+        first: sphere 0 at t = beyond f64, the smallest t above 0
     "#]]
     .assert_eq(hits.trim_start());
+    let far = [(-5.0, 1.0), (-5000.0, 1.0)];
+    let text = inspect_spheres(viewport, [1, 1], &far, "--pixel 0,0").done();
+    let why = "the smallest t above 0 (another is farther; t is beyond f64's range)";
+    assert!(text.contains(why), "{text}");
 }
 
 #[test]

@@ -111,7 +111,7 @@ impl Readout<'_> {
                 self.object_text(root.object),
                 told(root.t),
                 told(*distance),
-                triple(root.point),
+                format!("({})", root.point.to_array().map(told).join(", ")),
                 triple(root.normal),
             ]
         }));
@@ -138,11 +138,11 @@ impl Readout<'_> {
     }
 }
 
-/// Returns a number, or on which side of the range of `f64` it is.
+/// Returns a number; of one beyond the range of `f64`, in whose place the last one may stand, that it is.
 fn told(x: f64) -> String {
     match x {
-        f64::INFINITY => format!("above {}", shortest(f64::MAX)),
-        f64::NEG_INFINITY => format!("below {}", shortest(f64::MIN)),
+        f64::MAX.. => "beyond f64".to_owned(),
+        ..=f64::MIN => "-beyond f64".to_owned(),
         _ => shortest(x),
     }
 }

@@ -114,28 +114,8 @@ impl BigRay {
         Precise { value, scale }
     }
 
-    /// Rounds `t` of a root, which lies between these neighbours or a little beyond one of them: to the
-    /// even one from the middle between them.
-    pub(crate) fn rounded_t(&self, root: &BigRoot, [low, high]: [f64; 2]) -> f64 {
-        let spacing = |x: f64| Dyadic::from(x.abs().next_up() - x.abs());
-        let half = Dyadic::from(0.5);
-        // Beyond the largest number, the middle is where the next one would be.
-        let middle = if low.is_infinite() {
-            &Dyadic::from(high) - &(&spacing(high.next_up()) * &half)
-        } else if high.is_infinite() {
-            &Dyadic::from(low) + &(&spacing(low.next_down()) * &half)
-        } else {
-            &(&Dyadic::from(low) + &Dyadic::from(high)) * &half
-        };
-        match self.compare_t(root, &middle) {
-            Ordering::Less => low,
-            Ordering::Equal if low.to_bits().is_multiple_of(2) => low,
-            Ordering::Equal | Ordering::Greater => high,
-        }
-    }
-
     /// Compares `t` of a root with a number, exactly.
-    fn compare_t(&self, root: &BigRoot, t: &Dyadic) -> Ordering {
+    pub(crate) fn compare_t(&self, root: &BigRoot, t: &Dyadic) -> Ordering {
         // scale (x + sign sqrt radicand) - t y
         let radicands = &self.radicands;
         let y = root.y.as_ref().unwrap_or(&self.a);
@@ -143,6 +123,22 @@ impl BigRay {
         let radicand = root.radicand.times(&self.scale.square(radicands), radicands);
         let no_root = (Ordering::Equal, &Surd::zero());
         sign_with_roots(&x, (root.sign, &radicand), no_root, radicands)
+    }
+
+    /// Compares a root's distance from the origin, negative behind it, with a number, exactly.
+    pub(crate) fn compare_distance(&self, root: &BigRoot, distance: &Dyadic) -> Ordering {
+        let radicands = &self.radicands;
+        let under_root = |x: &Surd| self.a.times(&x.square(radicands), radicands);
+        let Some(y) = &root.y else {
+            // x + sign sqrt radicand - distance sqrt a
+            let other = under_root(&Surd::from(distance.clone()));
+            let (one, sign) = ((root.sign, &root.radicand), distance.sign().reverse());
+            return sign_with_roots(&root.x, one, (sign, &other), radicands);
+        };
+        // x sqrt a - distance y
+        let one = (root.x.sign(radicands), &under_root(&root.x));
+        let no_root = (Ordering::Equal, &Surd::zero());
+        sign_with_roots(&-&y.scaled(distance), one, no_root, radicands)
     }
 
     /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.

@@ -15,6 +15,25 @@ pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
 
+/// Rounds a number that lies between these neighbours or a little beyond one of them: to the even one
+/// from the middle between them, with which `compare` compares it.
+pub(crate) fn rounded([low, high]: [f64; 2], compare: impl FnOnce(&Dyadic) -> Ordering) -> f64 {
+    let half = |x: f64| &Dyadic::from(x) * &Dyadic::from(0.5);
+    // Beyond the largest number, the next one would be as far as the one before it.
+    let middle = if low.is_infinite() {
+        &Dyadic::from(high) + &half(high - high.next_up())
+    } else if high.is_infinite() {
+        &Dyadic::from(low) + &half(low - low.next_down())
+    } else {
+        &half(low) + &half(high)
+    };
+    match compare(&middle) {
+        Ordering::Less => low,
+        Ordering::Equal if low.to_bits().is_multiple_of(2) => low,
+        Ordering::Equal | Ordering::Greater => high,
+    }
+}
+
 /// `value * 2^scale`, with a relative error of at most [`T_DOUBT`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Precise {
@@ -47,9 +66,9 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// The least and the greatest `f64` that a number within [`T_DOUBT`] of this one rounds to.
-    pub(crate) fn nearest(self) -> [f64; 2] {
-        let off = DoubleDouble::from(1.01 * T_DOUBT * self.value.hi.abs());
+    /// The least and the greatest `f64` that a number within this share of this one rounds to.
+    pub(crate) fn nearest(self, doubt: f64) -> [f64; 2] {
+        let off = DoubleDouble::from(1.01 * doubt * self.value.hi.abs());
         [self.value - off, self.value + off].map(|value| Precise { value, ..self }.to_f64())
     }
 

@@ -10,7 +10,7 @@ use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::precise::{Precise, T_DOUBT, is_noise};
+use crate::exact::precise::{Precise, T_DOUBT, is_noise, rounded};
 use crate::exact::quadratic::LARGEST_SHARE;
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
@@ -108,13 +108,14 @@ impl ObjectFromOrigin {
             ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, T_DOUBT),
             ObjectFromOrigin::Plane(seen) => seen.t(ray, T_DOUBT),
         };
-        let [low, high] = t.nearest();
+        let [low, high] = t.nearest(T_DOUBT);
         if low == high {
             steps.count(step);
             return low;
         }
         steps.count(Step::Exact);
-        ray.big().rounded_t(&self.big_root(ray, root), [low, high])
+        let (big, root) = (ray.big(), self.big_root(ray, root));
+        rounded([low, high], |middle| big.compare_t(&root, middle))
     }
 
     /// `t` there, with a relative error of at most `doubt`.
@@ -167,13 +168,17 @@ impl ObjectFromOrigin {
     /// The root with its point and normal.
     ///
     /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
-    /// terms cancel but for the rounding of t, a coordinate is 0.
+    /// direction has no part of a coordinate, that is the origin's; where the terms cancel but for the
+    /// rounding of t, it is 0.
     pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
         let t = self.t(ray, root);
         let (point, normal) = match self {
             ObjectFromOrigin::Sphere(seen) => {
                 let (sphere, normal) = (seen.sphere(), seen.normal(ray, root));
                 let coordinate = |i: usize| {
+                    if ray.fine.d[i].hi == 0.0 {
+                        return ray.origin()[i];
+                    }
                     let step = DoubleDouble::product(sphere.radius, normal[i]);
                     let sum = (step + DoubleDouble::from(sphere.center[i])).hi;
                     if sum.is_finite() { sum } else { sphere.center[i] + sphere.radius * normal[i] }
@@ -267,7 +272,14 @@ impl Hit<'_> {
     pub(crate) fn distance(&self, ray: &ExactRay) -> f64 {
         let t = self.object.t(ray, self.root);
         let length = dot(ray.fine.d, ray.fine.d).square_root() / DoubleDouble::from(ray.stretch);
-        Precise::new(t.value * length, t.scale + ray.scale).to_f64()
+        let distance = Precise::new(t.value * length, t.scale + ray.scale);
+        // The length is off by some 2^-100 of itself.
+        let [low, high] = distance.nearest(1.1 * T_DOUBT);
+        if low == high {
+            return low;
+        }
+        let (big, root) = (ray.big(), self.object.big_root(ray, self.root));
+        rounded([low, high], |middle| big.compare_distance(&root, middle))
     }
 }
 

@@ -170,11 +170,19 @@ fn a_root_half_way_between_two_numbers_is_the_even_one() {
             center: s as f64 * half_ulp * 2.0 * direction,
             radius: 13.0 * q as f64 * half_ulp,
         };
-        // In half ulps: odd, so that the neighbours are one half ulp away.
-        let t = 2 * s - q;
-        let even = if (t + 1) % 4 == 0 { t + 1 } else { t - 1 };
         let ray = Ray { origin: DVec3::ZERO, direction };
-        let hit = Scene::new(vec![ball], vec![]).unwrap().first_hit(&ray).unwrap();
-        assert_eq!(hit.t, even as f64 * half_ulp, "{s} {q}");
+        let scene = Scene::new(vec![ball], vec![]).unwrap();
+        let near = scene.ranked_roots_of(&ExactRay::from_ray(&ray).unwrap())[0];
+        // In half ulps. Whole numbers are rounded to even, too.
+        let t = 2 * s - q;
+        let expected = [t, 13 * t].map(|whole| whole as f64 * half_ulp);
+        assert_eq!([near.root.t, near.distance], expected, "{s} {q}");
     }
+}
+
+#[test]
+fn a_point_has_the_eye_s_coordinate_where_the_ray_has_no_part_of_it() {
+    let ball = sphere([0.0, -3.0, -5.0], 5.0);
+    let ray = Ray { origin: DVec3::ZERO, direction: vec3(0.25, 0.0, -1.0) };
+    assert_eq!(Scene::new(vec![ball], vec![]).unwrap().first_hit(&ray).unwrap().point.y, 0.0);
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use pinhole_core::{CameraError, ImageSize};
+use pinhole_core::{CameraError, ImageSize, Pixel};
 
 /// Reason why answers cannot be graded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +21,9 @@ pub enum GradeError {
     },
     /// The tolerance is no number of at least 0.
     Tolerance(f64),
+    /// The true t of this pixel's hit is too large or too small for all digits of an `f64`, which answers
+    /// are graded in.
+    BeyondRange(Pixel),
 }
 
 impl fmt::Display for GradeError {
@@ -35,6 +38,11 @@ impl fmt::Display for GradeError {
             GradeError::Tolerance(tolerance) => {
                 write!(f, "the tolerance is {tolerance}: it must be a number of at least 0")
             }
+            GradeError::BeyondRange(Pixel { row, column }) => write!(
+                f,
+                "the true t of row {row}, column {column} (counted from 0) is beyond the range of f64, \
+                 in which answers are graded: scale width, height and distance of the viewport"
+            ),
         }
     }
 }

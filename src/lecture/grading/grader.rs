@@ -56,7 +56,15 @@ impl<'a> Grader<'a> {
         }
         let digits = Digits::for_tolerance(tolerance);
         let may_be_single = answers.may_be_single();
-        Ok(Grader { truth, answers, given, tolerance, digits, may_be_single })
+        let grader = Grader { truth, answers, given, tolerance, digits, may_be_single };
+        if let Answers::Hits(hits) = answers {
+            let first = grader.first_of(hits);
+            let is_beyond = |hit: &Option<Hit>| hit.is_some_and(|hit| !hit.t.is_normal());
+            if let Some(index) = first.iter().position(is_beyond) {
+                return Err(GradeError::BeyondRange(hits[index].pixel));
+            }
+        }
+        Ok(grader)
     }
 
     pub(super) fn grade(&self) -> Grade {

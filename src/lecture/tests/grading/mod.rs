@@ -366,6 +366,15 @@ fn what_cannot_be_graded_is_told() {
         let error = graded_by(&camera, &picture, None).unwrap_err();
         assert_eq!(error, GradeError::PictureSize { pixels, image: camera.image });
     }
+    // Rays so short that t is too large.
+    let viewport = Viewport { width: 1e-310, height: 1e-310, distance: 1e-310 };
+    let camera = Camera { viewport, image: ImageSize::new(1, 1).unwrap(), ..Camera::CANONICAL };
+    let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+    let scene = Scene::new(vec![ball], vec![]).unwrap();
+    let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };
+    let pixel = Pixel { row: 0, column: 0 };
+    let answers = Answers::Hits(vec![HitAnswer { pixel, hit: None }]);
+    assert_eq!(grade(&truth, &answers, None), Err(GradeError::BeyondRange(pixel)));
 }
 
 #[test]
