@@ -38,6 +38,19 @@ impl Random {
 
 type Family = (&'static str, usize, fn(usize) -> Vec<Sphere>);
 
+/// Families of planes: name, number of planes, and the planes.
+const PLANE_FAMILIES: [(&str, usize, fn(usize) -> Vec<Plane>); 2] = [
+    // The same plane, but for the rounding of normals.
+    ("planes alike", 11, |count| {
+        let normal = |k: usize| (k + 1) as f64 * DVec3::new(0.1, 0.2, 0.7);
+        (0..count).map(|k| Plane { point: AHEAD, normal: normal(k) }).collect()
+    }),
+    ("planes tilted", 20, |count| {
+        let normal = |k: usize| DVec3::new(1e-40 * k as f64, 0.2, 0.7);
+        (0..count).map(|k| Plane { point: AHEAD, normal: normal(k) }).collect()
+    }),
+];
+
 fn ball(center: impl Into<DVec3>, radius: f64) -> Sphere {
     Sphere { center: center.into(), radius }
 }
@@ -116,8 +129,10 @@ fn main() {
     println!(
         "family            spheres   f32 ms  ordinary  ratio   f64 ms  ns/(pixel sphere)  steps"
     );
+    let is_wanted =
+        |name: &str| only.is_empty() || only.iter().any(|only| name.contains(only.as_str()));
     for (name, count, spheres) in FAMILIES {
-        if !(only.is_empty() || only.iter().any(|only| name.contains(only.as_str()))) {
+        if !is_wanted(name) {
             continue;
         }
         let scene = |spheres| {
@@ -139,6 +154,20 @@ fn main() {
             steps.f64,
             steps.double_double,
             steps.exact,
+        );
+    }
+    for (name, count, planes) in PLANE_FAMILIES {
+        if !is_wanted(name) {
+            continue;
+        }
+        let scene = Scene::new(vec![], planes(count)).unwrap();
+        let ((single, steps), (double, _)) =
+            (time::<f32>(&scene, &camera), time::<f64>(&scene, &camera));
+        let [single, double] = [single, double].map(|seconds| 1e3 * seconds);
+        let Steps { f64, double_double, exact, .. } = steps;
+        println!(
+            "{name:16} {count:8} {single:8.1} {:25.1}         {f64} {double_double} {exact}",
+            double
         );
     }
     single_rays();

@@ -385,7 +385,7 @@ fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate,
         let question = Question::Ahead;
         Bounded { question, value: rate.value.near(), bound: rate.doubt, unit }
     }
-    let rough = bounded(plane, &plane.rough_rate(ray), &ray.rough);
+    let rough = bounded(plane, &plane.rough_rate(&ray.rough), &ray.rough);
     if let Some(found) = Certificate::decided(Step::F64, index, &rough) {
         return (found, Some(rough.value.total_cmp(&0.0)));
     }

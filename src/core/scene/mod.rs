@@ -10,6 +10,7 @@ pub(crate) mod object;
 pub(crate) mod object_from_origin;
 pub(crate) mod objects_from_origin;
 pub(crate) mod plane;
+pub(crate) mod plane_order;
 pub(crate) mod plane_predicates;
 pub(crate) mod point_power;
 pub(crate) mod roots;

@@ -130,7 +130,7 @@ impl ObjectFromOrigin {
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
             ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
-            ObjectFromOrigin::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
+            ObjectFromOrigin::Plane(seen) => (seen.rough_t(&ray.rough)?, seen.scale),
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
         (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))

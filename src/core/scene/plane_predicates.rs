@@ -21,6 +21,7 @@ use crate::scene::plane::{Plane, PlaneTerms};
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneFromOrigin {
     plane: Plane,
+    origin: DVec3,
     /// The normal in units of `2^normal_scale`, which loses nothing that counts.
     pub(crate) normal: Vector<f64>,
     pub(crate) normal_length: f64,
@@ -55,7 +56,7 @@ impl<T: Number> Rate<T> {
         Rate { value, doubt: factor * share * normal_length * direction.length + least }
     }
 
-    fn sign(&self) -> Option<Ordering> {
+    pub(crate) fn sign(&self) -> Option<Ordering> {
         let value = self.value.near();
         (value.abs() > self.doubt).then(|| value.total_cmp(&0.0))
     }
@@ -79,6 +80,7 @@ impl PlaneFromOrigin {
         let [rough, fine] = PlaneFromOrigin::SIDE_SHARES;
         let mut seen = PlaneFromOrigin {
             plane: *plane,
+            origin,
             normal,
             normal_length,
             normal_scale,
@@ -96,14 +98,14 @@ impl PlaneFromOrigin {
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
         if !is_sure {
-            seen.set_exact(origin);
+            seen.set_exact();
         }
         seen
     }
 
     /// The offset from the exact number, where double-double loses its digits.
-    fn set_exact(&mut self, origin: DVec3) {
-        let exact = big_offset(&self.plane, origin);
+    fn set_exact(&mut self) {
+        let exact = big_offset(&self.plane, self.origin);
         self.side = exact.sign();
         // The offset may need the exact number where its sign does not.
         if !(self.offset_doubt < 0.5 && self.offset.hi.abs() > 1e-200) {
@@ -118,7 +120,7 @@ impl PlaneFromOrigin {
 
     /// The exact sign of `normal . direction`.
     fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = self.rough_rate(ray);
+        let rough = self.rough_rate(&ray.rough);
         if let Some(sign) = rough.sign() {
             steps.count(Step::F64);
             return sign;
@@ -132,8 +134,8 @@ impl PlaneFromOrigin {
         ray.big().rate(&self.plane)
     }
 
-    pub(crate) fn rough_rate(&self, ray: &ExactRay) -> Rate<f64> {
-        Rate::new(&self.normal, self.normal_length, &ray.rough)
+    pub(crate) fn rough_rate(&self, direction: &DirectionTerms<f64>) -> Rate<f64> {
+        Rate::new(&self.normal, self.normal_length, direction)
     }
 
     pub(crate) fn fine_rate(&self, ray: &ExactRay) -> Rate<DoubleDouble> {
@@ -171,8 +173,8 @@ impl PlaneFromOrigin {
     }
 
     /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.
-    pub(crate) fn rough_t(&self, ray: &ExactRay) -> Option<(f64, f64)> {
-        let rate = self.rough_rate(ray);
+    pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
+        let rate = self.rough_rate(direction);
         rate.sign()?;
         let share = rate.doubt / rate.value.abs();
         (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
@@ -212,6 +214,11 @@ impl PlaneFromOrigin {
     /// The plane itself.
     pub(crate) fn plane(&self) -> &Plane {
         &self.plane
+    }
+
+    /// The origin that it is seen from.
+    pub(crate) fn origin(&self) -> DVec3 {
+        self.origin
     }
 }
 

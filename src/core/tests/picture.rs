@@ -149,6 +149,28 @@ proptest! {
     }
 }
 
+/// Planes through one point, the same but for the rounding of their normals, or tilted by less than a
+/// double-double holds.
+#[test]
+fn planes_that_nearly_coincide() {
+    let scaled = |k: usize| (k + 1) as f64 * vec3(0.1, 0.2, 0.7);
+    let tilted = |k: usize| vec3(1e-40 * k as f64, 0.2, 0.7);
+    let crossing = |k: usize| vec3(1e-16 * (k as f64 - 2.0), 0.2, 1e-17 * k as f64);
+    let normals: [&dyn Fn(usize) -> DVec3; 3] = [&scaled, &tilted, &crossing];
+    for (eye, up) in [(DVec3::ZERO, DVec3::Y), (vec3(0.3, 1.7, 2.9), vec3(0.2, 1.0, 0.1))] {
+        let camera = camera(eye, vec3(0.1, -0.3, -1.0), up, 41, 31).resolve().unwrap();
+        for normal in normals {
+            let at = |k: usize| Plane { point: vec3(0.5, -0.25, -5.0), normal: normal(k) };
+            let scene = Scene::new(vec![], (0..6).map(at).collect()).unwrap();
+            assert_full(&scene, &camera);
+            let frame =
+                trace_as::<f32>(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
+            let Steps { f64, double_double, exact, .. } = frame.steps;
+            assert!(20 * (double_double + exact) < f64, "{:?}", frame.steps);
+        }
+    }
+}
+
 #[test]
 fn planets_with_the_eye_just_above() {
     for radius in [5000.0, 1e6, 1e8] {

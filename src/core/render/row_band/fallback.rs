@@ -11,11 +11,14 @@ use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
 use crate::render::polynomial::blend::{T_SHARE, is_in_range, to_single};
+use crate::render::polynomial::object_kernel::factor;
 use crate::render::row_band::RowBand;
-use crate::render::row_band::rough_hits::{Rough, RoughHit, SeenObjects};
+use crate::render::row_band::known_objects::KnownObjects;
+use crate::render::row_band::rough_hits::{Rough, RoughHit};
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// Number of pixels in doubt from which it is worth while to keep what is known of each pixel, and to
@@ -27,7 +30,7 @@ const SHARES: usize = 4;
 
 /// What a pixel is asked about.
 #[derive(Clone, Copy)]
-pub(crate) struct Question<'a> {
+pub(crate) struct PixelQuery<'a> {
     pub(crate) index: u32,
     pub(crate) seen: &'a ObjectFromOrigin,
     /// The pixel's row and column in the raster.
@@ -45,7 +48,7 @@ pub(crate) struct PixelLadder<'a> {
     object: &'a mut [u32],
     /// What `f64` knows of the sphere that each pixel shows; empty where few are in doubt.
     hits: &'a mut [RoughHit],
-    seen: SeenObjects,
+    known_objects: KnownObjects,
     steps: Steps,
 }
 
@@ -60,9 +63,10 @@ impl RowBand<'_> {
         let RowBand { plan, rows, t, object, doubts, hits, steps, .. } = self;
         let (plan, width) = (*plan, plan.rays.n.len());
         if doubts.len() < MANY {
-            let seen = SeenObjects::default();
+            let known_objects = KnownObjects::default();
             let rows = rows.clone();
-            let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps: *steps };
+            let mut ladder =
+                PixelLadder { plan, rows, t, object, hits, known_objects, steps: *steps };
             ladder.resolve_all(doubts);
             *steps = ladder.steps;
         } else {
@@ -75,9 +79,9 @@ impl RowBand<'_> {
             let resolved = shares.map(|(share, ((t, object), hits))| {
                 let first = all_rows.start + share * count;
                 let rows = first..all_rows.end.min(first + count);
-                let seen = SeenObjects::default();
+                let known_objects = KnownObjects::default();
                 let steps = Steps::default();
-                let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps };
+                let mut ladder = PixelLadder { plan, rows, t, object, hits, known_objects, steps };
                 ladder.resolve_all(all_doubts);
                 ladder.steps
             });
@@ -89,14 +93,15 @@ impl RowBand<'_> {
     /// Decides one pixel by itself, up the ladder. It has been counted as decided in `f64`, and is counted
     /// at its own step instead.
     #[cold]
-    pub(crate) fn resolve_exactly(&mut self, question: &Question) {
-        let RowBand { plan, rows, t, object, hits, seen_objects, steps, .. } = self;
-        let seen = std::mem::take(seen_objects);
+    pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
+        let RowBand { plan, rows, t, object, hits, known_objects, steps, .. } = self;
+        let kept = std::mem::take(known_objects);
         let rows = rows.clone();
-        let mut ladder = PixelLadder { plan, rows, t, object, hits, seen, steps: *steps };
+        let mut ladder =
+            PixelLadder { plan, rows, t, object, hits, known_objects: kept, steps: *steps };
         ladder.steps.f64 -= 1;
-        ladder.resolve(question);
-        (*steps, *seen_objects) = (ladder.steps, ladder.seen);
+        ladder.resolve(query);
+        (*steps, *known_objects) = (ladder.steps, ladder.known_objects);
     }
 }
 
@@ -120,29 +125,29 @@ impl PixelLadder<'_> {
                 Some((known, seen)) if *known == index => seen,
                 _ => &last.insert((index, seen_sphere(self.plan, index))).1,
             };
-            self.resolve(&Question { index, seen, row, column, t });
+            self.resolve(&PixelQuery { index, seen, row, column, t });
         }
     }
 
-    fn resolve(&mut self, question: &Question) {
-        let is_decided = match question.seen {
-            ObjectFromOrigin::Sphere(sphere) => self.decide_roughly(question, sphere),
-            ObjectFromOrigin::Plane(_) => false,
+    fn resolve(&mut self, query: &PixelQuery) {
+        let is_decided = match query.seen {
+            ObjectFromOrigin::Sphere(sphere) => self.decide_roughly(query, sphere),
+            ObjectFromOrigin::Plane(plane) => self.decide_planes_roughly(query, plane),
         };
         if !is_decided {
-            self.decide_exactly(question);
+            self.decide_exactly(query);
         }
     }
 
     /// The pixel's position in the buffers.
-    fn offset(&self, question: &Question) -> usize {
-        (question.row - self.rows.start) * self.plan.rays.n.len() + question.column
+    fn offset(&self, query: &PixelQuery) -> usize {
+        (query.row - self.rows.start) * self.plan.rays.n.len() + query.column
     }
 
     /// Decides a pixel in `f64`, if that is sure; returns whether it is.
-    fn decide_roughly(&mut self, question: &Question, seen: &SphereFromOrigin) -> bool {
-        let Question { index, row, column, t, .. } = *question;
-        let (plan, offset) = (self.plan, self.offset(question));
+    fn decide_roughly(&mut self, query: &PixelQuery, seen: &SphereFromOrigin) -> bool {
+        let PixelQuery { index, row, column, t, .. } = *query;
+        let (plan, offset) = (self.plan, self.offset(query));
         if !plan.rays.is_plain() {
             return false;
         }
@@ -198,6 +203,31 @@ impl PixelLadder<'_> {
         true
     }
 
+    /// Decides in `f64` which of two planes a pixel shows, if that is sure; returns whether it is.
+    fn decide_planes_roughly(&mut self, query: &PixelQuery, plane: &PlaneFromOrigin) -> bool {
+        let PixelQuery { index, row, column, .. } = *query;
+        let (plan, offset) = (self.plan, self.offset(query));
+        let known = self.object[offset];
+        let first = plan.scene.spheres().len() as u32;
+        let known_plane = known.checked_sub(first).and_then(|k| plan.planes.get(k as usize));
+        let Some(Some(ObjectFromOrigin::Plane(known_plane))) = known_plane else { return false };
+        let Some(factor) = factor(&plan.rays, plane.scale) else { return false };
+        let direction = plan.rays.rough_direction(row, column);
+        let Some((t, share)) = plane.rough_t(&direction) else { return false };
+        if t > 0.0 {
+            let order = self.known_objects.plane_order([index, known], [plane, known_plane]);
+            match order.compare(&direction) {
+                Some(Ordering::Greater) => {}
+                Some(Ordering::Less) if share <= T_SHARE && is_in_range(t * factor) => {
+                    (self.object[offset], self.t[offset]) = (index, to_single(t * factor));
+                }
+                _ => return false,
+            }
+        }
+        self.steps.f64 += 1;
+        true
+    }
+
     /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is sure of it.
     fn known_hit(
         &mut self,
@@ -211,7 +241,7 @@ impl PixelLadder<'_> {
         if object as usize >= self.plan.scene.spheres().len() {
             return None;
         }
-        let seen = self.seen.get(object, || seen_sphere(self.plan, object));
+        let seen = self.known_objects.get(object, || seen_sphere(self.plan, object));
         let ObjectFromOrigin::Sphere(seen) = seen else { return None };
         let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
         self.keep(offset, hit);
@@ -232,9 +262,9 @@ impl PixelLadder<'_> {
     }
 
     /// Decides a pixel by all steps of the ladder.
-    fn decide_exactly(&mut self, question: &Question) {
-        let Question { index, seen, row, column, t } = *question;
-        let (camera, offset) = (self.plan.rays.camera(), self.offset(question));
+    fn decide_exactly(&mut self, query: &PixelQuery) {
+        let PixelQuery { index, seen, row, column, t } = *query;
+        let (camera, offset) = (self.plan.rays.camera(), self.offset(query));
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
         let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
         let hit = Hit { index, object: Cow::Borrowed(seen), root };
@@ -243,7 +273,7 @@ impl PixelLadder<'_> {
             && let Some(object) = self.plan.scene.object(known)
         {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
-            let known_seen = self.seen.get(known, make);
+            let known_seen = self.known_objects.get(known, make);
             // What a pixel shows is hit.
             let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
             let known_hit = Hit { index: known, object, root };

@@ -2,6 +2,7 @@
 
 pub(crate) mod exact_values;
 pub(crate) mod fallback;
+pub(crate) mod known_objects;
 pub(crate) mod rough_hits;
 
 use std::cmp::Ordering;
@@ -23,8 +24,9 @@ use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::per_pixel::pixel_hit;
-use crate::render::row_band::fallback::Question;
-use crate::render::row_band::rough_hits::{RoughHit, SeenObjects};
+use crate::render::row_band::fallback::PixelQuery;
+use crate::render::row_band::known_objects::KnownObjects;
+use crate::render::row_band::rough_hits::RoughHit;
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
@@ -46,7 +48,7 @@ pub(crate) struct RowBand<'a> {
     doubts: Vec<Doubt>,
     /// What `f64` knows of pixels that were in doubt.
     hits: Vec<RoughHit>,
-    seen_objects: SeenObjects,
+    known_objects: KnownObjects,
     drawn: DrawnSpheres,
     /// True, by row, if an object's outline reaches it.
     is_reached: Vec<bool>,
@@ -84,7 +86,7 @@ impl<'a> RowBand<'a> {
             next: Some((0, 0)),
             doubts: Vec::new(),
             hits: Vec::new(),
-            seen_objects: SeenObjects::default(),
+            known_objects: KnownObjects::default(),
             drawn: DrawnSpheres::default(),
             m: Vec::new(),
             found: Vec::new(),
@@ -242,7 +244,7 @@ impl<'a> RowBand<'a> {
                 let found = pixel_hit(&quadratic, parts, factor, self.t[offset]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
-                    self.resolve_exactly(&Question { index, seen, row, column, t: None });
+                    self.resolve_exactly(&PixelQuery { index, seen, row, column, t: None });
                 } else if found < f64::INFINITY {
                     (self.t[offset], self.object[offset]) = (to_single(found), index);
                 }
@@ -318,7 +320,7 @@ impl<'a> RowBand<'a> {
                     if is_in_doubt(*found, self.t[offset], self.object[offset], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
-                        self.resolve_exactly(&Question { index, seen, row, column, t: None });
+                        self.resolve_exactly(&PixelQuery { index, seen, row, column, t: None });
                     }
                 }
             }

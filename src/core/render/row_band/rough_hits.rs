@@ -7,7 +7,6 @@ use crate::exact::bounded::{UNIT, Vector, dot};
 use crate::exact::quadratic::{DirectionTerms, LARGEST_SHARE, Quadratic};
 use crate::exact::scale::ldexp;
 use crate::render::frame::NO_OBJECT;
-use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
@@ -154,28 +153,5 @@ impl RoughHit {
             Ordering::Less => Some(Ordering::Greater),
             Ordering::Equal => None,
         }
-    }
-}
-
-/// Objects as the eye sees them, by the last digits of their index.
-#[derive(Debug, Default)]
-pub(crate) struct SeenObjects(Vec<Option<(u32, ObjectFromOrigin)>>);
-
-impl SeenObjects {
-    /// Number of objects that are kept; a power of two.
-    const COUNT: usize = 64;
-
-    /// Returns an object as the eye sees it, which is made if it is not at hand.
-    pub(crate) fn get(
-        &mut self,
-        index: u32,
-        make: impl FnOnce() -> ObjectFromOrigin,
-    ) -> &ObjectFromOrigin {
-        self.0.resize(SeenObjects::COUNT, None);
-        let slot = &mut self.0[index as usize % SeenObjects::COUNT];
-        if slot.as_ref().is_none_or(|(known, _)| *known != index) {
-            *slot = None;
-        }
-        &slot.get_or_insert_with(|| (index, make())).1
     }
 }
