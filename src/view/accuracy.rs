@@ -120,14 +120,13 @@ pub(crate) fn mark_wrong(
     dots: &mut [Color32],
 ) {
     let wrong = comparison.errors.iter().enumerate().filter(|(_, e)| **e == PixelError::Wrong);
-    let wrong: Vec<usize> = wrong.map(|(index, _)| index).collect();
-    mark(&wrong, WRONG, raster, (width, scale), dots);
+    let wrong: Vec<(usize, Color32)> = wrong.map(|(index, _)| (index, WRONG)).collect();
+    mark(&wrong, raster, (width, scale), dots);
 }
 
-/// Marks these pixels of the raster in a colour, as [`mark_wrong`] says.
+/// Marks these pixels of the raster, each in its colour, as [`mark_wrong`] says.
 pub(crate) fn mark(
-    pixels: &[usize],
-    color: Color32,
+    pixels: &[(usize, Color32)],
     raster: &Raster,
     (width, scale): (usize, f32),
     dots: &mut [Color32],
@@ -145,18 +144,18 @@ pub(crate) fn mark(
     };
     let marks: Vec<_> = pixels
         .iter()
-        .map(|&index| {
+        .map(|&(index, color)| {
             let rows = across(index / columns, raster.rows().len(), height);
-            (rows, across(index % columns, columns, width))
+            (rows, across(index % columns, columns, width), color)
         })
         .collect();
     // All edges are painted first: where many pixels are marked, the marks merge into one area with
     // one edge.
-    for (grow, color) in [(edge, Color32::WHITE), (0, color)] {
-        for ((top, bottom), (left, right)) in &marks {
+    for (grow, same) in [(edge, Some(Color32::WHITE)), (0, None)] {
+        for ((top, bottom), (left, right), own) in &marks {
             let columns = left.saturating_sub(grow)..(right + grow).min(width);
             for row in top.saturating_sub(grow)..(bottom + grow).min(height) {
-                dots[row * width..][columns.clone()].fill(color);
+                dots[row * width..][columns.clone()].fill(same.unwrap_or(*own));
             }
         }
     }

@@ -67,11 +67,13 @@ pub(crate) fn mark_hard(
     scale: f32,
     dots: &mut [Color32],
 ) {
-    for (step, _, color) in &STEPS[1..] {
+    // The exact ones last, over the others.
+    for step in [Step::DoubleDouble, Step::Exact] {
         let pixels = certainty.certificates.iter().enumerate();
-        let of_step: Vec<usize> =
-            pixels.filter(|(_, pixel)| pixel.step == *step).map(|(index, _)| index).collect();
-        mark(&of_step, *color, raster, (width, scale), dots);
+        let of_step = pixels.filter(|(_, pixel)| pixel.step == step);
+        let of_step: Vec<(usize, Color32)> =
+            of_step.map(|(index, pixel)| (index, color(step, pixel.margin))).collect();
+        mark(&of_step, raster, (width, scale), dots);
     }
 }
 

@@ -39,8 +39,11 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// ```
 ///
 /// in bits: how many bits more the error could have had, and the decision would still stand. It is
-/// never below 0. Integers have no error; what they have to decide,
-/// because double-double could not, has nothing to spare: its margin is 0.
+/// never below 0. What integers have to decide, because double-double cannot, has nothing to spare: its
+/// margin is 0.
+///
+/// It tells what a ray by itself needs. A frame may get on with less: it tells nearly equal spheres apart
+/// in `f64`, for example, by the difference of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {

@@ -172,7 +172,7 @@ impl SphereFromOrigin {
         if self.side == Ordering::Greater { RootSide::Near } else { RootSide::Far }
     }
 
-    /// `t` at an root of a chord that is there, with a relative error of at most `doubt`, and the
+    /// `t` at a root of a chord that is there, with a relative error of at most `doubt`, and the
     /// step that it took.
     pub(crate) fn t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> (Precise, Step) {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {

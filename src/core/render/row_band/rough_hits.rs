@@ -111,19 +111,21 @@ impl RoughHit {
     }
 
     /// Compares `t` with that of another sphere which the ray surely hits, by the power of this hit with
-    /// respect to it; `None` in doubt. On this sphere's surface, at `o` from its centre, the quadratic terms cancel; with
-    /// `e` from this centre to the other one,
+    /// respect to it; `None` in doubt. On this sphere's surface, at `o` from its centre, the quadratic
+    /// terms cancel; with `e` from this centre to the other one,
     ///
     /// ```text
     /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)
     /// ```
     ///
-    /// is linear in o, and every term as small as the spheres differ: nearly equal spheres, and nested
-    /// ones, are told apart by `f64`. Where it is negative, the hit lies inside the other sphere, which
-    /// the ray has entered before, and leaves later. Where it is positive, the hit lies before or after
-    /// the other's chord: before, if `|e|` is less than half the chord, as the chords' middles are no
-    /// farther apart than the centres; after, if the chord begins behind the eye, which lies in both
-    /// spheres.
+    /// is linear in o, and every term is as small as the spheres differ: `f64` tells nearly equal
+    /// spheres apart, and nested ones.
+    ///
+    /// - Where the power is negative, the hit lies in the other sphere. From outside, the ray has
+    ///   entered that before: the other is first. From inside, the ray leaves it later: this one is.
+    /// - Where it is positive, the hit lies before or after the other's chord. From outside it is before,
+    ///   if `|e|` is less than half of this chord, as the chords' middles are no farther apart than the
+    ///   centres. From inside it is after, as the other's chord begins behind the eye.
     #[inline]
     pub(crate) fn compare_by_power(
         &self,

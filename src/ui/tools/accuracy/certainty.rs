@@ -1,9 +1,9 @@
 //! The legend of the map of certainty.
 
 use egui::{Rect, Ui, UiBuilder, pos2, vec2};
-use pinhole_core::{Certificate, Step};
+use pinhole_core::Certificate;
 
-use super::LEGEND;
+use super::{LEGEND, color_bar};
 use crate::view::certainty::{Certainty, STEPS, color};
 use crate::view::typesetting::theme;
 
@@ -27,15 +27,9 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, certainty: &Certainty) {
         ui.horizontal(|ui| {
             ui.label("0 bits to spare");
             let width = (ui.available_width() - 70.0).clamp(40.0, 200.0);
-            let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
-            let slices = width as usize;
-            for slice in 0..slices {
-                let margin = Certificate::MOST * (slice as f64 + 0.5) / slices as f64;
-                let left = bar.left() + slice as f32;
-                let area =
-                    Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
-                ui.painter().rect_filled(area, 0.0, theme::finished(ui, color(Step::F64, margin)));
-            }
+            color_bar(ui, width, &STEPS.map(|(step, ..)| step), |step, share| {
+                color(*step, Certificate::MOST * share)
+            });
             ui.label(format!("{} or more", Certificate::MOST));
         });
     });

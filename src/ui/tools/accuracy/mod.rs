@@ -84,19 +84,28 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
         ui.horizontal(|ui| {
             ui.label("t off by 1 ulp of f64");
             let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
-            let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
-            let steps = width as usize;
-            for step in 0..steps {
-                let decades = accuracy::DECADES * (step as f64 + 0.5) / steps as f64;
-                let left = bar.left() + step as f32;
-                let slice =
-                    Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
-                let color = theme::finished(ui, accuracy::color_of_ulps(10f64.powf(decades)));
-                ui.painter().rect_filled(slice, 0.0, color);
-            }
+            color_bar(ui, width, &[()], |(), share| {
+                accuracy::color_of_ulps(10_f64.powf(accuracy::DECADES * share))
+            });
             ui.label("10¹⁶");
         });
     });
+}
+
+/// Shows the colours of a scale from 0 to 1, a strip for each of some kinds.
+fn color_bar<K>(ui: &mut Ui, width: f32, kinds: &[K], color: impl Fn(&K, f64) -> Color32) {
+    const HEIGHT: f32 = 12.0;
+    let (bar, _) = ui.allocate_exact_size(vec2(width, HEIGHT), egui::Sense::hover());
+    let (slices, height) = (width as usize, HEIGHT / kinds.len() as f32);
+    for (strip, kind) in kinds.iter().enumerate() {
+        let top = bar.top() + height * strip as f32;
+        for slice in 0..slices {
+            let left = bar.left() + slice as f32;
+            let area = Rect::from_min_max(pos2(left, top), pos2(left + 1.5, top + height));
+            let color = color(kind, (slice as f64 + 0.5) / slices as f64);
+            ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
+        }
+    }
 }
 
 /// Returns `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
