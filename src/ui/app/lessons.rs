@@ -98,11 +98,12 @@ impl OpenScene {
         self.open_lesson(id, None).unwrap_or_default()
     }
 
-    /// Shows what the step keeps back: the answer to its question, or, before an audience, the
-    /// derivation's next line, up to those that it is about. Returns false if all is shown.
+    /// Shows what the step keeps back: the answer to its question, which its derivation belongs to, or,
+    /// before an audience, the derivation's next line, up to those that it is about. Returns false if
+    /// all is shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
         if self.session.is_asking {
-            self.answer();
+            self.show_all();
             return true;
         }
         let session = &mut self.session;
