@@ -138,6 +138,22 @@ fn a_method_that_is_lost_at_one_setting_is_drawn_there() {
     assert_eq!(count(&svg, RING), 2);
 }
 
+/// Numbers that do not follow from each other are all there.
+#[test]
+fn settings_side_by_side_are_all_named_and_said_to_be_so() {
+    let mut report = sample::report();
+    report.cases.remove(0);
+    let knobs = [-320.0, -300.0, -150.0, 0.0201, 300.0, 307.0];
+    for (case, knob) in report.cases.iter_mut().zip(knobs) {
+        case.knob = Some(knob);
+    }
+    let svg = svg_of(&report);
+    for knob in knobs {
+        assert_eq!(count(&svg, &format!(">{knob}</tspan></text>")), 1, "{knob}");
+    }
+    assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
+}
+
 #[test]
 fn a_setting_with_nothing_to_hit_says_so() {
     let mut report = sample::report();
@@ -193,7 +209,7 @@ fn a_scene_is_a_page_and_its_parts_are_on_none() {
     report.cases.push(sample::report().cases.remove(0));
     report.cases[2].name = "look-at".to_owned();
     assert_eq!(plot::pages(&report, 1.0).len(), 3);
-    assert_eq!(count(&svg_of(&report), ">mean of 2 scenes</tspan></text>"), 1);
+    assert_eq!(count(&svg_of(&report), ">mean share, 2 scenes</tspan></text>"), 1);
 }
 
 /// With planes alone there is no half-b to join.

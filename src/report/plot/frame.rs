@@ -29,7 +29,7 @@ pub(crate) struct Frame {
 /// Draws the vertical lines with their numbers, of this size, below, and the name of the scale.
 pub(crate) fn across(chart: &mut Chart, frame: Frame, ticks: Vec<Tick>, size: f64, name: &str) {
     // A number that would touch the one before, or the next panel's, is left out.
-    let gap = 0.25 * size;
+    let gap = size - 8.0;
     let mut free = frame.left - gap;
     for Tick { at, text } in ticks {
         chart.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);

@@ -30,7 +30,13 @@ pub(crate) fn draw(chart: &mut Chart, top: f64, all: &Overall) -> f64 {
         chart.text([x, top + 20.0], align, plain(14.0), WEAK, about);
     };
     head(chart, MARGIN, Align::LEFT, "method", String::new());
-    head(chart, WRONG_AT, Align::RIGHT, "wrong decisions", format!("mean of {in_share} {noun}"));
+    head(
+        chart,
+        WRONG_AT,
+        Align::RIGHT,
+        "wrong decisions",
+        format!("mean share, {in_share} {noun}"),
+    );
     let spread = format!("least to most of {in_errors} {noun} that all have");
     head(chart, ERROR[0], Align::LEFT, "largest error in t, ulps of f64", spread);
     head(

@@ -164,8 +164,10 @@ fn draw_front(chart: &mut Chart, front: &[Point]) {
 /// Error against the family's knob: a line a method, at its largest error.
 pub(crate) fn knob(chart: &mut Chart, frame: Frame, errors: &Errors, summary: &Summary) {
     let knobs: Vec<f64> = summary.cases.iter().filter_map(|case| case.knob).collect();
-    let inside = [frame.left + EDGE, frame.right - EDGE];
-    let scale = Knobs::over(&knobs, inside);
+    let scale_within = |edge| Knobs::over(&knobs, [frame.left + edge, frame.right - edge]);
+    // Side by side, the outermost settings keep half a step from the ends anyway.
+    let scale = Some(scale_within(EDGE)).filter(Knobs::is_to_scale);
+    let scale = scale.unwrap_or_else(|| scale_within(0.25 * EDGE));
     let name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
     let name = if name.is_empty() { "knob" } else { name };
     if scale.is_to_scale() {
