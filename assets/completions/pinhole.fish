@@ -72,7 +72,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l csv -d 'Write a row a case and method' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time; the ending chooses the format. Several scenes, or the families, are several pages: a summary in OUT.svg, then OUT-2.svg, OUT-3.svg and so on' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Which random rays the stress families hold' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''

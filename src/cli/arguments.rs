@@ -307,8 +307,8 @@ pub struct ReportArguments {
     /// Write a row a case and method
     #[arg(long, value_name = "OUT.csv")]
     pub csv: Option<PathBuf>,
-    /// Draw error against run time; the ending chooses the format. Several scenes, or the families, are
-    /// several pages: a summary in OUT.svg, then OUT-2.svg, OUT-3.svg and so on
+    /// Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and
+    /// of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on
     #[arg(long, value_name = "OUT.svg|OUT.png")]
     pub plot: Option<PathBuf>,
     /// Which random rays the stress families hold

@@ -18,9 +18,10 @@ pub fn to_csv(report: &Report) -> csv::Result<Vec<u8>> {
 }
 
 /// Returns the columns' names and the cells of a row.
-fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 25] {
+fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 32] {
     let number = |x: Option<f64>| x.map(|x| format!("{x:?}")).unwrap_or_default();
     let count = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_default();
+    let [condition, condition_f32] = [case.condition, case.condition_f32];
     [
         ("case", case.name.clone()),
         ("knob_name", case.knob_name.clone()),
@@ -43,9 +44,16 @@ fn cells(case: &Case, row: &MethodRow) -> [(&'static str, String); 25] {
         ("ulp_f64_max", number(row.ulp_f64.max)),
         ("wrong_share", number(row.wrong_share)),
         ("backward_error_max", number(row.backward_error_max)),
-        ("condition_median", number(case.condition.map(|condition| condition.median))),
-        ("condition_max", number(case.condition.map(|condition| condition.max))),
+        ("condition_median", number(condition.map(|condition| condition.median))),
+        ("condition_max", number(condition.map(|condition| condition.max))),
         ("steps_of_t_double_double", count(row.steps_of_t.map(|steps| steps.double_double))),
         ("steps_of_t_exact", count(row.steps_of_t.map(|steps| steps.exact))),
+        ("condition_f32_median", number(condition_f32.map(|condition| condition.median))),
+        ("condition_f32_max", number(condition_f32.map(|condition| condition.max))),
+        ("ns_per_pixel_lower_quartile", number(row.ns_per_pixel.lower_quartile)),
+        ("ns_per_pixel_upper_quartile", number(row.ns_per_pixel.upper_quartile)),
+        ("t_out_of_range", row.t_out_of_range.to_string()),
+        ("pixels_timed", row.pixels_timed.to_string()),
+        ("part_of", case.part_of.clone().unwrap_or_default()),
     ]
 }

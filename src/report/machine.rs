@@ -5,7 +5,7 @@ use std::fs;
 use pinhole_core::Level;
 
 /// The processor's name, where it can be had, its vector instructions that programs choose by, and
-/// those that `what` ran with.
+/// those that `what` was compiled for.
 pub(crate) fn describe(what: &str) -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
     let features = features();
@@ -14,7 +14,7 @@ pub(crate) fn describe(what: &str) -> String {
     } else {
         features.join(", ")
     };
-    format!("{name} ({}; {features}; {what} ran with {})", std::env::consts::ARCH, level())
+    format!("{name} ({}; {features}; {what} compiled for {})", std::env::consts::ARCH, level())
 }
 
 /// The instructions that core chose.

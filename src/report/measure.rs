@@ -48,6 +48,8 @@ pub struct Run {
     /// The case at work; those before it are done.
     current: usize,
     left_out: Vec<String>,
+    notes: &'static str,
+    seed: Option<u64>,
     timed_what: &'static str,
     /// Holds the ladder's parallel tracer to one thread while it is timed.
     one_thread: Option<ThreadPool>,
@@ -60,20 +62,18 @@ impl Run {
     /// Returns an error if a camera sees nothing.
     pub fn of_scene(name: &str, scene: &Scene, camera: &Camera) -> Result<Run, CameraError> {
         let (cases, left_out) = scenes::cases(name, scene, camera)?;
-        Ok(Run::new(cases, left_out, "a frame of the scene"))
+        let timed_what = "a frame of the scene";
+        let (notes, seed) = (scenes::NOTE, None);
+        Ok(Run { cases, current: 0, left_out, notes, seed, timed_what, one_thread: one_thread() })
     }
 
     /// Will measure all stress families, in about two minutes on two cores. The same seed gives the
     /// same cases, and all of them are compared with the truth on every machine.
     pub fn of_families(seed: u64) -> Run {
         let (cases, left_out) = families::cases(seed);
-        Run::new(cases, left_out, "the family's rays one by one, or its frames at some 8000 pixels")
-    }
-
-    fn new(cases: Vec<CaseRun>, left_out: Vec<String>, timed_what: &'static str) -> Run {
-        // Without a thread of its own, the ladder is timed on all threads of the default pool.
-        let one_thread = ThreadPoolBuilder::new().num_threads(1).build().ok();
-        Run { cases, current: 0, left_out, timed_what, one_thread }
+        let timed_what = "the family's rays one by one, or its frames at some 8000 pixels";
+        let (notes, seed) = (families::NOTE, Some(seed));
+        Run { cases, current: 0, left_out, notes, seed, timed_what, one_thread: one_thread() }
     }
 
     /// Amount of work, in pieces of work of roughly equal length.
@@ -123,6 +123,13 @@ impl Run {
             ),
             cases: begun.map(CaseRun::report).collect(),
             left_out,
+            notes: vec![self.notes.to_owned()],
+            seed: self.seed,
         }
     }
+}
+
+/// A thread of its own for the ladder; without one it is timed on all threads of the default pool.
+fn one_thread() -> Option<ThreadPool> {
+    ThreadPoolBuilder::new().num_threads(1).build().ok()
 }

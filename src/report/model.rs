@@ -19,6 +19,12 @@ pub struct Report {
     pub left_out: Vec<String>,
     /// The method and the loop that times are to be compared with.
     pub baseline: String,
+    /// Sentences that a reader of the numbers needs.
+    #[serde(default)]
+    pub notes: Vec<String>,
+    /// The seed of the families' random numbers.
+    #[serde(default)]
+    pub seed: Option<u64>,
 }
 
 /// One scene, or a stress family at one setting of its knob.
@@ -38,6 +44,15 @@ pub struct Case {
     /// How much t depends on what is given, over the rays that hit.
     #[serde(default)]
     pub condition: Option<Condition>,
+    /// The same of the cases that the `f32` methods get, where those are others.
+    #[serde(default)]
+    pub condition_f32: Option<Condition>,
+    /// A sentence about the family; empty for a scene.
+    #[serde(default)]
+    pub about: String,
+    /// The scene that this is a part of, looked at alone: its pixels are among the scene's too.
+    #[serde(default)]
+    pub part_of: Option<String>,
 }
 
 /// Spread of the condition number of t: the share of itself that t moves by, where centre, radius, origin
@@ -56,7 +71,9 @@ pub struct Condition {
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
-    /// Decisions (hit or miss, which object is first) that are not what exact arithmetic gives.
+    /// Decisions that are not what exact arithmetic gives: hit or miss, which object is first, and which
+    /// of a sphere's two roots (another one is taken where t is less than half as far from it as from the
+    /// true one; roots that its precision hardly tells apart are one).
     pub wrong: u64,
     /// All decisions.
     pub decisions: u64,
@@ -86,7 +103,17 @@ pub struct MethodRow {
     /// the error in ulps of `f64`, to first order.
     #[serde(default)]
     pub backward_error_max: Option<f64>,
+    /// Rays decided right whose true t is out of the range of the method's precision: they are in no error.
+    #[serde(default)]
+    pub t_out_of_range: u64,
+    /// Pixels (or rays) that each round traced, and whose decisions [`MethodRow::steps`] counts.
+    #[serde(default)]
+    pub pixels_timed: u64,
 }
+
+/// An error from here on, in ulps of `f64`, leaves no digit of t right in `f32` or `f64`: it is larger
+/// than t.
+pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 
 /// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), wherever both are normal numbers.
 pub const SINGLE: f64 = (1u64 << 29) as f64;
@@ -115,7 +142,7 @@ impl Ulps {
 pub struct Times {
     /// The middle one.
     pub median: Option<f64>,
-    /// The shortest one.
+    /// The shortest one: what methods are compared by, as all that disturbs a round makes it longer.
     pub min: Option<f64>,
     /// A quarter of them are at most this.
     #[serde(default)]
@@ -153,12 +180,14 @@ const DOUBLE_DOUBLE: &str = "double-double";
 impl Report {
     /// Takes in what another run measured on the same machine.
     pub fn append(&mut self, other: Report) {
-        let Report { reference, cpu, cases, left_out, baseline } = other;
-        (self.reference, self.cpu, self.baseline) = (reference, cpu, baseline);
+        let Report { reference, cpu, cases, left_out, baseline, notes, seed } = other;
+        (self.reference, self.cpu, self.baseline, self.seed) = (reference, cpu, baseline, seed);
         self.cases.extend(cases);
-        for line in left_out {
-            if !self.left_out.contains(&line) {
-                self.left_out.push(line);
+        for (own, lines) in [(&mut self.left_out, left_out), (&mut self.notes, notes)] {
+            for line in lines {
+                if !own.contains(&line) {
+                    own.push(line);
+                }
             }
         }
     }
@@ -194,8 +223,8 @@ impl MethodRow {
             of_t => format!("; t: {} in double-double, {} exactly", of_t.double_double, of_t.exact),
         };
         Some(format!(
-            "{} decided {} in f32 or f64, {} in double-double, {} exactly{of_t}; in all that was timed",
-            self.name, steps.f64, steps.double_double, steps.exact
+            "{} decided {} in f32 or f64, {} in double-double, {} exactly{of_t}; in the {} pixels timed",
+            self.name, steps.f64, steps.double_double, steps.exact, self.pixels_timed
         ))
     }
 

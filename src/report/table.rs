@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::model::{Case, Condition, MethodRow, Report};
+use super::summary::{MethodOverall, Overall, least_middle_most, overall, summaries};
 use crate::model::number::short_plain as short;
 use crate::report::columns::{aligned, widths, wrapped};
 
@@ -11,35 +12,66 @@ const WIDTH: usize = 118;
 
 /// The names of the columns.
 const COLUMNS: [&str; 12] = [
-    "method", "wrong", "share", "median", "p99", "max", "max", "max", "normal", "median", "min",
+    "method",
+    "wrong",
+    "share",
+    "median",
+    "p99",
+    "max",
+    "max",
+    "max",
+    "normal",
+    "min",
+    "quartiles",
     "× base",
 ];
 
-/// What the columns of errors are.
-const READING: &str = "errors in t in ulps of f64, of which an ulp of f32 is 2^29, and the largest one in \
-    ulps of the method's own precision; backward: the share of their sizes, in units of 2^-53, by which \
-    centre, radius, origin and direction move to make that t exact; an error in ulps of f64 is, to first order, at most \
-    the problem's condition times it";
+/// What the columns are.
+const READING: &str = "wrong: hit or miss, which object is first, or another root of it (t less than half \
+    as far from that as from the true one); errors are of all other rays, in t in ulps of f64, the spacing \
+    of f64 numbers there, of which an ulp of f32 is 2^29, and the largest one in ulps of the method's own \
+    precision: from 2^53 ulps of f64 on no digit of t is right; backward: the share of their sizes, in \
+    units of 2^-53, by which centre, radius, origin and direction move to make that t exact; an error in \
+    ulps of f64 is, to first order, at most the problem's condition times it; × base: the shortest rounds \
+    compared";
+
+/// The names of the summary's columns.
+const SUMMARY: [&str; 10] =
+    ["method", "wrong", "of", "share", "least", "middle", "most", "least", "middle", "most"];
 
 /// The whole report.
 pub fn to_table(report: &Report) -> String {
     let mut out = String::new();
-    for (name, text) in
-        [("reference", &report.reference), ("cpu", &report.cpu), ("baseline", &report.baseline)]
-    {
+    let seed = report.seed.map(|seed| seed.to_string()).unwrap_or_default();
+    for (name, text) in [
+        ("reference", &report.reference),
+        ("cpu", &report.cpu),
+        ("baseline", &report.baseline),
+        ("seed", &seed),
+    ] {
         if !text.is_empty() {
             wrapped(&mut out, WIDTH, &format!("{name:<10} "), text);
         }
     }
+    for note in &report.notes {
+        wrapped(&mut out, WIDTH, "note       ", note);
+    }
     if !report.cases.is_empty() {
         wrapped(&mut out, WIDTH, "reading    ", READING);
     }
+    let summaries = summaries(report);
+    if summaries.len() > 1 {
+        out.push('\n');
+        summary(&mut out, &overall(&summaries));
+    }
+    let mut family = "";
     for case in &report.cases {
         out.push('\n');
+        if case.name != family && !case.about.is_empty() {
+            wrapped(&mut out, WIDTH, "", &format!("{}: {}", case.name, case.about));
+        }
+        family = &case.name;
         block(&mut out, case, baseline_of(report, case));
-    }
-    if report.cases.len() > 1 {
-        totals(&mut out, report);
     }
     if !report.left_out.is_empty() {
         out.push_str("\nleft out:\n");
@@ -50,53 +82,48 @@ pub fn to_table(report: &Report) -> String {
     out
 }
 
-/// Each method's wrong decisions in all cases together: what is left when the cases have scrolled by.
-fn totals(out: &mut String, report: &Report) {
-    let mut totals: Vec<(&str, u64, u64)> = Vec::new();
-    for row in report.cases.iter().flat_map(|case| &case.methods) {
-        match totals.iter_mut().find(|(name, ..)| *name == row.name) {
-            Some((_, wrong, decisions)) => {
-                *wrong += row.wrong;
-                *decisions += row.decisions;
-            }
-            None => totals.push((&row.name, row.wrong, row.decisions)),
-        }
-    }
-    let _ = writeln!(out, "\nall {} together: wrong of decisions", report.cases.len());
-    for (name, wrong, decisions) in totals {
-        let _ = writeln!(out, "{name:<18}{wrong:>9} of {decisions}");
-    }
+/// All scenes or families together, a line a method.
+fn summary(out: &mut String, all: &Overall) {
+    let Overall { methods, noun, in_share, in_errors } = all;
+    let about = format!(
+        "all {noun} together: share: the mean of the cases of the {in_share} {noun} that all methods have, \
+         but ladder-f32, where it has them; largest errors in t in ulps of f64 (none: no digit right, or \
+         no hit alike) and times in nanoseconds a pixel: of {in_errors} {noun} that all methods have"
+    );
+    wrapped(out, WIDTH, "", &about);
+    let cells = |method: &MethodOverall| -> [String; SUMMARY.len()] {
+        let number = |x: f64| if x.is_finite() { short(x) } else { "none".to_owned() };
+        let three = |values: Option<[f64; 3]>| {
+            values.map_or([(); 3].map(|()| "-".to_owned()), |v| v.map(number))
+        };
+        let [error_least, error, error_most] = three(method.errors());
+        let [time_least, time, time_most] = three(least_middle_most(&method.times));
+        [
+            method.name.to_owned(),
+            method.wrong.to_string(),
+            method.decisions.to_string(),
+            percent(method.share),
+            error_least,
+            error,
+            error_most,
+            time_least,
+            time,
+            time_most,
+        ]
+    };
+    let mut rows = vec![SUMMARY.map(str::to_owned)];
+    rows.extend(methods.iter().map(cells));
+    const HEADS: [(usize, usize, &str); 2] = [(4, 3, "largest error in t"), (7, 3, "ns a pixel")];
+    headed(out, &rows, &HEADS);
 }
 
-/// The time that the others are compared with: that of the method which the baseline's text begins
-/// with.
-fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
-    let name = report.baseline.split([' ', ',', ':']).next()?;
-    let row = case.methods.iter().find(|row| row.name == name)?;
-    row.ns_per_pixel.median.filter(|time| *time > 0.0)
-}
-
-fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
-    let coverage = format!("coverage {} %", short(100.0 * case.coverage));
-    let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
-    let condition = case.condition.map_or(String::new(), |Condition { median, max }| {
-        format!(", condition of t: median {}, max {}", short(median), short(max))
-    });
-    let title = format!("{}: {decisions} decisions, {coverage}{condition}", case.title());
-    wrapped(out, WIDTH, "", &title);
-    let mut rows = vec![COLUMNS.map(str::to_owned)];
-    rows.extend(case.methods.iter().map(|row| cells(row, baseline)));
-    let mut widths = widths(&rows);
-    // The heads above stand over one column or several: the first, how many, and the text.
-    const HEADS: [(usize, usize, &str); 5] = [
-        (3, 3, "error in t, ulps of f64"),
-        (6, 1, "own ulps"),
-        (7, 1, "backward"),
-        (8, 1, "rad"),
-        (9, 2, "ns a pixel"),
-    ];
-    let mut line = " ".repeat(widths[..3].iter().sum::<usize>() + 4);
-    for (first, count, text) in HEADS {
+/// Writes rows under heads that stand over one column or several: the first, how many, and the text.
+fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usize, usize, &str)]) {
+    let mut widths = widths(rows);
+    let before = heads.first().map_or(0, |(first, ..)| *first);
+    let mut line =
+        " ".repeat(widths[..before].iter().sum::<usize>() + 2 * before.saturating_sub(1));
+    for &(first, count, text) in heads {
         let columns = &mut widths[first..first + count];
         let least = (text.len() + 2).div_ceil(count) - 2;
         columns.iter_mut().for_each(|width| *width = (*width).max(least));
@@ -105,7 +132,42 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
     }
     out.push_str(&line);
     out.push('\n');
-    aligned(out, &rows, widths);
+    aligned(out, rows, widths);
+}
+
+/// The time that the others are compared with: that of the method which the baseline's text begins
+/// with.
+fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
+    let name = report.baseline.split([' ', ',', ':']).next()?;
+    let row = case.methods.iter().find(|row| row.name == name)?;
+    row.ns_per_pixel.min.filter(|time| *time > 0.0)
+}
+
+fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
+    let coverage = format!("coverage {} %", short(100.0 * case.coverage));
+    let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
+    let condition = |of: &str, condition: Option<Condition>| {
+        condition.map_or(String::new(), |Condition { median, max }| {
+            format!(", condition of t{of}: median {}, max {}", short(median), short(max))
+        })
+    };
+    let title = format!(
+        "{}: {decisions} decisions, {coverage}{}{}",
+        case.title(),
+        condition("", case.condition),
+        condition(" in the cases for f32", case.condition_f32)
+    );
+    wrapped(out, WIDTH, "", &title);
+    let mut rows = vec![COLUMNS.map(str::to_owned)];
+    rows.extend(case.methods.iter().map(|row| cells(row, baseline)));
+    const HEADS: [(usize, usize, &str); 5] = [
+        (3, 3, "error in t, ulps of f64"),
+        (6, 1, "own ulps"),
+        (7, 1, "backward"),
+        (8, 1, "rad"),
+        (9, 2, "ns a pixel"),
+    ];
+    headed(out, &rows, &HEADS);
     for row in &case.methods {
         if let Some(text) = row.decided() {
             wrapped(out, WIDTH, "", &text);
@@ -113,26 +175,30 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
     }
 }
 
+fn percent(share: Option<f64>) -> String {
+    share.map_or("-".to_owned(), |share| format!("{} %", short(100.0 * share)))
+}
+
 fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
-    let share = match row.wrong_share {
-        None => "-".to_owned(),
-        Some(0.0) => "0 %".to_owned(),
-        Some(share) => format!("{} %", short(100.0 * share)),
+    let times = row.ns_per_pixel;
+    let quartiles = match (times.lower_quartile, times.upper_quartile) {
+        (Some(low), Some(high)) => format!("{}–{}", short(low), short(high)),
+        _ => "-".to_owned(),
     };
-    let ratio = baseline.zip(row.ns_per_pixel.median).map(|(base, time)| time / base);
+    let ratio = baseline.zip(times.min).map(|(base, time)| time / base);
     [
         row.name.clone(),
         row.wrong.to_string(),
-        share,
+        percent(row.wrong_share),
         number(row.ulp_f64.median),
         number(row.ulp_f64.p99),
         number(row.ulp_f64.max),
         number(row.ulp.max),
         number(row.backward_error_max),
         number(row.normal_error_max),
-        number(row.ns_per_pixel.median),
-        number(row.ns_per_pixel.min),
+        number(times.min),
+        quartiles,
         number(ratio),
     ]
 }

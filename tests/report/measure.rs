@@ -74,9 +74,34 @@ fn a_small_scene_is_measured_whole() {
     assert!(picture.ulp.max.unwrap() <= 1.0, "{picture:?}");
     assert_eq!(picture.ulp_f64.max.unwrap(), picture.ulp.max.unwrap() * SINGLE);
     assert_eq!(row(case, "textbook-f64").ulp_f64, row(case, "textbook-f64").ulp);
+    assert!(case.methods.iter().all(|row| row.pixels_timed == 24 * 20));
     assert!(report.cpu.contains(std::env::consts::ARCH), "{}", report.cpu);
     assert!(report.baseline.starts_with("textbook-f32"), "{}", report.baseline);
     assert!(report.reference.starts_with("arbitrary precision"), "{}", report.reference);
+}
+
+/// In f32 the eye is on the sphere, so that the root right ahead of it is lost, and the far one taken.
+#[test]
+fn another_root_of_the_same_object_is_a_wrong_decision() {
+    let ball = sphere([0.0, 0.0, -1.0 - 1e-9], 1.0);
+    let report = finished(run_of(&[ball], &[]));
+    let case = &report.cases[0];
+    let [single, double] = ["textbook-f32", "textbook-f64"].map(|name| row(case, name));
+    assert!(single.wrong > 100, "{single:?}");
+    assert!(double.wrong < 10 && double.ulp.max.unwrap() > 1e6, "{double:?}");
+    assert_eq!(row(case, "ladder").wrong, 0);
+}
+
+/// No t of this scene is a number of f32, though the picture's every pixel is right.
+#[test]
+fn t_out_of_range_is_counted_and_in_no_error() {
+    let ball = sphere([0.0, 0.0, -5e60], 1e60);
+    let report = finished(run_of(&[ball], &[]));
+    let case = &report.cases[0];
+    let picture = row(case, "ladder-f32");
+    assert_eq!((picture.wrong, picture.ulp.max, picture.backward_error_max), (0, None, None));
+    assert_eq!(picture.t_out_of_range, (480.0 * case.coverage).round() as u64);
+    assert_eq!(row(case, "ladder").t_out_of_range, 0);
 }
 
 /// The horizon of a sphere of radius 10,000, from 1/4096 above: in single precision the eye is on
@@ -114,6 +139,9 @@ fn what_a_scene_does_not_have_is_left_out_in_words() {
     let report = finished(run_of(&[ball, sky], &[floor()]));
     let parts = ["small", "small: spheres around the eye, alone", "small: planes, alone"];
     assert_eq!(names(&report), parts);
+    let part_of = |case: &Case| case.part_of.clone();
+    let small = || Some("small".to_owned());
+    assert_eq!(report.cases.iter().map(part_of).collect::<Vec<_>>(), [None, small(), small()]);
     assert!(!says(&report, no_planes) && !says(&report, no_inside), "{:?}", report.left_out);
     let planes: Vec<_> = report.cases[2].methods.iter().map(|row| row.name.as_str()).collect();
     assert!(planes.contains(&"ladder") && planes.contains(&"textbook-f32"), "{planes:?}");
@@ -160,7 +188,11 @@ fn families_begin_with_the_ordinary_one() {
     let report = run.report();
     let case = &report.cases[0];
     assert_eq!((case.name.as_str(), case.knob), ("ordinary", Some(0.0)));
-    assert!(!case.knob_name.is_empty());
+    assert!(!case.knob_name.is_empty() && case.about.ends_with('.'), "{case:?}");
+    // The f32 methods get others of its rays, and the report says so.
+    assert!(case.condition_f32.is_some() && case.condition_f32 != case.condition);
+    assert_eq!((report.seed, report.notes.len()), (Some(1), 1));
+    assert!(report.notes[0].contains("in terms of f32"), "{:?}", report.notes);
     for row in &case.methods {
         assert!(row.decisions > 0 && row.wrong == 0, "{row:?}");
         assert!(row.ns_per_pixel.median.is_some(), "{row:?}");
@@ -188,9 +220,11 @@ fn a_second_run_says_the_same_of_everything_but_time() {
 /// whole picture all the same.
 #[test]
 fn shares_are_weighted_by_how_many_pixels_there_are() {
-    let camera = Camera { image: ImageSize::new(400, 400).unwrap(), ..Camera::CANONICAL };
+    let image = ImageSize::new(400, 400).unwrap();
+    let viewport = Viewport { width: 0.006, height: 0.006, distance: 1.0 };
+    let camera = Camera { image, viewport, ..Camera::CANONICAL };
     // A far, tiny ball: in f32 the textbook is wrong at its outline, if anywhere.
-    let scene = Scene::new(vec![sphere([0.0, 0.0, -5000.0], 1500.0)], vec![]).unwrap();
+    let scene = Scene::new(vec![sphere([0.0, 0.0, -5000.0], 10.0)], vec![]).unwrap();
     let report = finished(Run::of_scene("far", &scene, &camera).unwrap());
     let case = &report.cases[0];
     let textbook = row(case, "textbook-f32");

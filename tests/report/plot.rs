@@ -12,6 +12,11 @@ fn svg_of(report: &Report) -> String {
     plot::pages(report, 1.0).into_iter().map(page).collect()
 }
 
+/// The ring of a method that decided wrong, and the Pareto front.
+const RING: &str = "stroke=\"#b00020\"";
+const FRONT: &str = "#c9d6e6";
+const CONDITION: &str = "#a0a0a0";
+
 /// How often an element with this in it is there.
 fn count(svg: &str, part: &str) -> usize {
     svg.lines().filter(|line| line.contains(part)).count()
@@ -21,11 +26,11 @@ fn count(svg: &str, part: &str) -> usize {
 fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
     let mut report = sample::report();
     report.cases.truncate(1);
-    assert_eq!(count(&svg_of(&report), "<circle"), 0);
+    assert_eq!(count(&svg_of(&report), RING), 0);
     report.cases[0].methods[2].wrong = 1234;
     let svg = svg_of(&report);
     // One around the mark, one in the table.
-    assert_eq!(count(&svg, "<circle"), 2);
+    assert_eq!(count(&svg, RING), 2);
     assert_eq!(count(&svg, ">1,234</tspan></text>"), 1);
 }
 
@@ -34,9 +39,13 @@ fn a_family_has_a_curve_a_method() {
     let report = sample::report();
     let svg = svg_of(&report);
     assert_eq!(count(&svg, ">radius / distance</tspan></text>"), 1);
-    let long_chains =
-        svg.lines().filter(|line| line.starts_with("<polyline") && line.matches(',').count() >= 5);
-    assert_eq!(long_chains.count(), 17);
+    let is_curve = |line: &&str| {
+        let is_long = line.starts_with("<polyline") && line.matches(',').count() >= 5;
+        is_long && !line.contains(FRONT) && !line.contains(CONDITION)
+    };
+    assert_eq!(svg.lines().filter(is_curve).count(), 17);
+    // What the problem costs, whatever the method.
+    assert_eq!(count(&svg, CONDITION), 1);
     assert_eq!(count(&svg, ">tiny far sphere</tspan></text>"), 1);
     assert_eq!(count(&svg, ">6 settings, coverage 3.27 to 19.6 %</tspan></text>"), 1);
 }
@@ -67,13 +76,25 @@ fn the_pareto_front_is_of_methods_that_decide_all_right() {
     report.cases.truncate(1);
     let front = |report: &Report| {
         let svg = svg_of(report);
-        let line = svg.lines().find(|line| line.contains("#f0e442"));
-        line.map_or(0, |line| line.matches(',').count())
+        let line = svg.lines().find(|line| line.contains("<polyline") && line.contains(FRONT));
+        let corners = line.map_or(0, |line| line.matches(',').count());
+        (
+            svg.lines().filter(|line| line.contains("<circle") && line.contains(FRONT)).count(),
+            corners,
+        )
     };
-    // ladder-f32 is the fastest, and textbook-f64 closer; lagrange-f64 is exact there.
-    assert_eq!(front(&report), 3);
+    // ladder-f32 is the fastest, and textbook-f64 closer; lagrange-f64 is exact there. Stairs, as
+    // between two of them there is nothing.
+    assert_eq!(front(&report), (3, 5));
+    let mut alone = report.clone();
+    alone.cases[0].methods.truncate(1);
+    assert_eq!(front(&alone), (1, 0), "a front of one is there too");
+    // No digit of t is right.
+    alone.cases[0].methods[0].ulp_f64.max = Some(1e16);
+    assert_eq!(front(&alone), (0, 0));
+    assert_eq!(count(&svg_of(&alone), ">no digit right</tspan></text>"), 1);
     report.cases[0].methods.iter_mut().for_each(|row| row.wrong = 1);
-    assert_eq!(front(&report), 0);
+    assert_eq!(front(&report), (0, 0));
 }
 
 #[test]
@@ -82,7 +103,7 @@ fn what_was_left_out_is_told_without_end() {
     report.left_out = (0..100).map(|k| format!("the rays of case {k}")).collect();
     let svg = svg_of(&report);
     assert!(svg.contains("Left out: the rays of case 0; the rays of case 1;"));
-    assert!(svg.contains(" more, which the table lists</tspan></text>"));
+    assert!(svg.contains("table lists</tspan></text>"));
     assert!(!svg.contains("case 99"));
 }
 
@@ -92,7 +113,115 @@ fn a_method_without_a_common_hit_has_a_place_of_its_own() {
     report.cases.truncate(1);
     assert_eq!(count(&svg_of(&report), ">no hit alike</tspan></text>"), 0);
     report.cases[0].methods[2].ulp_f64 = Default::default();
+    report.cases[0].methods[2].wrong = 800;
     assert_eq!(count(&svg_of(&report), ">no hit alike</tspan></text>"), 1);
+    // Right, but beyond the numbers of its precision.
+    report.cases[0].methods[2].wrong = 0;
+    report.cases[0].methods[2].t_out_of_range = 800;
+    let svg = svg_of(&report);
+    assert_eq!(count(&svg, ">no hit alike</tspan></text>"), 0);
+    assert_eq!(count(&svg, ">out of range</tspan></text>"), 1);
+}
+
+/// One setting of many is enough, and the mark is there with its ring.
+#[test]
+fn a_method_that_is_lost_at_one_setting_is_drawn_there() {
+    let mut report = sample::report();
+    report.cases.remove(0);
+    report.cases.iter_mut().for_each(|case| case.methods.retain(|row| row.name == "ladder"));
+    assert_eq!(count(&svg_of(&report), ">no hit alike</tspan></text>"), 0);
+    report.cases[2].methods[0].ulp_f64 = Default::default();
+    report.cases[2].methods[0].wrong = 4096;
+    let svg = svg_of(&report);
+    assert_eq!(count(&svg, ">no hit alike</tspan></text>"), 1);
+    // In both panels.
+    assert_eq!(count(&svg, RING), 2);
+}
+
+/// Numbers that do not follow from each other are all there.
+#[test]
+fn settings_side_by_side_are_all_named_and_said_to_be_so() {
+    let mut report = sample::report();
+    report.cases.remove(0);
+    let knobs = [-320.0, -300.0, -150.0, 0.0201, 300.0, 307.0];
+    for (case, knob) in report.cases.iter_mut().zip(knobs) {
+        case.knob = Some(knob);
+    }
+    let svg = svg_of(&report);
+    for knob in knobs {
+        assert_eq!(count(&svg, &format!(">{knob}</tspan></text>")), 1, "{knob}");
+    }
+    assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
+}
+
+#[test]
+fn a_setting_with_nothing_to_hit_says_so() {
+    let mut report = sample::report();
+    report.cases.remove(0);
+    report.cases[1].coverage = 0.0;
+    for row in &mut report.cases[1].methods {
+        row.ulp_f64 = Default::default();
+        row.wrong = 0;
+    }
+    let svg = svg_of(&report);
+    assert_eq!(count(&svg, ">all</tspan></text>") + count(&svg, ">miss</tspan></text>"), 2);
+}
+
+/// No mark hides another, and no ring seems to be around another's mark.
+#[test]
+fn marks_at_the_same_place_stand_side_by_side_each_with_its_ring() {
+    let mut report = sample::report();
+    report.cases.remove(0);
+    for case in &mut report.cases {
+        case.methods.retain(|row| ["ladder", "half-b-f64"].contains(&&*row.name));
+        for row in &mut case.methods {
+            row.ulp_f64.max = Some(0.5);
+            row.wrong = u64::from(row.name != "ladder");
+        }
+    }
+    let svg = svg_of(&report);
+    let chains: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.starts_with("<polyline") && line.matches(',').count() == 6)
+        .collect();
+    let start = |color: &str| {
+        let line = chains.iter().find(|line| line.contains(color)).unwrap();
+        line.split(['"', ',']).nth(1).unwrap().parse::<f64>().unwrap()
+    };
+    assert!((3.0..6.0).contains(&(start("#000000") - start("#e69f00")).abs()));
+    let last = |part: &str| svg.rfind(part).unwrap();
+    assert!(last(RING) < last("fill=\"#e69f00\""), "a ring is drawn with its mark");
+    assert!(last(RING) < last("fill=\"#000000\""), "the ladder on top");
+}
+
+/// Planes alone are in the table: their pixels are those of the scene.
+#[test]
+fn a_scene_is_a_page_and_its_parts_are_on_none() {
+    let mut report = sample::report();
+    let mut part = report.cases[0].clone();
+    (part.name, part.part_of) = ("canonical: planes".to_owned(), Some("canonical".to_owned()));
+    report.cases.truncate(1);
+    report.cases.push(part);
+    assert_eq!(plot::pages(&report, 1.0).len(), 1);
+    assert_eq!(count(&svg_of(&report), ">nanoseconds a pixel</tspan></text>"), 1);
+    assert_eq!(count(&svg_of(&report), "canonical: planes"), 0);
+    // Several scenes: a summary, and a page each.
+    report.cases.push(sample::report().cases.remove(0));
+    report.cases[2].name = "look-at".to_owned();
+    assert_eq!(plot::pages(&report, 1.0).len(), 3);
+    assert_eq!(count(&svg_of(&report), ">mean share, 2 scenes</tspan></text>"), 1);
+}
+
+/// With planes alone there is no half-b to join.
+#[test]
+fn double_double_is_a_precision_of_the_textbook_where_there_are_planes_alone() {
+    let mut report = sample::report();
+    report.cases.truncate(1);
+    report.cases[0]
+        .methods
+        .retain(|row| row.name == "double-double" || row.formula() == "textbook");
+    let svg = svg_of(&report);
+    assert_eq!((count(&svg, "#e69f00"), count(&svg, ">half-b</tspan></text>")), (0, 0));
 }
 
 #[test]
@@ -126,8 +255,8 @@ fn nothing_leaves_the_picture_whatever_the_numbers() {
 #[test]
 fn pixels_show_what_the_svg_says() {
     let pages = plot::pages(&sample::report(), plot::PNG_SCALE);
-    // A summary, and both families.
-    let [_, figure] = pages.as_slice() else { panic!("{} pages", pages.len()) };
+    // A summary, the scene, and the family.
+    let [_, _, figure] = pages.as_slice() else { panic!("{} pages", pages.len()) };
     let pixels = figure.to_pixels();
     assert_eq!((figure.size(), pixels.len()), ([1920, 1080], 1920 * 1080));
     let count =

@@ -42,6 +42,8 @@ pub(crate) fn report() -> Report {
             "rays from inside a sphere: the eye is outside".to_owned(),
         ],
         baseline: "textbook-f32: both roots, the same loop over the same rays".to_owned(),
+        notes: vec!["an f32 method rounds what it is given".to_owned()],
+        seed: Some(7),
     }
 }
 
@@ -83,6 +85,8 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
                 double_double: 800 - 7 * hardness as u64,
                 exact: 7 * hardness as u64,
             }),
+            pixels_timed: 4096,
+            t_out_of_range: 0,
         }
     };
     Case {
@@ -92,5 +96,7 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
         methods: METHODS.iter().map(row).collect(),
         condition: Some(Condition { median: 9.5, max: 1.0 / (0.1 + hardness) + 40.0 }),
         knob_name: knob.map_or("", |_| "radius / distance").to_owned(),
+        about: knob.map_or("", |_| "A sphere that is tiny for its distance.").to_owned(),
+        ..Case::default()
     }
 }

@@ -22,32 +22,42 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
         reference  dashu-float, 420 bits
         cpu        Some processor, AVX2 and FMA there, one thread
         baseline   textbook-f32: both roots, the same loop over the same rays
-        reading    errors in t in ulps of f64, of which an ulp of f32 is 2^29, and the largest one in ulps of the method's own
-                   precision; backward: the share of their sizes, in units of 2^-53, by which centre, radius, origin and
-                   direction move to make that t exact; an error in ulps of f64 is at most the problem's condition times it
+        seed       7
+        note       an f32 method rounds what it is given
+        reading    wrong: hit or miss, which object is first, or another root of it (t less than half as far from that as from
+                   the true one); errors are of all other rays, in t in ulps of f64, the spacing of f64 numbers there, of
+                   which an ulp of f32 is 2^29, and the largest one in ulps of the method's own precision: from 2^53 ulps of
+                   f64 on no digit of t is right; backward: the share of their sizes, in units of 2^-53, by which centre,
+                   radius, origin and direction move to make that t exact; an error in ulps of f64 is, to first order, at most
+                   the problem's condition times it; × base: the shortest rounds compared
+
+        all families together: share: the mean of the cases of the 2 families that all methods have, but ladder-f32, where it
+        has them; largest errors in t in ulps of f64 (none: no digit right, or no hit alike) and times in nanoseconds a pixel:
+        of 2 families that all methods have
+                                             largest error in t           ns a pixel
+        method        wrong    of   share  least  middle   most  least  middle  most
+        ladder            0  8192     0 %    0.5     0.5    0.5   9.18    9.18  9.18
+        textbook-f32    721  8192   8.8 %  1.1e9    none   none   3.51    3.51  3.51
+        half-b-f64       18  8192  0.22 %      2   11193  6.3e7   4.77    4.77  4.77
 
         canonical: 4096 decisions, coverage 19.6 %, condition of t: median 9.5, max 50
-                                      error in t, ulps of f64  own ulps  backward      rad    ns a pixel
-        method        wrong  share   median      p99      max       max       max   normal  median   min  × base
-        ladder            0    0 %        0      0.4      0.5       0.5      0.15  1.5e-16    10.2  9.18    2.62
-        textbook-f32      0    0 %        0    8.6e8    1.1e9         2     19500    6e-16     3.9  3.51       1
-        half-b-f64        0    0 %        0      1.6        2         2     19200    6e-16     5.3  4.77    1.36
-        ladder decided 4096 in f32 or f64, 0 in double-double, 0 exactly; t: 800 in double-double, 0 exactly; in all that was
-        timed
+                                      error in t, ulps of f64  own ulps  backward      rad       ns a pixel
+        method        wrong  share   median      p99      max       max       max   normal   min  quartiles  × base
+        ladder            0    0 %        0      0.4      0.5       0.5      0.15  1.5e-16  9.18  9.69–11.2    2.62
+        textbook-f32      0    0 %        0    8.6e8    1.1e9         2     19500    6e-16  3.51   3.7–4.29       1
+        half-b-f64        0    0 %        0      1.6        2         2     19200    6e-16  4.77  5.03–5.83    1.36
+        ladder decided 4096 in f32 or f64, 0 in double-double, 0 exactly; t: 800 in double-double, 0 exactly; in the 4096
+        pixels timed
 
+        tiny far sphere: A sphere that is tiny for its distance.
         tiny far sphere, radius / distance = 1e-12: 4096 decisions, coverage 3.27 %, condition of t: median 9.5, max 40.2
-                                        error in t, ulps of f64  own ulps  backward      rad    ns a pixel
-        method        wrong    share   median      p99      max       max       max   normal  median   min  × base
-        ladder            0      0 %      0.1      0.4      0.5       0.5      0.15  1.5e-16    10.2  9.18    2.62
-        textbook-f32    721   17.6 %        -        -        -         -         -        -     3.9  3.51       1
-        half-b-f64       18  0.439 %    1.3e7      5e7    6.3e7     6.3e7     19200   1.9e-8     5.3  4.77    1.36
-        ladder decided 4046 in f32 or f64, 45 in double-double, 5 exactly; t: 765 in double-double, 35 exactly; in all that
-        was timed
-
-        all 2 together: wrong of decisions
-        ladder                    0 of 8192
-        textbook-f32            721 of 8192
-        half-b-f64               18 of 8192
+                                        error in t, ulps of f64  own ulps  backward      rad       ns a pixel
+        method        wrong    share   median      p99      max       max       max   normal   min  quartiles  × base
+        ladder            0      0 %      0.1      0.4      0.5       0.5      0.15  1.5e-16  9.18  9.69–11.2    2.62
+        textbook-f32    721   17.6 %        -        -        -         -         -        -  3.51   3.7–4.29       1
+        half-b-f64       18  0.439 %    1.3e7      5e7    6.3e7     6.3e7     19200   1.9e-8  4.77  5.03–5.83    1.36
+        ladder decided 4046 in f32 or f64, 45 in double-double, 5 exactly; t: 765 in double-double, 35 exactly; in the 4096
+        pixels timed
 
         left out:
           planes: canonical has none
@@ -65,7 +75,7 @@ fn the_table_fits_a_terminal() {
         row.ulp.max = Some(f64::MAX);
         row.ulp.p99 = Some(1.234_567e-300);
         row.normal_error_max = Some(5e-324);
-        (row.wrong, row.decisions) = (1_234_567_890, 12_345_678_901);
+        (row.wrong, row.decisions) = (123_456_789, 12_345_678_901);
     }
     let table = table::to_table(&report);
     let widest = table.lines().map(|line| line.chars().count()).max().unwrap();
@@ -119,7 +129,9 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                     "exact": 0
                   },
                   "wrong_share": 0.0,
-                  "backward_error_max": 0.15
+                  "backward_error_max": 0.15,
+                  "t_out_of_range": 0,
+                  "pixels_timed": 4096
                 },
                 {
                   "name": "textbook-f32",
@@ -145,21 +157,30 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                   },
                   "steps_of_t": null,
                   "wrong_share": 0.0,
-                  "backward_error_max": 19500.0
+                  "backward_error_max": 19500.0,
+                  "t_out_of_range": 0,
+                  "pixels_timed": 4096
                 }
               ],
               "knob_name": "",
               "condition": {
                 "median": 9.5,
                 "max": 50.0
-              }
+              },
+              "condition_f32": null,
+              "about": "",
+              "part_of": null
             }
           ],
           "left_out": [
             "planes: canonical has none",
             "rays from inside a sphere: the eye is outside"
           ],
-          "baseline": "textbook-f32: both roots, the same loop over the same rays"
+          "baseline": "textbook-f32: both roots, the same loop over the same rays",
+          "notes": [
+            "an f32 method rounds what it is given"
+          ],
+          "seed": 7
         }
     "#]]
     .assert_eq(&(serde_json::to_string_pretty(&report).unwrap() + "\n"));
@@ -178,12 +199,12 @@ fn json_reads_back_to_the_same_numbers() {
 fn csv_has_a_row_a_case_and_method() {
     let text = String::from_utf8(csv::to_csv(&small()).unwrap()).unwrap();
     expect![[r#"
-        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact,ulp_f64_median,ulp_f64_p99,ulp_f64_max,wrong_share,backward_error_max,condition_median,condition_max,steps_of_t_double_double,steps_of_t_exact
-        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0,0.0,0.4,0.5,0.0,0.15,9.5,50.0,800,0
-        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,,0.0,858993459.2,1073741824.0,0.0,19500.0,9.5,50.0,,
-        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,,0.0,1.6,2.0,0.0,19200.0,9.5,50.0,,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5,0.1,0.4,0.5,0.0,0.15,9.5,40.19607843137255,765,35
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,,,,,0.176025390625,,9.5,40.19607843137255,,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,,12527855.188441262,50111420.75376505,62639275.94220631,0.00439453125,19200.0,9.5,40.19607843137255,,
+        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact,ulp_f64_median,ulp_f64_p99,ulp_f64_max,wrong_share,backward_error_max,condition_median,condition_max,steps_of_t_double_double,steps_of_t_exact,condition_f32_median,condition_f32_max,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,t_out_of_range,pixels_timed,part_of
+        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0,0.0,0.4,0.5,0.0,0.15,9.5,50.0,800,0,,,9.69,11.22,0,4096,
+        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,,0.0,858993459.2,1073741824.0,0.0,19500.0,9.5,50.0,,,,,3.7049999999999996,4.29,0,4096,
+        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,,0.0,1.6,2.0,0.0,19200.0,9.5,50.0,,,,,5.034999999999999,5.83,0,4096,
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5,0.1,0.4,0.5,0.0,0.15,9.5,40.19607843137255,765,35,,,9.69,11.22,0,4096,
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,,,,,0.176025390625,,9.5,40.19607843137255,,,,,3.7049999999999996,4.29,0,4096,
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,,12527855.188441262,50111420.75376505,62639275.94220631,0.00439453125,19200.0,9.5,40.19607843137255,,,,,5.034999999999999,5.83,0,4096,
     "#]].assert_eq(&text);
 }

@@ -7,36 +7,53 @@ use crate::families::family::{BasisCase, Family, OFFSETS, TO_ROUNDING, ULPS, bas
 pub(crate) static FAMILIES: [Family; 7] = [
     bases(
         "basis-ordinary",
+        "An everyday eye, view and up.",
         "angle between up and view in degrees, about",
         &[10.0, 45.0, 90.0, 135.0, 170.0],
         ordinary,
     ),
     bases(
         "up-near-view",
+        "An up that is nearly parallel to the view.",
         "log10 of the angle between up and view in radians",
         &TO_ROUNDING,
         up_near_view,
     ),
-    bases("up-parallel", "one coordinate of up, in ulps from parallel", &ULPS, up_parallel),
+    bases(
+        "up-parallel",
+        "An up that is parallel to the view, and one ulp beside.",
+        "one coordinate of up, in ulps from parallel",
+        &ULPS,
+        up_parallel,
+    ),
     bases(
         "no-basis",
+        "What has no basis, by each reason.",
         "0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view",
         &[0.0, 1.0, 2.0, 3.0],
         no_basis,
     ),
     bases(
         "view-length",
+        "A view of an extreme length.",
         "log10 of |at - eye|",
         &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
         view_length,
     ),
     bases(
         "up-length",
+        "An up of an extreme length.",
         "log10 of the length of up",
         &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
         up_length,
     ),
-    bases("camera-offset", "log10 of the offset", &OFFSETS, camera_offset),
+    bases(
+        "camera-offset",
+        "An everyday camera, far from the world's origin.",
+        "log10 of the offset",
+        &OFFSETS,
+        camera_offset,
+    ),
 ];
 
 /// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be

@@ -61,6 +61,7 @@ enum AnyMake {
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     name: &'static str,
+    about: &'static str,
     knob_name: &'static str,
     knobs: &'static [f64],
     make: AnyMake,
@@ -70,28 +71,36 @@ type Text = &'static str;
 type Knobs = &'static [f64];
 
 /// A family of any rays.
-pub(super) const fn rays(name: Text, knob_name: Text, knobs: Knobs, make: Make<RayCase>) -> Family {
-    Family { name, knob_name, knobs, make: AnyMake::Ray(make) }
+pub(super) const fn rays(
+    name: Text,
+    about: Text,
+    knob_name: Text,
+    knobs: Knobs,
+    make: Make<RayCase>,
+) -> Family {
+    Family { name, about, knob_name, knobs, make: AnyMake::Ray(make) }
 }
 
 /// A family of bases.
 pub(super) const fn bases(
     name: Text,
+    about: Text,
     knob_name: Text,
     knobs: Knobs,
     make: Make<BasisCase>,
 ) -> Family {
-    Family { name, knob_name, knobs, make: AnyMake::Basis(make) }
+    Family { name, about, knob_name, knobs, make: AnyMake::Basis(make) }
 }
 
 /// A family of whole pictures.
 pub(super) const fn frames(
     name: Text,
+    about: Text,
     knob_name: Text,
     knobs: Knobs,
     make: Make<FrameCase>,
 ) -> Family {
-    Family { name, knob_name, knobs, make: AnyMake::Frame(make) }
+    Family { name, about, knob_name, knobs, make: AnyMake::Frame(make) }
 }
 
 pub(super) const ULPS: [f64; 3] = [-1.0, 0.0, 1.0];
@@ -104,6 +113,11 @@ impl Family {
     /// Its name, in kebab-case.
     pub fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// Returns what its cases have in common, in a sentence.
+    pub fn about(&self) -> &'static str {
+        self.about
     }
 
     /// Returns what the knob is, with its unit.

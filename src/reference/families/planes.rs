@@ -7,14 +7,28 @@ use crate::object::Object;
 pub(crate) static FAMILIES: [Family; 4] = [
     rays(
         "near-parallel-plane",
-        "log10 of the angle to the plane in radians",
+        "A ray at a small angle to a plane: n·d nearly cancels.",
+        "log10 of the angle, in radians",
         &TO_ROUNDING,
         near_parallel,
     ),
-    rays("parallel-plane", "one coordinate of the normal, in ulps from parallel", &ULPS, parallel),
-    rays("plane-offset", "log10 of the offset", &OFFSETS, offset),
+    rays(
+        "parallel-plane",
+        "A ray parallel to a plane, in it or beside it, and normals one ulp off.",
+        "normal, in ulps from parallel",
+        &ULPS,
+        parallel,
+    ),
+    rays(
+        "plane-offset",
+        "An everyday plane and ray, far from the world's origin.",
+        "log10 of the offset",
+        &OFFSETS,
+        offset,
+    ),
     rays(
         "plane-range",
+        "Normal, direction or lengths so large or small that products leave the range.",
         "log10 of the scale",
         &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0],
         range,

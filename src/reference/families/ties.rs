@@ -11,24 +11,39 @@ use crate::object::Object;
 pub(crate) static FAMILIES: [Family; 5] = [
     rays(
         "ties-concentric",
-        "radius of the second, in ulps from the first's",
+        "Two spheres with the same centre, alike or an ulp apart: which is first?",
+        "second radius, ulps from first",
         &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
         concentric,
     ),
     rays(
         "ties-touching-inside",
-        "radius of the second, in ulps from touching",
+        "A sphere that touches another from inside, and a ray through the contact.",
+        "second radius, in ulps from touching",
         &ULPS,
         touching_inside,
     ),
     rays(
         "ties-touching-outside",
-        "radius of the second, in ulps from touching",
+        "Spheres that touch from outside, and a ray through the contact.",
+        "second radius, in ulps from touching",
         &ULPS,
         touching_outside,
     ),
-    rays("ties-sphere-plane", "radius of the sphere, in ulps from touching", &ULPS, sphere_plane),
-    rays("ties-planes", "one coordinate of the second's point, in ulps", &ULPS, planes),
+    rays(
+        "ties-sphere-plane",
+        "A plane that touches a sphere, and a ray through the contact.",
+        "radius, in ulps from touching",
+        &ULPS,
+        sphere_plane,
+    ),
+    rays(
+        "ties-planes",
+        "The same plane twice, or planes that cross where the ray goes.",
+        "second point, in ulps",
+        &ULPS,
+        planes,
+    ),
 ];
 
 /// A contact point and the vectors there, all whole.

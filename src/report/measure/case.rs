@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::condition::Problem;
 use super::subject::{Kernel, Subject};
 use super::tally::{Tally, quantile, sorted};
-use crate::report::model::{Case, Condition};
+use crate::report::model::{Case, Condition, MethodRow};
 
 /// Rays and the methods that follow them.
 pub(super) struct Set {
@@ -128,13 +128,18 @@ impl CaseRun {
 
     pub(super) fn report(&self) -> Case {
         let Some(work) = &self.work else { return self.case.clone() };
-        let workers = work.sets.iter().flat_map(|set| &set.workers);
-        let mut rows: Vec<_> = workers.map(|w| (w.method, w.tally.row(w.method))).collect();
+        let rows_of = |set: &SetWork| {
+            let pixels_timed = set.subject.pixels_timed() as u64;
+            let row = |w: &Worker| MethodRow { pixels_timed, ..w.tally.row(w.method) };
+            set.workers.iter().map(|w| (w.method, row(w))).collect::<Vec<_>>()
+        };
+        let mut rows: Vec<_> = work.sets.iter().flat_map(rows_of).collect();
         let index = |method| Method::of_frames().position(|other| other == method);
         rows.sort_by_key(|(method, _)| index(*method));
         Case {
             coverage: work.coverage(),
             condition: work.sets.first().and_then(SetWork::condition),
+            condition_f32: work.sets.get(1).and_then(SetWork::condition),
             methods: rows.into_iter().map(|(_, row)| row).collect(),
             ..self.case.clone()
         }

@@ -22,31 +22,27 @@
 //! place of r: what a change of its normal does.
 
 use pinhole_core::{DVec3, Object, Ray};
-use pinhole_reference::Hit;
+use pinhole_reference::{Hit, Real};
 
 /// Unit roundoff of `f64`, 2^-53: backward errors are counted in it, as errors in `t` are in ulps. An
 /// error in ulps is at most the condition number times the backward error.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// One ray's root of one object, at the truth.
+/// One ray's root of one object, at the truth. All lengths are shares of the distance to the hit, so that
+/// none of them leaves the range of `f64`.
 pub(super) struct Problem {
     /// True `t`.
     t: f64,
-    /// Length of the direction.
-    speed: f64,
     /// Cosine of the angle between direction and normal.
     cosine: f64,
-    /// `|o| + |c|`, or `|o| + |q|`.
+    /// `|o| + |c| + r`, or `|o| + |q| + |p - q|`.
     fixed: f64,
-    shape: Shape,
+    /// A sphere's radius.
+    radius: Option<f64>,
 }
 
-enum Shape {
-    /// A sphere of this radius.
-    Sphere(f64),
-    /// A plane; distance of the hit from its given point.
-    Plane(f64),
-}
+/// The cosine at the hit below which it does not tell the roots of a sphere apart.
+const ONE_ROOT: f64 = 1e-14;
 
 impl Problem {
     /// The first hit's.
@@ -55,50 +51,65 @@ impl Problem {
             DVec3::new(reals[0].to_f64(), reals[1].to_f64(), reals[2].to_f64())
         };
         let speed = length(ray.direction);
-        let (anchor, shape) = match object {
-            Object::Sphere(sphere) => (sphere.center, Shape::Sphere(sphere.radius)),
-            Object::Plane(plane) => {
-                (plane.point, Shape::Plane(length(of_reals(&truth.point) - plane.point)))
-            }
+        let (anchor, own) = match object {
+            Object::Sphere(sphere) => (sphere.center, sphere.radius),
+            Object::Plane(plane) => (plane.point, length(of_reals(&truth.point) - plane.point)),
         };
+        let t = truth.t.to_f64();
+        // Beyond the range of numbers, nothing is known.
+        let distance = Some(t * speed).filter(|x| x.is_finite()).unwrap_or(f64::NAN);
         Problem {
-            t: truth.t.to_f64(),
-            speed,
+            t,
             cosine: of_reals(&truth.normal).dot(ray.direction / speed),
-            fixed: length(ray.origin) + length(anchor),
-            shape,
+            fixed: length(ray.origin) / distance + length(anchor) / distance + own / distance,
+            radius: matches!(object, Object::Sphere(_)).then_some(own / distance),
         }
     }
 
-    /// Sum of the sizes of all that may change, at a hit at `t`.
-    fn size(&self, t: f64) -> f64 {
-        let (Shape::Sphere(own) | Shape::Plane(own)) = self.shape;
-        self.fixed + t * self.speed + own
+    /// `(t' - t) / t` of a computed t'; `None` where that leaves the range of `f64`.
+    fn moved(&self, truth: &Hit, t: f64) -> Option<f64> {
+        if !t.is_finite() {
+            return None;
+        }
+        let half = truth.t.relative_difference(&Real::from(t));
+        let moved = if half.abs() < 0.5 {
+            -2.0 * half / (1.0 + half)
+        } else {
+            // The difference is exact: what it would lose by cancelling is not lost.
+            -truth.t.minus_f64(t).to_f64() / self.t
+        };
+        moved.is_finite().then_some(moved)
+    }
+
+    /// Returns whether a computed t is another root of the same object: less than half as far from it as
+    /// from the true one. Where no more than a few of these units of precision lie between both, they are
+    /// one.
+    pub(super) fn is_other_root(&self, truth: &Hit, t: f64, unit: f64) -> bool {
+        let (Some(radius), Some(moved)) = (self.radius, self.moved(truth, t)) else { return false };
+        let to_other = -2.0 * self.cosine * radius;
+        let are_two = self.cosine.abs() > ONE_ROOT && to_other.abs() > 8.0 * unit;
+        are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
     /// The condition number of `t`; `None` at a tangent, where it is infinite, and where sizes leave the
     /// range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
-        let condition = self.size(self.t) / (self.t * self.speed) / self.cosine.abs();
+        let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
     }
 
     /// The backward error of a computed `t`, in units of 2^-53.
     pub(super) fn backward_error(&self, truth: &Hit, t: f64) -> Option<f64> {
-        if !t.is_finite() {
-            return None;
-        }
-        // The difference is exact: what the distance from the surface loses by cancelling is not.
-        let moved = -truth.t.minus_f64(t).to_f64() * self.speed;
-        let off = match self.shape {
-            Shape::Sphere(radius) => {
+        let moved = self.moved(truth, t)?;
+        let off = match self.radius {
+            Some(radius) => {
                 let share = moved / radius;
                 let grown = share * (2.0 * self.cosine + share);
                 radius * grown / (1.0 + (1.0 + grown).max(0.0).sqrt())
             }
-            Shape::Plane(_) => moved * self.cosine,
+            None => moved * self.cosine,
         };
-        let error = off.abs() / self.size(t) / UNIT;
+        let error = off.abs() / (self.fixed + 1.0 + moved) / UNIT;
         error.is_finite().then_some(error)
     }
 }
@@ -150,6 +161,58 @@ mod tests {
         let expected = (moved.t.to_f64() - t).abs() / t / share;
         let condition = known.condition().unwrap();
         assert!((condition / expected - 1.0).abs() < 1e-4, "{condition} {expected}");
+    }
+
+    /// Lengths of which the products are below all numbers.
+    #[test]
+    fn no_size_makes_the_backward_error_vanish() {
+        let tiny = 1e-315;
+        let ray = Ray { origin: DVec3::ZERO, direction: DVec3::new(0.1 * tiny, 0.0, -tiny) };
+        let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0 * tiny), radius: tiny };
+        let (known, truth) = problem(ray, Object::Sphere(ball));
+        let t = truth.t.to_f64();
+        let backward = known.backward_error(&truth, t.next_up()).unwrap();
+        assert!((0.01..10.0).contains(&backward), "{backward}");
+    }
+
+    #[test]
+    fn another_root_is_told_from_an_inexact_one() {
+        let down = DVec3::NEG_Z;
+        let is_other = |origin: DVec3, t: f64| {
+            let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+            let (known, truth) = problem(Ray { origin, direction: down }, Object::Sphere(ball));
+            known.is_other_root(&truth, t, f64::EPSILON)
+        };
+        // Roots at 4 and 6; just outside the surface, at 1e-12 and 2; inside, at -1 and 1; a tangent.
+        for (origin, t) in [
+            (DVec3::ZERO, 6.0),
+            (DVec3::ZERO, 5.9),
+            (DVec3::new(0.0, 0.0, -4.0 + 1e-12), 2.0),
+            (DVec3::new(0.0, 0.0, -5.0), -1.0),
+        ] {
+            assert!(is_other(origin, t), "{origin} {t}");
+        }
+        for (origin, t) in [
+            (DVec3::ZERO, 4.0),
+            (DVec3::ZERO, 5.0),
+            (DVec3::ZERO, 1e30),
+            (DVec3::ZERO, f64::NAN),
+            (DVec3::new(0.0, 0.0, -4.0 + 1e-12), 1e-3),
+            (DVec3::new(1.0, 0.0, 0.0), 5.0f64.next_up()),
+        ] {
+            assert!(!is_other(origin, t), "{origin} {t}");
+        }
+    }
+
+    /// Both roots within a few numbers: which of them t is nearer to is a matter of rounding.
+    #[test]
+    fn roots_that_the_precision_does_not_tell_apart_are_one() {
+        let ray = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z };
+        let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1e-8 };
+        let (known, truth) = problem(ray, Object::Sphere(ball));
+        let other = 5.0 + 1e-8;
+        assert!(known.is_other_root(&truth, other, f64::EPSILON));
+        assert!(!known.is_other_root(&truth, other, f64::from(f32::EPSILON)));
     }
 
     #[test]

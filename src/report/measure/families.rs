@@ -23,6 +23,11 @@ const TIMED: u32 = 90 * 90;
 /// Maximum number of pixels of a picture, a side.
 const SIDE: u32 = 256;
 
+/// What a reader of the families' numbers needs.
+pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: numbers exact in f32, ulps \
+     of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2); \
+     ladder-f32 gets the pictures of the f64 methods";
+
 /// The cases, and what they leave out.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let is_measured = |family: &&Family| family.kind() != Kind::Bases;
@@ -47,6 +52,7 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
         name: family.name().to_owned(),
         knob: Some(knob),
         knob_name: family.knob_name().to_owned(),
+        about: family.about().to_owned(),
         ..Case::default()
     };
     let limits = Limits { rounds: 11, pieces: 10 };

@@ -21,9 +21,14 @@ const TIMED_TESTS: usize = 1 << 17;
 const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
 
+/// What a reader of a scene's numbers needs.
+pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
+     its error";
+
 /// The part of a scene that a case is about.
 struct Subset {
     title: String,
+    part_of: Option<String>,
     scene: Scene,
     limits: Limits,
 }
@@ -38,8 +43,8 @@ pub(super) fn cases(
     let mut left_out = Vec::new();
     let subsets = subsets(name, scene, camera, &mut left_out);
     let camera = *camera;
-    let run = |Subset { title, scene, limits }| {
-        let case = Case { name: title.clone(), ..Case::default() };
+    let run = |Subset { title, part_of, scene, limits }| {
+        let case = Case { name: title.clone(), part_of, ..Case::default() };
         CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved))
     };
     Ok((subsets.into_iter().map(run).collect(), left_out))
@@ -47,11 +52,9 @@ pub(super) fn cases(
 
 /// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
 fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
-    let subset = |title: String, scene: Scene, pieces| {
-        let limits = Limits { rounds: 41, pieces };
-        Subset { title, scene, limits }
-    };
-    let mut subsets = vec![subset(name.to_owned(), scene.clone(), 400)];
+    let limits = |pieces| Limits { rounds: 41, pieces };
+    let (title, whole) = (name.to_owned(), scene.clone());
+    let mut subsets = vec![Subset { title, part_of: None, scene: whole, limits: limits(400) }];
     let (spheres, planes) = (scene.spheres(), scene.planes());
     let objects = objects_of(scene);
     let is_inside = |index: &usize| {
@@ -60,7 +63,8 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
     let around: Vec<_> = (0..spheres.len()).filter(is_inside).map(|i| spheres[i]).collect();
     let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
         if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
-            subsets.push(subset(format!("{name}: {what}"), scene, 100));
+            let (title, part_of) = (format!("{name}: {what}"), Some(name.to_owned()));
+            subsets.push(Subset { title, part_of, scene, limits: limits(100) });
         }
     };
     if !around.is_empty() && around.len() < objects.len() {

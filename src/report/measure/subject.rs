@@ -16,8 +16,7 @@ use super::condition::Problem;
 /// The reference, in words.
 pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
-     of pixels from eye, at, up, viewport and image as given, nothing rounded on the way; of the \
-     families' rays from origin and direction as given, in numbers exact in f32 for the f32 methods";
+     from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
 /// Rays of one kind, numbered.
 pub(super) enum Subject {
@@ -172,13 +171,18 @@ impl Subject {
         }
     }
 
+    /// Number of pixels (or rays) that are traced for the time.
+    pub(super) fn pixels_timed(&self) -> usize {
+        match self {
+            Subject::Rays(cases) => cases.len(),
+            Subject::Frames(pictures) => pictures.iter().map(|p| p.timed.1.len()).sum(),
+        }
+    }
+
     /// Times the method, in nanoseconds a pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
-        let pixels = match (self, &*kernel) {
-            (Subject::Rays(cases), Kernel::Rays { repeats, .. }) => cases.len() * *repeats as usize,
-            (Subject::Frames(pictures), _) => pictures.iter().map(|p| p.timed.1.len()).sum(),
-            (Subject::Rays(_), Kernel::Frames { .. }) => 0,
-        };
+        let repeats = if let Kernel::Rays { repeats, .. } = kernel { *repeats } else { 1 };
+        let pixels = self.pixels_timed() * repeats as usize;
         let mut measure = || {
             let start = Instant::now();
             match kernel {

@@ -20,6 +20,8 @@ pub(super) struct Tally {
     wrong: [u64; 2],
     /// Errors, with the stratum of each.
     ulps: Vec<(f64, usize)>,
+    /// Decisions that are right, but whose true t is out of range.
+    t_out_of_range: u64,
     normal_error_max: Option<f64>,
     backward_error_max: Option<f64>,
     /// Nanoseconds a pixel, one a round.
@@ -34,7 +36,7 @@ impl Tally {
         Tally { populations, ..Tally::default() }
     }
 
-    /// One more decision. Errors are taken where it is right; that of t, where the true t is a number
+    /// One more decision. Errors are taken where it is right; those of t, where the true t is a number
     /// of the method's precision at its full number of digits.
     pub(super) fn decide(
         &mut self,
@@ -44,9 +46,17 @@ impl Tally {
         found: Option<&MethodHit>,
     ) {
         self.decisions[stratum] += 1;
+        let unit = match method.precision() {
+            Precision::F32 => f64::from(f32::EPSILON),
+            Precision::F64 => f64::EPSILON,
+        };
         let (truth, problem, found) = match (truth, found) {
             (None, None) => return,
-            (Some((truth, problem)), Some(found)) if truth.object == found.object as usize => {
+            (Some((truth, problem)), Some(found))
+                if truth.object == found.object as usize
+                    && !problem
+                        .is_some_and(|problem| problem.is_other_root(truth, found.t, unit)) =>
+            {
                 (truth, problem, found)
             }
             _ => {
@@ -54,18 +64,20 @@ impl Tally {
                 return;
             }
         };
-        match method.precision() {
-            Precision::F32 if truth.t.is_representable_f32() => {
-                self.ulps.push((truth.t.ulps_from_f32(found.t as f32), stratum));
-            }
-            Precision::F64 if truth.t.is_representable() => {
-                self.ulps.push((truth.t.ulps_from(found.t), stratum));
-            }
-            _ => {}
-        }
-        if let Some(error) = problem.and_then(|problem| problem.backward_error(truth, found.t)) {
-            let max = self.backward_error_max.map_or(error, |max| max.max(error));
-            self.backward_error_max = Some(max);
+        let t = &truth.t;
+        let (ulps, is_in_range) = match method.precision() {
+            Precision::F32 => (t.ulps_from_f32(found.t as f32), t.is_representable_f32()),
+            Precision::F64 => (t.ulps_from(found.t), t.is_representable()),
+        };
+        if is_in_range {
+            self.ulps.push((ulps, stratum));
+            let backward = problem.and_then(|problem| problem.backward_error(truth, found.t));
+            self.backward_error_max = match (self.backward_error_max, backward) {
+                (Some(max), Some(error)) => Some(max.max(error)),
+                (max, error) => max.or(error),
+            };
+        } else {
+            self.t_out_of_range += 1;
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
         // A normal of no direction is as wrong as one the other way round.
@@ -123,6 +135,9 @@ impl Tally {
             }),
             normal_error_max: self.normal_error_max,
             backward_error_max: self.backward_error_max,
+            t_out_of_range: self.t_out_of_range,
+            // The subject knows.
+            pixels_timed: 0,
             ns_per_pixel: Times {
                 median: quantile(&times, 0.5),
                 min: times.first().map(|(time, _)| *time),

@@ -145,8 +145,19 @@ impl Knobs {
     /// Returns whether no two settings stand so close that their marks hide each other.
     fn are_apart(&self) -> bool {
         let [from, to] = self.along;
-        let gap = 0.05 * (to - from).abs();
-        self.sorted.windows(2).all(|pair| self.position(pair[1]) - self.position(pair[0]) >= gap)
+        self.gap() >= 0.05 * (to - from).abs()
+    }
+
+    /// Returns whether distances on the scale mean something.
+    pub(crate) fn is_to_scale(&self) -> bool {
+        self.scale != KnobScale::SideBySide
+    }
+
+    /// The distance between the two closest settings.
+    pub(crate) fn gap(&self) -> f64 {
+        let [from, to] = self.along;
+        let gap = |pair: &[f64]| self.position(pair[1]) - self.position(pair[0]);
+        self.sorted.windows(2).map(gap).fold((to - from).abs(), f64::min)
     }
 
     /// Position of a setting along the edge.
@@ -170,8 +181,9 @@ impl Knobs {
         from + part * (to - from)
     }
 
-    /// The numbers written there: powers of ten on a logarithmic scale, else the settings; none so
-    /// close to the one before that they would touch.
+    /// The numbers written there: powers of ten on a logarithmic scale, else the settings; on a linear
+    /// scale none so close to the one before that they would touch. Side by side each is needed, as
+    /// nothing follows from its neighbours.
     pub(crate) fn ticks(&self) -> Vec<Tick> {
         let setting = |knob: &f64| Tick { at: self.position(*knob), text: short(*knob) };
         let ticks: Vec<Tick> = match &self.scale {
@@ -179,7 +191,8 @@ impl Knobs {
                 let zero = self.sorted.iter().filter(|knob| **knob == 0.0).map(setting);
                 zero.chain(decades.ticks(6)).collect()
             }
-            _ => self.sorted.iter().map(setting).collect(),
+            KnobScale::Linear => self.sorted.iter().map(setting).collect(),
+            KnobScale::SideBySide => return self.sorted.iter().map(setting).collect(),
         };
         let mut written: Vec<Tick> = Vec::new();
         for tick in ticks {
@@ -257,6 +270,7 @@ mod tests {
         assert_eq!(texts(&knobs.ticks()), ["-1", "0", "2"]);
         let knobs = Knobs::over(&[-1000.0, -1.0, 0.0, 1.0, 1000.0], [0.0, 50.0]);
         assert_eq!([-1000.0, -1.0, 1000.0].map(|knob| knobs.position(knob)), [5.0, 15.0, 45.0]);
-        assert_eq!(texts(&knobs.ticks()), ["-1000"], "no room for more");
+        assert_eq!(texts(&knobs.ticks()).len(), 5, "no number follows from the others");
+        assert!(!knobs.is_to_scale());
     }
 }

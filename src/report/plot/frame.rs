@@ -17,9 +17,6 @@ pub(crate) const MARGIN: f64 = 28.0;
 /// The size of the numbers at a scale.
 pub(crate) const SMALL: f64 = 14.0;
 
-/// Room between numbers at a scale.
-const GAP: f64 = 6.0;
-
 /// The frame of a panel, in points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
@@ -29,33 +26,33 @@ pub(crate) struct Frame {
     pub(crate) bottom: f64,
 }
 
-/// Draws the vertical lines with their numbers below, and the name of the scale.
-pub(crate) fn across(chart: &mut Chart, frame: Frame, ticks: Vec<Tick>, name: &str) {
+/// Draws the vertical lines with their numbers, of this size, below, and the name of the scale.
+pub(crate) fn across(chart: &mut Chart, frame: Frame, ticks: Vec<Tick>, size: f64, name: &str) {
     // A number that would touch the one before, or the next panel's, is left out.
-    let mut free = frame.left - GAP;
+    let gap = size - 8.0;
+    let mut free = frame.left - gap;
     for Tick { at, text } in ticks {
         chart.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);
-        let half = 0.26 * SMALL * text.chars().count() as f64;
-        if at - half >= free && at + half <= frame.right + GAP {
-            chart.text([at, frame.bottom + 13.0], Align::Center, plain(SMALL), TEXT, text);
-            free = at + half + GAP;
+        let half = 0.26 * size * text.chars().count() as f64;
+        if at - half >= free && at + half <= frame.right + gap {
+            chart.text([at, frame.bottom + 13.0], Align::Center, plain(size), TEXT, text);
+            free = at + half + gap;
         }
     }
-    // Noto Sans needs half its size for a character.
-    let most = ((frame.right - frame.left) / (0.51 * SMALL)) as usize;
-    for (index, line) in lines(name, most).into_iter().enumerate() {
-        let middle = [0.5 * (frame.left + frame.right), frame.bottom + 32.0 + 16.0 * index as f64];
-        chart.text(middle, Align::Center, plain(SMALL), TEXT, line);
-    }
+    let middle = [0.5 * (frame.left + frame.right), frame.bottom + 32.0];
+    chart.text(middle, Align::Center, plain(SMALL), TEXT, name);
 }
 
+/// The size of what is to be read, below the panels.
+const READ: f64 = 14.0;
+
 /// Writes text over as many lines as it needs; returns where the next may stand.
-pub(crate) fn paragraph(chart: &mut Chart, mut y: f64, size: f64, text: &str) -> f64 {
-    // Noto Sans needs half its size for a character, and a little less in long texts.
-    let most = ((chart.width - 2.0 * MARGIN) / (0.53 * size)) as usize;
+pub(crate) fn paragraph(chart: &mut Chart, mut y: f64, text: &str) -> f64 {
+    // Noto Sans needs a little less than half its size for a character.
+    let most = ((chart.width - 2.0 * MARGIN) / (0.475 * READ)) as usize;
     for line in lines(text, most) {
-        chart.text([MARGIN, y], Align::LEFT, plain(size), WEAK, line);
-        y += 1.35 * size;
+        chart.text([MARGIN, y], Align::LEFT, plain(READ), WEAK, line);
+        y += 1.32 * READ;
     }
     y
 }

@@ -4,13 +4,13 @@ use egui::Align;
 use pinhole_lecture::numbers::grouped;
 
 use super::frame::{MARGIN, TEXT, WEAK};
-use super::marker::{self, WRONG, marker_of};
-use super::summary::{Summary, Worst};
+use super::marker::{self, WRONG, in_words, marker_of};
 use crate::figures::chart::{Chart, Point, bold, plain};
 use crate::report::model::Digits;
+use crate::report::summary::{Summary, Worst};
 
-/// Distance from one line to the next, in points.
-const LINE: f64 = 27.0;
+/// Distance from one formula to the next, in points.
+const LINE: f64 = 44.0;
 
 /// The width of the table, in points.
 pub(crate) const WIDTH: f64 = 400.0;
@@ -31,16 +31,23 @@ pub(crate) fn table(chart: &mut Chart, [left, top]: Point, summary: &Summary) {
     }
     let formulas = formulas(summary.methods.iter().map(|method| method.formula));
     for (index, formula) in formulas.iter().enumerate() {
-        let y = top + LINE * (index as f64 + 1.1);
+        let y = top + LINE * index as f64 + 28.0;
         chart.text([left, y], Align::LEFT, plain(16.0), TEXT, *formula);
+        chart.text([left, y + 18.0], Align::LEFT, plain(13.0), WEAK, in_words(formula));
         for method in summary.methods.iter().filter(|method| method.formula == *formula) {
             let column = COLUMNS.iter().find(|(digits, ..)| *digits == method.digits);
             count(chart, [left + column.map_or(0.0, |(.., x)| *x), y], method);
         }
     }
     let decisions = summary.methods.iter().map(|method| method.decisions).max().unwrap_or(0);
-    let y = top + LINE * (formulas.len() as f64 + 1.2);
-    chart.text([left, y], Align::LEFT, plain(14.0), WEAK, format!("of {}", grouped(decisions)));
+    let y = top + LINE * formulas.len() as f64 + 26.0;
+    chart.text(
+        [left, y],
+        Align::LEFT,
+        plain(14.0),
+        WEAK,
+        format!("of {} compared with the truth", grouped(decisions)),
+    );
 }
 
 /// A mark and what it got wrong, ringed as in the panels.
@@ -51,12 +58,12 @@ fn count(chart: &mut Chart, [x, y]: Point, method: &Worst) {
         chart.text(at, Align::LEFT, plain(16.0), WEAK, "0");
         return;
     }
-    marker::ring(chart, [x, y]);
+    marker::ring_around(chart, &[[x, y]]);
     chart.text(at, Align::LEFT, bold(16.0), WRONG, grouped(method.wrong));
 }
 
-/// Draws the marks of these summaries in one line.
-pub(crate) fn line(chart: &mut Chart, y: f64, summaries: &[Summary]) {
+/// Draws the marks of these families in one line.
+pub(crate) fn line(chart: &mut Chart, y: f64, summaries: &[&Summary]) {
     let methods = summaries.iter().flat_map(|summary| &summary.methods);
     let formulas = formulas(methods.map(|method| method.formula));
     let mut x = MARGIN + 8.0;

@@ -40,6 +40,23 @@ const MARKERS: [(&str, Marker); 8] = [
     ("lagrange", marker([0x88, 0x22, 0x55], 3, 90.0)),
 ];
 
+/// What each formula does, in half a line.
+const IN_WORDS: [(&str, &str); 8] = [
+    ("ladder", "certified: where f64 leaves doubt, more digits, up to exact"),
+    ("textbook", "(-b ± sqrt(b² - 4ac)) / 2a"),
+    ("half-b", "half of b, and first the root that does not cancel"),
+    ("kahan", "b² - ac with fused multiply-adds"),
+    ("perpendicular", "discriminant from the perpendicular, centre to ray"),
+    ("closest-point", "half a chord from the ray's point closest to the centre"),
+    ("recentred", "the origin moved to that point first"),
+    ("lagrange", "discriminant as r²a - |oc × d|²"),
+];
+
+/// What a formula does, in half a line; empty for one that came later.
+pub(crate) fn in_words(formula: &str) -> &'static str {
+    IN_WORDS.iter().find(|(name, _)| *name == formula).map_or("", |(_, words)| *words)
+}
+
 /// A method that came later, in grey.
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
@@ -52,9 +69,29 @@ pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// Draws the mark of a method that decided wrong: a ring around its own.
-pub(crate) fn ring(chart: &mut Chart, center: Point) {
-    chart.ring(center, 1.65 * RADIUS, WRONG, 2.5);
+/// Draws the sign of methods that decided wrong: one ring around their marks, which stand beside each
+/// other.
+pub(crate) fn ring_around(chart: &mut Chart, centers: &[Point]) {
+    const RING: f64 = 1.5 * RADIUS;
+    const WIDTH: f64 = 1.5;
+    let over = |i: usize| {
+        let values = centers.iter().map(|center| center[i]);
+        values.map(|x| [x, x]).reduce(|[low, high], [x, _]| [low.min(x), high.max(x)])
+    };
+    let (Some([left, right]), Some([top, bottom])) = (over(0), over(1)) else { return };
+    if let [center] = centers {
+        chart.ring(*center, RING, WRONG, WIDTH);
+        return;
+    }
+    let corner = |(quarter, [x, y]): (usize, Point)| {
+        (0..=6).map(move |k| {
+            let (sin, cos) = (90.0 * quarter as f64 + 15.0 * f64::from(k)).to_radians().sin_cos();
+            [x + RING * cos, y + RING * sin]
+        })
+    };
+    let corners = [[right, bottom], [left, bottom], [left, top], [right, top]];
+    let outline: Vec<Point> = corners.into_iter().enumerate().flat_map(corner).collect();
+    chart.outline(&outline, WRONG, WIDTH);
 }
 
 impl Marker {

@@ -1,102 +1,121 @@
-//! The summary of a report over all families: a line a method.
+//! The summary of a report over all scenes or families: a line a method.
 
-use egui::Align;
-use pinhole_lecture::numbers::grouped;
+use egui::{Align, Color32};
 
 use super::axis::{Decades, Tick};
 use super::frame::{FRAME, GRID, MARGIN, SMALL, TEXT, WEAK};
-use super::marker::{WRONG, marker_of};
-use super::summary::{Overall, Summary, overall};
+use super::marker::{WRONG, in_words, marker_of};
 use crate::figures::chart::{Chart, bold, plain};
 use crate::model::number::short_plain;
+use crate::report::columns::lines;
+use crate::report::summary::{MethodOverall, Overall, least_middle_most};
 
 /// Distance from one method to the next, in points.
-const LINE: f64 = 24.0;
+const LINE: f64 = 23.0;
 
-/// The columns' left edges, and the right edge of the last.
-const WRONG_AT: f64 = 376.0;
-const ERROR: [f64; 2] = [505.0, 850.0];
-const TIME: [f64; 2] = [905.0, 1240.0];
+/// The columns' left edges, and the right edges of those of numbers.
+const WORDS_AT: f64 = 206.0;
+const WRONG_AT: f64 = 540.0;
+const ERROR: [f64; 2] = [590.0, 885.0];
+const TIME: [f64; 2] = [930.0, 1240.0];
+
+/// Every other formula lies on this.
+const BAND: Color32 = Color32::from_gray(0xf6);
 
 /// Draws the summary; returns where it ends.
-pub(crate) fn draw(chart: &mut Chart, top: f64, summaries: &[Summary]) -> f64 {
-    let (methods, shared) = overall(summaries);
-    let head = |chart: &mut Chart, x: f64, align: Align, texts: [String; 2]| {
-        let [name, about] = texts;
+pub(crate) fn draw(chart: &mut Chart, top: f64, all: &Overall) -> f64 {
+    let Overall { methods, noun, in_share, in_errors } = all;
+    let head = |chart: &mut Chart, x: f64, align: Align, name: &str, about: String| {
         chart.text([x, top], align, bold(17.0), TEXT, name);
-        chart.text([x, top + 20.0], align, plain(13.0), WEAK, about);
+        chart.text([x, top + 20.0], align, plain(14.0), WEAK, about);
     };
-    let over = match shared {
-        1 => "of the one family that all methods share".to_owned(),
-        _ => format!("least to most of {shared} families that all methods share; mark: median"),
-    };
-    head(chart, MARGIN, Align::LEFT, ["method".to_owned(), String::new()]);
-    let all = format!("of all decisions in {} families", summaries.len());
-    head(chart, WRONG_AT, Align::RIGHT, ["wrong decisions".to_owned(), all]);
-    head(chart, ERROR[0], Align::LEFT, ["largest error in t, ulps of f64".to_owned(), over]);
-    head(chart, TIME[0], Align::LEFT, ["nanoseconds a pixel".to_owned(), String::new()]);
+    head(chart, MARGIN, Align::LEFT, "method", String::new());
+    head(
+        chart,
+        WRONG_AT,
+        Align::RIGHT,
+        "wrong decisions",
+        format!("mean share, {in_share} {noun}"),
+    );
+    let spread = format!("least to most of {in_errors} {noun} that all have");
+    head(chart, ERROR[0], Align::LEFT, "largest error in t, ulps of f64", spread);
+    head(
+        chart,
+        TIME[0],
+        Align::LEFT,
+        "nanoseconds a pixel",
+        "mark: the one in the middle".to_owned(),
+    );
     let upper = top + 38.0;
     let bottom = upper + LINE * methods.len() as f64;
-    let row = |index: usize| upper + LINE * (index as f64 + 0.5);
-    for index in (0..methods.len()).step_by(2) {
-        let (low, high) = (row(index) - 0.5 * LINE, row(index) + 0.5 * LINE);
-        let [left, right] = [MARGIN - 6.0, chart.width - MARGIN + 6.0];
-        chart.fill(&[[left, low], [right, low], [right, high], [left, high]], BAND);
+    let mut y = upper;
+    let formulas = methods.chunk_by(|a, b| a.formula == b.formula);
+    for (index, formula) in formulas.enumerate() {
+        let below = y + LINE * formula.len() as f64;
+        if index % 2 == 0 {
+            let [left, right] = [MARGIN - 6.0, chart.width - MARGIN + 6.0];
+            chart.fill(&[[left, y], [right, y], [right, below], [left, below]], BAND);
+        }
+        let words = lines(in_words(formula[0].formula), 38);
+        for (method, words) in
+            formula.iter().zip(words.into_iter().chain(std::iter::repeat(String::new())))
+        {
+            let middle = y + 0.5 * LINE;
+            marker_of(method.formula).draw(chart, [MARGIN + 8.0, middle], method.digits);
+            chart.text([MARGIN + 24.0, middle], Align::LEFT, plain(17.0), TEXT, method.name);
+            chart.text([WORDS_AT, middle], Align::LEFT, plain(13.0), WEAK, words);
+            wrong(chart, middle, method);
+            y += LINE;
+        }
     }
-    for (index, method) in methods.iter().enumerate() {
-        let y = row(index);
-        marker_of(method.formula).draw(chart, [MARGIN + 8.0, y], method.digits);
-        chart.text([MARGIN + 24.0, y], Align::LEFT, plain(17.0), TEXT, method.name);
-        wrong(chart, y, method);
-    }
-    spread(chart, [upper, bottom], ERROR, &methods, |method| &method.errors);
-    spread(chart, [upper, bottom], TIME, &methods, |method| &method.times);
+    let errors: Vec<_> = methods.iter().map(MethodOverall::errors).collect();
+    let times: Vec<_> = methods.iter().map(|method| least_middle_most(&method.times)).collect();
+    columns(chart, [upper, bottom], ERROR, methods, &errors);
+    columns(chart, [upper, bottom], TIME, methods, &times);
     bottom + 30.0
 }
 
-/// Every other line lies on this.
-const BAND: egui::Color32 = egui::Color32::from_gray(0xf6);
-
-fn wrong(chart: &mut Chart, y: f64, method: &Overall) {
-    let share = 100.0 * method.wrong as f64 / method.decisions.max(1) as f64;
+fn wrong(chart: &mut Chart, y: f64, method: &MethodOverall) {
     let (font, color) = if method.wrong == 0 { (plain(17.0), WEAK) } else { (bold(17.0), WRONG) };
-    chart.text([WRONG_AT - 74.0, y], Align::RIGHT, font, color, grouped(method.wrong));
-    let share = match method.wrong {
-        0 => "0 %".to_owned(),
-        _ => format!("{} %", short_plain((share * 1e3).round().max(1.0) / 1e3)),
+    let share = match method.share {
+        None => "-".to_owned(),
+        Some(0.0) => "0 %".to_owned(),
+        // Never told as none.
+        Some(share) => format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3))),
     };
-    chart.text([WRONG_AT, y], Align::RIGHT, plain(15.0), color, share);
-    let of = format!("of {}", grouped(method.decisions));
-    chart.text([WRONG_AT + 92.0, y], Align::RIGHT, plain(13.0), WEAK, of);
+    chart.text([WRONG_AT, y], Align::RIGHT, font, color, share);
 }
 
 /// Draws one column: for each method, a line from its least to its greatest value, and its mark at the
-/// one in the middle.
-fn spread(
+/// one in the middle. What is infinite stands at the end.
+fn columns(
     chart: &mut Chart,
     [top, bottom]: [f64; 2],
     [left, right]: [f64; 2],
-    methods: &[Overall],
-    values: for<'a> fn(&'a Overall) -> &'a [f64],
+    methods: &[MethodOverall],
+    values: &[Option<[f64; 3]>],
 ) {
-    let all = methods.iter().flat_map(values).copied();
-    let scale = Decades::over(all, [left + 26.0, right], left + 8.0);
-    for Tick { at, text } in scale.ticks(8) {
+    let all = || values.iter().flatten().flatten().copied();
+    let end = if all().any(f64::is_infinite) { right - 44.0 } else { right };
+    let scale = Decades::over(all(), [left + 26.0, end], left + 8.0);
+    let position =
+        |value: f64| if value.is_infinite() { right - 14.0 } else { scale.position(value) };
+    for Tick { at, text } in scale.ticks(6) {
         chart.line(&[[at, top], [at, bottom]], GRID, 1.0);
         chart.text([at, bottom + 13.0], Align::Center, plain(SMALL), TEXT, text);
     }
-    if methods.iter().any(|method| values(method).contains(&0.0)) {
-        chart.text([left + 8.0, bottom + 13.0], Align::Center, plain(SMALL), TEXT, "0");
+    for (value, name) in [(0.0, "0"), (f64::INFINITY, "none")] {
+        if all().any(|other| other == value) {
+            let at = [position(value), bottom + 13.0];
+            chart.text(at, Align::Center, plain(SMALL), TEXT, name);
+        }
     }
     chart.line(&[[left, bottom], [right, bottom]], FRAME, 1.5);
-    for (index, method) in methods.iter().enumerate() {
+    for (index, (method, values)) in methods.iter().zip(values).enumerate() {
         let y = top + LINE * (index as f64 + 0.5);
-        let values = values(method);
-        let (Some(low), Some(high)) = (values.first(), values.last()) else { continue };
+        let Some([low, middle, high]) = values.map(|values| values.map(position)) else { continue };
         let marker = marker_of(method.formula);
-        let ends = [[scale.position(*low), y], [scale.position(*high), y]];
-        chart.line(&ends, marker.color, 2.5);
-        let middle = values[values.len() / 2];
-        marker.draw(chart, [scale.position(middle), y], method.digits);
+        chart.line(&[[low, y], [high, y]], marker.color, 2.5);
+        marker.draw(chart, [middle, y], method.digits);
     }
 }

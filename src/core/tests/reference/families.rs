@@ -111,6 +111,7 @@ fn the_table_is_complete() {
         let is_kebab = |c: char| c.is_ascii_lowercase() || c == '-';
         assert!(family.name().chars().all(is_kebab), "{}", family.name());
         assert!(!family.knob_name().is_empty());
+        assert!(family.about().ends_with(['.', '?']), "{}", family.name());
         assert!(family.knobs().is_sorted() && family.knobs().len() > 1, "{}", family.name());
     }
     for kind in [Kind::Rays, Kind::Bases, Kind::Frames] {

@@ -9,7 +9,7 @@ use pinhole_core::methods::Method;
 use super::table::color_of;
 use crate::model::number::{power_of_ten, short};
 use crate::report::columns;
-use crate::report::model::{Case, Digits, MethodRow, SINGLE};
+use crate::report::model::{Case, Digits, MethodRow, NO_DIGIT, SINGLE};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
@@ -86,8 +86,10 @@ fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
 
 /// Returns the position of a method; `None` before it was timed, or without any common hit.
 fn point_of(row: &MethodRow) -> Option<[f64; 2]> {
-    let time = row.ns_per_pixel.median.filter(|time| *time > 0.0)?;
+    let time = row.ns_per_pixel.min.filter(|time| *time > 0.0)?;
     let error = row.ulp_f64.max?;
+    // Beyond, no digit is right: how few is nothing to compare.
+    let error = error.min(NO_DIGIT);
     let error = if error > 0.0 { error.log10().max(EXACT + 0.5) } else { EXACT };
     Some([time.log10(), error])
 }
@@ -111,7 +113,7 @@ fn description(row: &MethodRow) -> String {
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
     let mut lines = vec![
         row.name.clone(),
-        format!("{} ns a pixel", number(row.ns_per_pixel.median)),
+        format!("{} ns a pixel", number(row.ns_per_pixel.min)),
         format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
         format!("{} of {} decisions wrong", row.wrong, row.decisions),
     ];

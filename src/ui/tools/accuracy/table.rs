@@ -13,13 +13,16 @@ use crate::view::typesetting::theme::error_color;
 
 /// The columns' names and their explanations.
 const COLUMNS: [(&str, &str); 7] = [
-    ("wrong", "Decisions (hit or miss, which object is first) that differ from exact arithmetic"),
+    (
+        "wrong",
+        "Decisions (hit or miss, which object is first, which of its roots) that differ from exact arithmetic",
+    ),
     ("share", "Wrong decisions as a share of all"),
     ("median", "Error in t, in ulps of f64: half are at most this"),
     ("p99", "Error in t, in ulps of f64: 99 of 100 are at most this"),
     ("max ulps", "Error in t, in ulps of f64: all are at most this"),
     ("rad", "The largest angle between its normal and the true one, in radians"),
-    ("ns", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
+    ("ns", "Nanoseconds a pixel, the shortest of interleaved rounds, on one thread"),
 ];
 
 /// Shows one row per method; a click on a row shows its method in the error map.
@@ -78,7 +81,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
     for x in [ulps.median, ulps.p99, ulps.max, row.normal_error_max] {
         ui.label(number(x));
     }
-    ui.label(number(row.ns_per_pixel.median));
+    ui.label(number(row.ns_per_pixel.min));
 }
 
 /// Returns a method's colour on this window's background.

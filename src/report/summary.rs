@@ -1,0 +1,346 @@
+//! What a scene shows, or a family over all settings of its knob; and all of them together.
+
+use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
+
+/// A scene or a family.
+pub(crate) struct Summary<'a> {
+    pub(crate) cases: Vec<&'a Case>,
+    /// The methods, in their order.
+    pub(crate) methods: Vec<Worst<'a>>,
+}
+
+/// A method over all cases of a family: the error at its worst, wrong decisions all together, the time in
+/// the middle. One case is its own worst.
+pub(crate) struct Worst<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) formula: &'a str,
+    pub(crate) digits: Digits,
+    pub(crate) outcome: Option<Outcome>,
+    /// Nanoseconds a pixel: of the shortest rounds of all cases, the one in the middle.
+    pub(crate) time: Option<f64>,
+    /// Of a family, the least and the most of them; of a scene, the shortest round and the upper
+    /// quartile.
+    pub(crate) times: Option<[f64; 2]>,
+    pub(crate) wrong: u64,
+    pub(crate) decisions: u64,
+}
+
+/// The error in t that a method shows, or why it shows none; the worst is the greatest.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(crate) enum Outcome {
+    /// Every true t is out of the range of its precision.
+    OutOfRange,
+    /// Ulps of `f64`.
+    Error(f64),
+    /// An error as large as t.
+    NoDigit,
+    /// No hit in common with the truth.
+    NoHit,
+}
+
+/// Returns what a method shows in a case; `None` where there is nothing to hit and it hits nothing.
+pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
+    match row.ulp_f64.max {
+        Some(error) if error >= NO_DIGIT => Some(Outcome::NoDigit),
+        Some(error) => Some(Outcome::Error(error)),
+        None if row.t_out_of_range > 0 => Some(Outcome::OutOfRange),
+        None => (row.wrong > 0).then_some(Outcome::NoHit),
+    }
+}
+
+/// Returns the summaries of a report, in order. Parts of a scene are in none of them: they would count
+/// twice.
+pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
+    let families = report.families().into_iter();
+    families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
+}
+
+impl<'a> Summary<'a> {
+    fn new(mut cases: Vec<&'a Case>) -> Summary<'a> {
+        cases.sort_by(|a, b| a.knob.unwrap_or(0.0).total_cmp(&b.knob.unwrap_or(0.0)));
+        let mut names: Vec<&str> = Vec::new();
+        for row in cases.iter().flat_map(|case| &case.methods) {
+            if !names.contains(&row.name.as_str()) {
+                names.push(&row.name);
+            }
+        }
+        let mut methods: Vec<Worst> =
+            names.into_iter().map(|name| Worst::new(name, &cases)).collect();
+        // With planes alone, double-double is a precision of the textbook's.
+        let is_double_double = |worst: &Worst| worst.digits == Digits::DoubleDouble;
+        if methods.iter().all(|worst| worst.formula != "half-b" || is_double_double(worst)) {
+            let alone = methods.iter_mut().filter(|worst| is_double_double(worst));
+            alone.for_each(|worst| worst.formula = "textbook");
+        }
+        Summary { cases, methods }
+    }
+
+    /// Returns whether there is a curve over a knob to show.
+    pub(crate) fn has_knob(&self) -> bool {
+        self.cases.len() > 1
+    }
+
+    /// Everything that some panel shows.
+    pub(crate) fn outcomes(&self) -> impl Iterator<Item = Outcome> {
+        self.cases.iter().flat_map(|case| &case.methods).filter_map(outcome)
+    }
+
+    fn method(&self, name: &str) -> Option<&Worst<'a>> {
+        self.methods.iter().find(|worst| worst.name == name)
+    }
+
+    /// Coverage, from the least to the most, as text.
+    pub(crate) fn coverage(&self) -> String {
+        let percent =
+            |share: f64| crate::model::number::short_plain((100.0 * share * 1e3).round() / 1e3);
+        let shares = self.cases.iter().map(|case| case.coverage);
+        let low = shares.clone().fold(f64::INFINITY, f64::min);
+        let high = shares.fold(0.0, f64::max);
+        if percent(low) == percent(high) {
+            return format!("{} %", percent(low));
+        }
+        format!("{} to {} %", percent(low), percent(high))
+    }
+}
+
+impl<'a> Worst<'a> {
+    fn new(name: &'a str, cases: &[&'a Case]) -> Worst<'a> {
+        let row_of = |case: &&'a Case| case.methods.iter().find(|row| row.name == name);
+        let rows: Vec<&MethodRow> = cases.iter().filter_map(row_of).collect();
+        let mut times: Vec<f64> = rows.iter().filter_map(|row| row.ns_per_pixel.min).collect();
+        times.retain(|time| *time > 0.0);
+        times.sort_by(f64::total_cmp);
+        let last = match rows.as_slice() {
+            [one] => one.ns_per_pixel.upper_quartile,
+            _ => times.last().copied(),
+        };
+        // Where nothing is to be hit, to hit says nothing about t.
+        let hit = cases.iter().filter(|case| case.coverage > 0.0).filter_map(row_of);
+        let worse = |a, b| if a > b { a } else { b };
+        Worst {
+            name,
+            formula: rows.first().map_or(name, |row| row.formula()),
+            digits: rows.first().map_or(Digits::Double, |row| row.digits()),
+            outcome: hit.filter_map(outcome).reduce(worse),
+            time: middle(&times),
+            times: times.first().copied().zip(last).map(|(low, high)| [low, high]),
+            wrong: rows.iter().map(|row| row.wrong).sum(),
+            decisions: rows.iter().map(|row| row.decisions).sum(),
+        }
+    }
+
+    /// Time and error, of a method that decides all right and has some digit right.
+    fn result(&self) -> Option<(f64, f64)> {
+        match (self.time, self.outcome) {
+            (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
+            _ => None,
+        }
+    }
+
+    /// Returns whether the other is at least as fast and as close, and better in one of them.
+    fn is_beaten_by(&self, other: &Worst) -> bool {
+        let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
+        others.0 <= own.0 && others.1 <= own.1 && others != own
+    }
+}
+
+/// The one in the middle of ascending values, or the geometric mean of the two.
+pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
+    let (low, high) = (sorted.get(sorted.len().saturating_sub(1) / 2)?, sorted[sorted.len() / 2]);
+    // Of 0 and infinity there is no mean.
+    Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
+}
+
+/// The Pareto front: of the methods that decide all right, those that no other one beats in both time
+/// and error; the fastest first.
+pub(crate) fn front<'a, 'b>(methods: &'b [Worst<'a>]) -> Vec<&'b Worst<'a>> {
+    let is_first = |method: &&Worst| {
+        method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
+    };
+    let mut front: Vec<&Worst> = methods.iter().filter(is_first).collect();
+    front.sort_by(|a, b| a.time.unwrap_or(0.0).total_cmp(&b.time.unwrap_or(0.0)));
+    front
+}
+
+/// All scenes or families together.
+pub(crate) struct Overall<'a> {
+    /// A line each.
+    pub(crate) methods: Vec<MethodOverall<'a>>,
+    /// What there is several of: families or scenes.
+    pub(crate) noun: &'static str,
+    /// Number of those that all methods share, but the one of frames alone.
+    pub(crate) in_share: usize,
+    /// Number of those that all methods share.
+    pub(crate) in_errors: usize,
+}
+
+/// A method over all scenes or families. Shares, errors and times are of shared ones alone: those of
+/// different ones are not compared.
+pub(crate) struct MethodOverall<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) formula: &'a str,
+    pub(crate) digits: Digits,
+    pub(crate) wrong: u64,
+    pub(crate) decisions: u64,
+    /// The mean share of wrong decisions of the cases.
+    pub(crate) share: Option<f64>,
+    /// The outcome of each, ascending.
+    pub(crate) outcomes: Vec<Outcome>,
+    /// The time of each, ascending; nanoseconds a pixel.
+    pub(crate) times: Vec<f64>,
+}
+
+/// The method that single rays do not have.
+const OF_FRAMES_ALONE: &str = "ladder-f32";
+
+/// Returns every method over all of a report.
+pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
+    let mut all: Vec<&Worst<'a>> = Vec::new();
+    for worst in summaries.iter().flat_map(|summary| &summary.methods) {
+        if all.iter().all(|known| known.name != worst.name) {
+            all.push(worst);
+        }
+    }
+    let has = |summary: &Summary, worst: &&Worst| summary.method(worst.name).is_some();
+    let has_all = |summary: &&Summary| all.iter().all(|worst| has(summary, worst));
+    let has_most = |summary: &&Summary| {
+        all.iter().all(|worst| worst.name == OF_FRAMES_ALONE || has(summary, worst))
+    };
+    let shared: Vec<&Summary> = summaries.iter().filter(has_all).collect();
+    let in_share: Vec<&Summary> = summaries.iter().filter(has_most).collect();
+    let method = |first: &&Worst<'a>| MethodOverall::new(first, summaries, &in_share, &shared);
+    let mut methods: Vec<MethodOverall> = all.iter().map(method).collect();
+    // Each formula's precisions beside each other, the formulas in the order in which they came.
+    let order: Vec<&str> = methods.iter().map(|method| method.formula).collect();
+    methods.sort_by_key(|m| (order.iter().position(|formula| *formula == m.formula), m.digits));
+    let has_knobs = summaries.iter().any(|summary| summary.cases[0].knob.is_some());
+    let noun = if has_knobs { "families" } else { "scenes" };
+    Overall { methods, noun, in_share: in_share.len(), in_errors: shared.len() }
+}
+
+impl<'a> MethodOverall<'a> {
+    fn new(
+        first: &Worst<'a>,
+        summaries: &[Summary<'a>],
+        in_share: &[&Summary<'a>],
+        shared: &[&Summary<'a>],
+    ) -> MethodOverall<'a> {
+        let worst =
+            |summary: &Summary<'a>| summary.method(first.name).map(|m| (m.wrong, m.decisions));
+        let counts = summaries.iter().filter_map(worst);
+        let (wrong, decisions) = counts.fold((0, 0), |(a, b), (wrong, all)| (a + wrong, b + all));
+        let cases = in_share.iter().flat_map(|summary| &summary.cases);
+        let rows = cases.flat_map(|case| &case.methods).filter(|row| row.name == first.name);
+        let shares: Vec<f64> = rows.filter_map(|row| row.wrong_share).collect();
+        let own = || shared.iter().filter_map(|summary| summary.method(first.name));
+        let mut outcomes: Vec<Outcome> = own().filter_map(|worst| worst.outcome).collect();
+        outcomes.retain(|outcome| *outcome != Outcome::OutOfRange);
+        outcomes.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        let mut times: Vec<f64> = own().filter_map(|worst| worst.time).collect();
+        times.sort_by(f64::total_cmp);
+        MethodOverall {
+            name: first.name,
+            formula: first.formula,
+            digits: first.digits,
+            wrong,
+            decisions,
+            share: (!shares.is_empty()).then(|| shares.iter().sum::<f64>() / shares.len() as f64),
+            outcomes,
+            times,
+        }
+    }
+
+    /// The outcomes as numbers, infinite where no digit of t is right, or no hit: the least, the middle,
+    /// the greatest.
+    pub(crate) fn errors(&self) -> Option<[f64; 3]> {
+        let number = |outcome: &Outcome| match outcome {
+            Outcome::Error(error) => *error,
+            _ => f64::INFINITY,
+        };
+        least_middle_most(&self.outcomes.iter().map(number).collect::<Vec<_>>())
+    }
+}
+
+/// The least, the middle and the greatest of ascending values.
+pub(crate) fn least_middle_most(sorted: &[f64]) -> Option<[f64; 3]> {
+    Some([*sorted.first()?, middle(sorted)?, *sorted.last()?])
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::report::model::{Times, Ulps};
+
+    fn row(name: &str, wrong: u64, error: Option<f64>, time: f64) -> MethodRow {
+        let ulp_f64 = Ulps { max: error, ..Ulps::default() };
+        let ns_per_pixel = Times { min: Some(time), median: Some(9.0 * time), ..Times::default() };
+        let (name, wrong_share) = (name.to_owned(), Some(wrong as f64 / 100.0));
+        MethodRow {
+            name,
+            wrong,
+            decisions: 100,
+            wrong_share,
+            ulp_f64,
+            ns_per_pixel,
+            ..MethodRow::default()
+        }
+    }
+
+    fn case(name: &str, knob: f64, methods: Vec<MethodRow>) -> Case {
+        Case { name: name.to_owned(), knob: Some(knob), coverage: 0.5, methods, ..Case::default() }
+    }
+
+    /// A family of planes has fewer methods: what they do wrong there makes them no worse than those that
+    /// were spared it.
+    #[test]
+    fn shares_are_of_what_all_have() {
+        let both =
+            |wrong: u64| vec![row("a-f64", wrong, None, 1.0), row("b-f64", wrong, None, 1.0)];
+        let cases = vec![
+            case("spheres", 1.0, both(10)),
+            case("spheres", 2.0, both(30)),
+            case("planes", 1.0, vec![row("a-f64", 90, None, 1.0)]),
+        ];
+        let report = Report { cases, ..Report::default() };
+        let summaries = summaries(&report);
+        let all = overall(&summaries);
+        assert_eq!((all.noun, all.in_share, all.in_errors), ("families", 1, 1));
+        assert!(all.methods.iter().all(|m| (m.share.unwrap() - 0.2).abs() < 1e-12));
+        assert_eq!(all.methods[0].wrong, 130);
+    }
+
+    #[test]
+    fn of_two_in_the_middle_it_is_their_mean() {
+        assert_eq!(middle(&[]), None);
+        assert_eq!(middle(&[3.0]), Some(3.0));
+        assert_eq!(middle(&[1.0, 4.0, 9.0, 10.0]), Some(6.0));
+        assert_eq!(middle(&[0.0, f64::INFINITY]), Some(0.0));
+        assert_eq!(middle(&[f64::INFINITY; 2]), Some(f64::INFINITY));
+    }
+
+    /// What is worst is worst at any setting, but where there is nothing to hit.
+    #[test]
+    fn the_worst_setting_counts_and_the_middle_time() {
+        let settings = [(Some(2.0), 1.0), (None, 4.0), (Some(1e17), 9.0), (None, 16.0)];
+        let mut cases: Vec<Case> = (0..4)
+            .map(|k| {
+                let (error, time) = settings[k];
+                case("hard", k as f64, vec![row("a-f64", 1, error, time)])
+            })
+            .collect();
+        cases[3].coverage = 0.0;
+        let worst_of = |cases: &[Case]| {
+            let report = Report { cases: cases.to_vec(), ..Report::default() };
+            let worst = summaries(&report).remove(0).methods.remove(0);
+            (worst.outcome, worst.time, worst.times)
+        };
+        let expected = (Some(Outcome::NoHit), Some(6.0), Some([1.0, 16.0]));
+        assert_eq!(worst_of(&cases), expected);
+        cases.remove(1);
+        assert_eq!(worst_of(&cases).0, Some(Outcome::NoDigit));
+        cases.remove(1);
+        assert_eq!(worst_of(&cases).0, Some(Outcome::Error(2.0)));
+    }
+}
