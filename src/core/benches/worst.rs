@@ -36,10 +36,10 @@ impl Random {
     }
 }
 
-type Family = (&'static str, usize, fn(usize) -> Vec<Sphere>);
+type Family<T = Sphere> = (&'static str, usize, fn(usize) -> Vec<T>);
 
 /// Families of planes: name, number of planes, and the planes.
-const PLANE_FAMILIES: [(&str, usize, fn(usize) -> Vec<Plane>); 2] = [
+const PLANE_FAMILIES: [Family<Plane>; 2] = [
     // The same plane, but for the rounding of normals.
     ("planes alike", 11, |count| {
         let normal = |k: usize| (k + 1) as f64 * DVec3::new(0.1, 0.2, 0.7);
