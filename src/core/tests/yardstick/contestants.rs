@@ -5,7 +5,6 @@ use std::time::Duration;
 use pinhole_core::*;
 use pinhole_yardstick::bvh::Bvh;
 use pinhole_yardstick::contest::{self, Limits};
-use pinhole_yardstick::stores::Stores;
 use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes, textbook};
 
 fn ladder(setting: &Setting) -> Frame<f32> {
@@ -60,32 +59,20 @@ fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
 }
 
 #[test]
-fn stores_store_every_pixel() {
-    let image = ImageSize::new(37, 5).unwrap();
-    for mut stores in [Stores::again(image, Level::new()), Stores::to_memory(image, Level::new())] {
-        for frame in 1..4 {
-            let last = stores.run();
-            assert_eq!(last.t, vec![frame as f32; 37 * 5]);
-            assert_eq!(last.object, vec![frame; 37 * 5]);
-        }
-    }
-}
-
-#[test]
 fn a_contest_is_among_those_who_are_quick_enough() {
     let limits = Limits { share: Duration::from_millis(1), most: 3, ..Limits::default() };
     let names = |count: usize, limits: &Limits| -> Vec<&str> {
         let setting = scenes::spheres_at(count, 0.6, 1.0).with_image(40, 30);
-        let outcome = contest::run(&setting, limits);
+        let outcome = contest::run(&setting, limits, &mut []);
         assert_eq!(outcome.frame.object.len(), 1200);
         assert!(outcome.rows.iter().all(|(_, times)| times.count > 0 && times.min > 0.0));
         outcome.rows.into_iter().map(|(name, _)| name).collect()
     };
-    assert_eq!(names(10, &limits), ["ladder", "textbook", "stores", "stores to memory"]);
-    assert_eq!(names(1000, &limits), ["ladder", "textbook-bvh", "stores", "stores to memory"]);
+    assert_eq!(names(10, &limits), ["ladder", "textbook"]);
+    assert_eq!(names(1000, &limits), ["ladder", "textbook-bvh"]);
     assert_eq!(names(100, &limits)[1..3], ["textbook", "textbook-bvh"]);
     let impatient = Limits { patience: Duration::ZERO, ..limits };
-    assert_eq!(names(100, &impatient), ["ladder", "stores", "stores to memory"]);
+    assert_eq!(names(100, &impatient), ["ladder"]);
 }
 
 #[test]
