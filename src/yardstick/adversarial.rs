@@ -76,7 +76,7 @@ fn six_decades() -> Setting {
 /// Spheres in the middle of the view, where they hide each other; 60 % of the pixels are covered.
 fn dense(count: usize) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(8)).into_iter();
-    alike(centers.map(|center| center * DVec3::new(0.8, 0.8, 1.0)).collect())
+    alike(centers.map(|center| center * DVec3::new(0.5, 0.5, 1.0)).collect())
 }
 
 /// Spheres in thirty clusters, each denser towards its middle; 60 % of the pixels are covered.

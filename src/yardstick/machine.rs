@@ -37,6 +37,6 @@ fn ticks() -> Option<[f64; 2]> {
     let busy = all.get(..8)?.iter().sum::<f64>() - all[3] - all[4];
     let own = fs::read_to_string("/proc/self/stat").ok()?;
     // Behind the name: state, ten more, then user and system of the process and of its children.
-    let own = own.rsplit(')').next()?.split_whitespace().skip(12).take(4);
+    let own = own.rsplit(')').next()?.split_whitespace().skip(11).take(4);
     Some([busy, own.filter_map(number).sum()])
 }

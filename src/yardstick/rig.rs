@@ -15,8 +15,9 @@ use crate::scenes::Setting;
 /// Name of the limit: streaming stores of t and object of every pixel, and nothing else.
 pub const STREAMING: &str = "streaming stores";
 
-/// Names of Embree's two ways: its own spheres, and user geometry with a test 16 rays wide.
-pub const EMBREE: [&str; 2] = ["Embree's spheres", "Embree, 16 wide"];
+/// Names of Embree's ways: its own spheres, and user geometry with a test as wide as a packet of 16 rays,
+/// which are declared coherent or not.
+pub const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
 
 const SOURCES: [(&str, &str); 3] = [
     ("rig.hpp", include_str!("rigs/rig.hpp")),
@@ -57,7 +58,7 @@ impl Program {
         Ok(Program { path: folder.join("embree"), modes: &EMBREE })
     }
 
-    /// Starts it for a scene.
+    /// Starts it for a scene, and waits until it is ready.
     ///
     /// # Errors
     /// Returns what keeps it from starting.
@@ -77,7 +78,10 @@ impl Program {
             .stdout(Stdio::piped())
             .spawn()?;
         let answers = BufReader::new(child.stdout.take().ok_or(Error::other("no stdout"))?);
-        Ok(Rig { child, answers, frame, modes: self.modes })
+        let mut rig = Rig { child, answers, frame, modes: self.modes };
+        // It answers when the scene is ready.
+        rig.frames(0, 1, &[])?;
+        Ok(rig)
     }
 }
 
@@ -141,8 +145,10 @@ impl Rig {
     fn ask(&mut self, order: &str) -> Result<String, Error> {
         self.child.stdin.as_mut().ok_or(Error::other("no stdin"))?.write_all(order.as_bytes())?;
         let mut answer = String::new();
-        self.answers.read_line(&mut answer)?;
-        Ok(answer)
+        match self.answers.read_line(&mut answer)? {
+            0 => Err(Error::other("it has ended")),
+            _ => Ok(answer),
+        }
     }
 }
 

@@ -6,13 +6,13 @@
 //!
 //! - A word chooses scenes: `growth`, `adversarial`, `sizes`, a name (`N=1000`), or part of one
 //!   (`overdraw`). Without one, those in which speed is stated.
-//! - `embree` sets Embree in the place of the textbook's ways: its own spheres, and blocks of spheres
-//!   with a test 16 rays wide. It needs the library (Debian's `libembree-dev`) and a C++ compiler.
+//! - `embree` sets Embree in the place of the textbook's ways: its own spheres, and user geometry with
+//!   a test 16 rays wide. It needs the library (Debian's `libembree-dev`) and a C++ compiler.
 //! - `threads=1,2` is the default. `avx2` holds the ladder to AVX2; `quick` takes few frames.
 //!
 //! Streaming stores are the limit of whoever leaves nothing in the caches. They are built by the C++
 //! compiler, `c++` or what `CXX` names; without one the limit is not known. On a machine that others
-//! use too, which is told, minima say more than medians.
+//! use too, which is told where the system tells it, minima say more than medians.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::path::Path;
@@ -44,6 +44,8 @@ struct Measured {
     decided: f64,
     /// For each number of threads.
     outcomes: Vec<Outcome>,
+    /// Number of processors that others kept busy meanwhile.
+    others: f64,
 }
 
 fn main() {
@@ -71,6 +73,7 @@ fn main() {
     println!("ratio: a method's median time over the ladder's\n");
     let measured: Vec<Measured> =
         chosen.iter().map(|listed| measure(listed, &limits, &pools, &programs)).collect();
+    warn(measured.iter().map(|scene| scene.others).fold(0.0, f64::max));
     show_table("medians", &measured, &pools, |times| times.median);
     show_table("minima", &measured, &pools, |times| times.min);
     show_growth(&measured);
@@ -120,7 +123,7 @@ fn measure(
     let frame = &outcomes[0].frame;
     let coverage = check::coverage(&frame.object);
     let decided = frame.steps.total() as f64 / (coverage * setting.pixels() as f64).max(1.0);
-    let measured = Measured {
+    let mut measured = Measured {
         name: listed.name,
         group: listed.group,
         spheres: setting.scene.len(),
@@ -128,14 +131,20 @@ fn measure(
         coverage,
         decided,
         outcomes,
+        others: 0.0,
     };
     show(&measured, &setting, pools, &mut rigs);
     drop(rigs);
-    if let Some(others) = watch.others().filter(|others| *others > SHARED) {
-        println!("  WARNING: the machine is shared, others kept {others:.1} processors busy");
-    }
+    measured.others = watch.others().unwrap_or(0.0);
+    warn(measured.others);
     println!();
     measured
+}
+
+fn warn(others: f64) {
+    if others > SHARED {
+        println!("WARNING: the machine is shared: others kept {others:.1} processors busy");
+    }
 }
 
 fn show(measured: &Measured, setting: &Setting, pools: &[ThreadPool], rigs: &mut [Rig]) {
@@ -182,7 +191,7 @@ fn show_table(title: &str, measured: &[Measured], pools: &[ThreadPool], picked: 
     let threads: Vec<String> =
         pools.iter().map(|pool| format!("{}t", pool.current_num_threads())).collect();
     let threads = threads.join(" / ");
-    println!("Mrays/s of {title}; best: the faster of Embree's two; {threads}\n");
+    println!("Mrays/s of {title}; best: the fastest of Embree's ways; {threads}\n");
     println!(
         "| scene | ours | best | ours / best | % of streaming stores | % covered | decided / covered |"
     );

@@ -1,11 +1,13 @@
-// Embree over spheres, in packets of 16 rays (8 or 4 where the processor is no wider), two ways:
+// Embree over spheres, in packets of 16 rays (8 or 4 where the processor's vectors are no wider):
 //
 //   mode 0: its own spheres
-//   mode 1: user geometry, blocks of spheres that stand together, with a test as wide as a packet
+//   mode 1: user geometry, a sphere each, with a test of a whole packet
+//   mode 2: the same, with rays that are not declared coherent: faster over a few spheres
 //
 //   embree WIDTH HEIGHT FRAME SPHERES
 //
-// SPHERES: x, y, z and radius of each sphere as f32. Embree 4 or, with -DEMBREE=3, Embree 3.
+// SPHERES: x, y, z and radius of each sphere as f32. Leaves of 4, 8 or 16 spheres, and rays one by one
+// against 16 spheres at once, are slower than mode 1 or 2 wherever there are more than three spheres.
 #include "rig.hpp"
 #include <algorithm>
 #include <cmath>
@@ -16,133 +18,52 @@
 #include <embree4/rtcore.h>
 #endif
 
-#define JOINED(a, b) a##b
-#define JOIN(a, b) JOINED(a, b)
 #if defined __AVX512F__
 #define WIDTH 16
-#define SQRT(x) reinterpret_cast<Floats>(_mm512_sqrt_ps(reinterpret_cast<__m512>(x)))
+#define INTERSECT rtcIntersect16
+using RayHits = RTCRayHit16;
+#define SQRT(x) Floats(_mm512_sqrt_ps(__m512(x)))
 #elif defined __AVX__
 #define WIDTH 8
-#define SQRT(x) reinterpret_cast<Floats>(_mm256_sqrt_ps(reinterpret_cast<__m256>(x)))
+#define INTERSECT rtcIntersect8
+using RayHits = RTCRayHit8;
+#define SQRT(x) Floats(_mm256_sqrt_ps(__m256(x)))
 #else
 #define WIDTH 4
-#define SQRT(x) reinterpret_cast<Floats>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)))
+#define INTERSECT rtcIntersect4
+using RayHits = RTCRayHit4;
+#define SQRT(x) Floats(_mm_sqrt_ps(__m128(x)))
 #endif
-using RayHits = JOIN(RTCRayHit, WIDTH);
-typedef float Floats __attribute__((vector_size(4 * WIDTH)));
-typedef int Ints __attribute__((vector_size(4 * WIDTH)));
+typedef float Floats __attribute__((vector_size(4 * WIDTH), may_alias));
+typedef int Ints __attribute__((vector_size(4 * WIDTH), may_alias));
+static inline Floats &floats(float *lanes) { return *reinterpret_cast<Floats *>(lanes); }
+static inline Ints &ints(unsigned *lanes) { return *reinterpret_cast<Ints *>(lanes); }
 
 struct Sphere { float x, y, z, radius; };
 
-#ifndef BLOCK
-#define BLOCK 8
-#endif
-
-// Spheres that stand together.
-struct Block {
-  int count;
-  float x[BLOCK], y[BLOCK], z[BLOCK], radius[BLOCK];
-  int object[BLOCK];
-};
-
-// Adds blocks of the spheres `from` to `to`, halved along the longer side until they fit.
-static void add_blocks(std::vector<Block> &blocks, const Sphere *spheres, unsigned *from, unsigned *to) {
-  if (to - from <= BLOCK) {
-    Block block{};
-    for (; from < to; from++, block.count++) {
-      const Sphere &sphere = spheres[*from];
-      int k = block.count;
-      block.x[k] = sphere.x, block.y[k] = sphere.y, block.z[k] = sphere.z;
-      block.radius[k] = sphere.radius, block.object[k] = *from;
-    }
-    return blocks.push_back(block);
-  }
-  float widest = -1;
-  int along = 0;
-  for (int axis = 0; axis < 3; axis++) {
-    auto less = [&](unsigned a, unsigned b) { return (&spheres[a].x)[axis] < (&spheres[b].x)[axis]; };
-    auto [low, high] = std::minmax_element(from, to, less);
-    float width = (&spheres[*high].x)[axis] - (&spheres[*low].x)[axis];
-    if (width > widest) widest = width, along = axis;
-  }
-  // Whole blocks to the left.
-  unsigned *middle = from + std::max<long>(BLOCK, (to - from) / 2 / BLOCK * BLOCK);
-  std::nth_element(from, middle, to, [&](unsigned a, unsigned b) { return (&spheres[a].x)[along] < (&spheres[b].x)[along]; });
-  add_blocks(blocks, spheres, from, middle);
-  add_blocks(blocks, spheres, middle, to);
+static void bounds(const RTCBoundsFunctionArguments *args) {
+  auto [x, y, z, radius] = static_cast<const Sphere *>(args->geometryUserPtr)[args->primID];
+  *args->bounds_o = {x - radius, y - radius, z - radius, 0, x + radius, y + radius, z + radius, 0};
 }
 
-static void bounds_of(const RTCBoundsFunctionArguments *args) {
-  const Block &block = static_cast<const Block *>(args->geometryUserPtr)[args->primID];
-  RTCBounds &box = *args->bounds_o;
-  box.lower_x = box.lower_y = box.lower_z = INFINITY;
-  box.upper_x = box.upper_y = box.upper_z = -INFINITY;
-  for (int k = 0; k < block.count; k++) {
-    float x = block.x[k], y = block.y[k], z = block.z[k], radius = block.radius[k];
-    box.lower_x = std::min(box.lower_x, x - radius), box.upper_x = std::max(box.upper_x, x + radius);
-    box.lower_y = std::min(box.lower_y, y - radius), box.upper_y = std::max(box.upper_y, y + radius);
-    box.lower_z = std::min(box.lower_z, z - radius), box.upper_z = std::max(box.upper_z, z + radius);
-  }
-}
-
-// The smallest root beyond `near`, or infinity. From the point of the ray that is nearest to the
-// centre: Haines, Akenine-Moeller, "Precision improvements for ray/sphere intersection" (2019).
-template <class F> static inline F root(F x, F y, F z, F dx, F dy, F dz, F over_a, F radius, F near, F (*square_root)(F)) {
-  F middle = (x * dx + y * dy + z * dz) * over_a;
-  F px = x - middle * dx, py = y - middle * dy, pz = z - middle * dz;
-  F left = (radius * radius - (px * px + py * py + pz * pz)) * over_a;
-  F half = square_root(left);
-  F first = middle - half, second = middle + half;
-  F t = first > near ? first : second;
-  return (left >= 0) & (t > near) ? t : F{} + INFINITY;
-}
-
-static inline Floats square_roots(Floats x) { return SQRT(x); }
-
-// All rays of a packet against one sphere after the other.
-static void meet_packet(const Block &block, const RTCIntersectFunctionNArguments *args) {
-  RayHits &rays = *reinterpret_cast<RayHits *>(args->rayhit);
-  auto floats = [](float *x) -> Floats & { return *reinterpret_cast<Floats *>(x); };
-  auto ints = [](unsigned *x) -> Ints & { return *reinterpret_cast<Ints *>(x); };
-  Floats x = floats(rays.ray.org_x), y = floats(rays.ray.org_y), z = floats(rays.ray.org_z);
-  Floats dx = floats(rays.ray.dir_x), dy = floats(rays.ray.dir_y), dz = floats(rays.ray.dir_z);
-  Floats over_a = 1 / (dx * dx + dy * dy + dz * dz), near = floats(rays.ray.tnear);
-  Ints valid = *reinterpret_cast<const Ints *>(args->valid) != 0;
-  Floats far = floats(rays.ray.tfar);
-  Ints object = ints(rays.hit.primID), met = Ints{};
-  for (int k = 0; k < block.count; k++) {
-    Floats t = root(block.x[k] - x, block.y[k] - y, block.z[k] - z, dx, dy, dz, over_a, Floats{} + block.radius[k], near, square_roots);
-    Ints nearer = valid & (t < far);
-    far = nearer ? t : far, object = nearer ? Ints{} + block.object[k] : object, met |= nearer;
-  }
-  floats(rays.ray.tfar) = far, ints(rays.hit.primID) = object;
-  ints(rays.hit.geomID) = met ? Ints{} + int(args->geomID) : ints(rays.hit.geomID);
-}
-
-// Rays one by one, where Embree has taken a packet apart.
-static void meet_single(const Block &block, const RTCIntersectFunctionNArguments *args) {
-  RTCRayN *rays = RTCRayHitN_RayN(args->rayhit, args->N);
-  RTCHitN *hits = RTCRayHitN_HitN(args->rayhit, args->N);
-  for (unsigned i = 0; i < args->N; i++) {
-    if (!args->valid[i]) continue;
-    float x = RTCRayN_org_x(rays, args->N, i), y = RTCRayN_org_y(rays, args->N, i), z = RTCRayN_org_z(rays, args->N, i);
-    float dx = RTCRayN_dir_x(rays, args->N, i), dy = RTCRayN_dir_y(rays, args->N, i), dz = RTCRayN_dir_z(rays, args->N, i);
-    float over_a = 1 / (dx * dx + dy * dy + dz * dz), near = RTCRayN_tnear(rays, args->N, i);
-    float &far = RTCRayN_tfar(rays, args->N, i);
-    float ts[BLOCK];
-    for (int k = 0; k < BLOCK; k++)
-      ts[k] = root<float>(block.x[k] - x, block.y[k] - y, block.z[k] - z, dx, dy, dz, over_a, block.radius[k], near, sqrtf);
-    for (int k = 0; k < block.count; k++)
-      if (ts[k] < far)
-        far = ts[k], RTCHitN_primID(hits, args->N, i) = block.object[k], RTCHitN_geomID(hits, args->N, i) = args->geomID;
-  }
-}
-
-static long singles, packets;
+// From the point of the ray that is nearest to the centre: Haines, Guenther, Akenine-Moeller,
+// "Precision improvements for ray/sphere intersection", Ray Tracing Gems (2019).
 static void intersect(const RTCIntersectFunctionNArguments *args) {
-  const Block &block = static_cast<const Block *>(args->geometryUserPtr)[args->primID];
-  if (args->N == WIDTH) packets++; else singles++;
-  args->N == WIDTH ? meet_packet(block, args) : meet_single(block, args);
+  if (args->N != WIDTH) fputs("Embree has taken a packet apart\n", stderr), abort();
+  const Sphere &sphere = static_cast<const Sphere *>(args->geometryUserPtr)[args->primID];
+  auto &[ray, hit] = *reinterpret_cast<RayHits *>(args->rayhit);
+  Floats dx = floats(ray.dir_x), dy = floats(ray.dir_y), dz = floats(ray.dir_z);
+  Floats over_a = 1 / (dx * dx + dy * dy + dz * dz);
+  Floats x = sphere.x - floats(ray.org_x), y = sphere.y - floats(ray.org_y), z = sphere.z - floats(ray.org_z);
+  Floats middle = (x * dx + y * dy + z * dz) * over_a;
+  x -= middle * dx, y -= middle * dy, z -= middle * dz;
+  Floats square = (sphere.radius * sphere.radius - (x * x + y * y + z * z)) * over_a;
+  Floats half = SQRT(square), near = floats(ray.tnear), far = floats(ray.tfar);
+  Floats t = middle - half > near ? middle - half : middle + half;
+  Ints is_nearer = (*reinterpret_cast<const Ints *>(args->valid) != 0) & (square >= 0) & (t > near) & (t < far);
+  floats(ray.tfar) = is_nearer ? t : far;
+  ints(hit.primID) = is_nearer ? Ints{} + int(args->primID) : ints(hit.primID);
+  ints(hit.geomID) = is_nearer ? Ints{} + int(args->geomID) : ints(hit.geomID);
 }
 
 static RTCScene scene_of(RTCDevice device, RTCGeometry geometry) {
@@ -155,57 +76,64 @@ static RTCScene scene_of(RTCDevice device, RTCGeometry geometry) {
 
 static RTCScene own_spheres(RTCDevice device, const std::vector<Sphere> &spheres) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  void *buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Sphere), spheres.size());
+  void *buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                         sizeof(Sphere), spheres.size());
   memcpy(buffer, spheres.data(), spheres.size() * sizeof(Sphere));
   return scene_of(device, geometry);
 }
 
-static RTCScene user_geometry(RTCDevice device, std::vector<Block> &blocks) {
+static RTCScene user_geometry(RTCDevice device, std::vector<Sphere> &spheres) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, blocks.size());
-  rtcSetGeometryUserData(geometry, blocks.data());
-  rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments *args) { bounds_of(args); }, nullptr);
+  rtcSetGeometryUserPrimitiveCount(geometry, spheres.size());
+  rtcSetGeometryUserData(geometry, spheres.data());
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect);
   return scene_of(device, geometry);
 }
 
 // A packet's pixels.
-#ifndef ACROSS
-#define ACROSS 4
-#endif
-constexpr int DOWN = WIDTH / ACROSS;
+constexpr int ACROSS = 4, DOWN = WIDTH / ACROSS;
 
-// One packet, from the pixel at its upper left on.
-static void trace(RTCScene scene, const Camera &camera, const Image &image, int column, int row) {
-  alignas(64) RayHits rays;
-  alignas(64) int valid[WIDTH];
-  for (int k = 0; k < WIDTH; k++) {
-    int c = column + k % ACROSS, r = row + k / ACROSS;
-    valid[k] = c < image.width && r < image.height ? -1 : 0;
-    rays.ray.org_x[k] = camera.eye.x, rays.ray.org_y[k] = camera.eye.y, rays.ray.org_z[k] = camera.eye.z;
-    rays.ray.dir_x[k] = camera.first.x + c * camera.column.x + r * camera.row.x;
-    rays.ray.dir_y[k] = camera.first.y + c * camera.column.y + r * camera.row.y;
-    rays.ray.dir_z[k] = camera.first.z + c * camera.column.z + r * camera.row.z;
-    rays.ray.tnear[k] = 0, rays.ray.tfar[k] = INFINITY, rays.ray.time[k] = 0;
-    rays.ray.mask[k] = -1, rays.ray.id[k] = k, rays.ray.flags[k] = 0;
-    rays.hit.geomID[k] = rays.hit.primID[k] = rays.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-  }
+// Traces the packets of a band of DOWN rows, from its first row on.
+static void trace(RTCScene scene, bool is_coherent, const Camera &camera, const Image &image, int row) {
+  RayHits rays;
+  auto &[ray, hit] = rays;
+  Floats c, r, one = Floats{} + 1;
+  for (int k = 0; k < WIDTH; k++) c[k] = k % ACROSS, r[k] = row + k / ACROSS;
+  floats(ray.org_x) = camera.eye.x * one, floats(ray.org_y) = camera.eye.y * one;
+  floats(ray.org_z) = camera.eye.z * one;
+  floats(ray.tnear) = floats(ray.time) = Floats{};
+  ints(ray.id) = ints(ray.flags) = Ints{}, ints(ray.mask) = Ints{} - 1;
 #if EMBREE == 3
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  JOIN(rtcIntersect, WIDTH)(valid, scene, &context, &rays);
+  if (is_coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 #else
-  RTCIntersectArguments args;
-  rtcInitIntersectArguments(&args);
-  args.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  JOIN(rtcIntersect, WIDTH)(valid, scene, &rays, &args);
+  RTCIntersectArguments context;
+  rtcInitIntersectArguments(&context);
+  if (is_coherent) context.flags = RTC_RAY_QUERY_FLAG_COHERENT;
 #endif
-  int columns = std::min(ACROSS, image.width - column), rows = std::min(DOWN, image.height - row);
-  for (int k = 0; k < rows; k++) {
-    size_t pixel = size_t(row + k) * image.width + column;
-    memcpy(image.t + pixel, rays.ray.tfar + k * ACROSS, 4 * columns);
-    memcpy(image.object + pixel, rays.hit.primID + k * ACROSS, 4 * columns);
+  for (int column = 0; column < image.width; column += ACROSS, c += ACROSS) {
+    Ints valid = (c < float(image.width)) & (r < float(image.height));
+    floats(ray.dir_x) = camera.first.x + c * camera.column.x + r * camera.row.x;
+    floats(ray.dir_y) = camera.first.y + c * camera.column.y + r * camera.row.y;
+    floats(ray.dir_z) = camera.first.z + c * camera.column.z + r * camera.row.z;
+    floats(ray.tfar) = INFINITY * one;
+    ints(hit.geomID) = ints(hit.primID) = ints(hit.instID[0]) = Ints{} - 1;
+#if EMBREE == 3
+    INTERSECT(reinterpret_cast<int *>(&valid), scene, &context, &rays);
+#else
+    INTERSECT(reinterpret_cast<int *>(&valid), scene, &rays, &context);
+#endif
+    for (int k = 0; k < std::min(DOWN, image.height - row); k++) {
+      size_t pixel = size_t(row + k) * image.width + column;
+      auto copy = [&](size_t columns) {
+        memcpy(image.t + pixel, ray.tfar + k * ACROSS, 4 * columns);
+        memcpy(image.object + pixel, hit.primID + k * ACROSS, 4 * columns);
+      };
+      // A number that is known when this is compiled takes no call.
+      column + ACROSS <= image.width ? copy(ACROSS) : copy(image.width - column);
+    }
   }
 }
 
@@ -215,18 +143,14 @@ int main(int, char **words) {
   if (!file) return perror(words[4]), 1;
   std::vector<Sphere> spheres;
   for (Sphere sphere; fread(&sphere, sizeof sphere, 1, file) == 1;) spheres.push_back(sphere);
-  std::vector<unsigned> order(spheres.size());
-  for (unsigned k = 0; k < order.size(); k++) order[k] = k;
-  std::vector<Block> blocks;
-  add_blocks(blocks, spheres.data(), order.data(), order.data() + order.size());
+  fclose(file);
   RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scenes[] = {own_spheres(device, spheres), user_geometry(device, blocks)};
-  // Bands of whole packets, taken by whoever is free.
+  RTCScene scenes[] = {own_spheres(device, spheres), user_geometry(device, spheres)};
+  // Bands are taken by whoever is free.
   int bands = (image.height + DOWN - 1) / DOWN;
   return serve(image, words[3], [&](Frame &frame, int) {
     _mm_setcsr(_mm_getcsr() | 0x8040); // no subnormal numbers, as Embree advises
     for (int band; (band = frame.taken++) < bands;)
-      for (int column = 0; column < image.width; column += ACROSS)
-        trace(scenes[frame.mode], frame.camera, image, column, DOWN * band);
+      trace(scenes[frame.mode > 0], frame.mode < 2, frame.camera, image, DOWN * band);
   });
 }

@@ -55,9 +55,11 @@ template <class Work> int serve(const Image &image, const char *saved, Work work
       puts("saved");
     } else if (sscanf(order, "%d %d %d", &frame.mode, &frame.threads, &count) == 3) {
       std::vector<Camera> cameras(count);
-      for (Camera &camera : cameras)
-        for (int k = 0; k < 12; k++) scanf("%f", &camera.eye.x + k);
-      getchar(); // the end of the line
+      for (Camera &camera : cameras) {
+        for (int k = 0; k < 12; k++)
+          if (scanf("%f", &camera.eye.x + k) != 1) return fprintf(stderr, "a camera is missing\n"), 1;
+        getchar(); // the end of the line
+      }
       std::vector<double> seconds(count);
       std::atomic<int> arrivals{0};
       auto meet = [&](int times) {

@@ -1,10 +1,12 @@
 //! The rivals see what the ladder sees, as far as `f32` lets them.
 
+use std::path::Path;
 use std::time::Duration;
 
 use pinhole_core::*;
 use pinhole_yardstick::bvh::Bvh;
 use pinhole_yardstick::contest::{self, Limits};
+use pinhole_yardstick::rig::Program;
 use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes, textbook};
 
 fn ladder(setting: &Setting) -> Frame<f32> {
@@ -56,6 +58,21 @@ fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
     let [plain, tree] = rivals(&setting);
     assert_eq!(plain.object, tree.object);
     assert!(tree.object.contains(&0), "of equals the first listed");
+}
+
+/// Where there is no compiler, there is no limit to know.
+#[test]
+fn streaming_stores_reach_every_pixel_on_any_number_of_threads() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rigs");
+    let Ok(program) = Program::stores(&folder) else { return };
+    let setting = scenes::spheres_at(1, 0.6, 1.0).with_image(37, 5);
+    let mut rig = program.start(&setting).unwrap();
+    let cameras = [setting.camera(0), setting.camera(1)];
+    for threads in 1..4 {
+        assert_eq!(rig.frames(0, threads, &cameras).unwrap().len(), 2);
+        let lines: Vec<u32> = (0..37 * 5).map(|pixel| pixel / 16).collect();
+        assert_eq!(rig.objects().unwrap(), lines);
+    }
 }
 
 #[test]
