@@ -31,7 +31,7 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         let (share, patience) = (Duration::from_secs(1), Duration::from_secs(12));
-        Limits { level: Level::new(), share, most: 41, patience }
+        Limits { level: Level::new(), share, most: 200, patience }
     }
 }
 

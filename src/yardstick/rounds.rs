@@ -14,12 +14,10 @@ pub struct Times {
     pub count: usize,
 }
 
-/// Work that is quicker than this runs several times in a row in each turn, the first time untimed:
-/// a frame is followed by frames, not by what another contestant leaves in the caches.
-const QUICK: Duration = Duration::from_millis(25);
-
-/// Number of times that quick work is timed in a turn.
-const BURST: usize = 4;
+/// Work that is quicker than this is repeated about so long in each turn, the first time untimed: a
+/// frame is followed by frames, not by what another contestant leaves in the caches, and threads have
+/// had the time to wake up.
+const TURN: Duration = Duration::from_millis(25);
 
 /// Times `count` pieces of work in turn, until each has spent its `share` or was timed `most` times.
 ///
@@ -76,8 +74,9 @@ impl Runner {
     }
 
     fn take_turn(&mut self, most: usize, timed: impl FnOnce(usize) -> Vec<Duration>) {
-        let is_quick = self.last < QUICK;
-        let count = if is_quick { BURST.min(most.max(1) - self.times.len()) } else { 1 };
+        let is_quick = self.last < TURN;
+        let fitting = TURN.div_duration_f64(self.last) as usize;
+        let count = fitting.clamp(1, most.max(1) - self.times.len());
         let times = timed(count + usize::from(is_quick));
         self.spent += times.iter().sum::<Duration>();
         self.last = times[times.len() - 1];
@@ -120,11 +119,11 @@ mod tests {
         let times = interleaved(3, Duration::from_secs(600), 6, |index, frames| {
             assert_eq!(frames.start, seen.len());
             seen.extend(frames.clone().map(|_| index));
-            frames.map(|_| ms(1)).collect()
+            frames.map(|_| ms(6)).collect()
         });
         assert!(times.iter().all(|times| times.count == 6), "{times:?}");
         // One each, then in turn four timed after one that is not, then the other two.
-        let (four, two) = ([1 + BURST, 3], [0, 1, 2]);
+        let (four, two) = ([1 + 4, 1 + 2], [0, 1, 2]);
         let turns = four.iter().flat_map(|n| two.iter().flat_map(|index| vec![*index; *n]));
         assert_eq!(seen, [0, 1, 2].into_iter().chain(turns).collect::<Vec<_>>());
     }

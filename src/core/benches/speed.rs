@@ -229,6 +229,7 @@ fn show_table(title: &str, measured: &[Measured], pools: &[ThreadPool], picked: 
 
 /// The factor of the ladder's median time from each number of spheres to ten times as many.
 fn show_growth(measured: &[Measured]) {
+    println!("growth of the ladder's median time with the number of spheres\n");
     let growth = || measured.iter().filter(|scene| scene.group == "growth");
     for few in growth() {
         for many in growth().filter(|many| many.spheres == 10 * few.spheres) {

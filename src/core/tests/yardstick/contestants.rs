@@ -63,7 +63,7 @@ fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
 /// Where there is no compiler, there is no limit to know.
 #[test]
 fn streaming_stores_reach_every_pixel_on_any_number_of_threads() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rigs");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stores");
     let Ok(program) = Program::stores(&folder) else { return };
     let setting = scenes::spheres_at(1, 0.6, 1.0).with_image(37, 5);
     let mut rig = program.start(&setting).unwrap();
@@ -72,6 +72,19 @@ fn streaming_stores_reach_every_pixel_on_any_number_of_threads() {
         assert_eq!(rig.frames(0, threads, &cameras).unwrap().len(), 2);
         let lines: Vec<u32> = (0..37 * 5).map(|pixel| pixel / 16).collect();
         assert_eq!(rig.objects().unwrap(), lines);
+    }
+}
+
+#[test]
+fn embree_sees_what_the_ladder_sees_where_it_is_installed() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("embree");
+    let Ok(program) = Program::embree(&folder) else { return };
+    let setting = scenes::spheres_at(1000, 0.6, 1.0).with_image(161, 91);
+    let (mut rig, truth) = (program.start(&setting).unwrap(), ladder(&setting));
+    for mode in 0..rig.modes.len() {
+        rig.frames(mode, 2, &[setting.camera(1), setting.camera(0)]).unwrap();
+        let same = check::alike(&truth.object, &rig.objects().unwrap());
+        assert!(same > 0.999, "{}: {same}", rig.modes[mode]);
     }
 }
 
