@@ -25,7 +25,6 @@ use pinhole_yardstick::rig::{EMBREE, Program, Rig, STREAMING};
 use pinhole_yardstick::rounds::Times;
 use pinhole_yardstick::scenes::{self, Listed, STATED};
 use pinhole_yardstick::{Setting, check};
-use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Scenes of at least so many spheres have fewer pixels checked, as each ray is asked of all.
 const MANY: usize = 100_000;
@@ -53,8 +52,7 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
     let has = |option: &str| words.iter().any(|word| word == option);
     let threads = words.iter().find_map(|word| word.strip_prefix("threads=")).unwrap_or("1,2");
-    let pool = |number: &str| ThreadPoolBuilder::new().num_threads(number.parse().unwrap()).build();
-    let pools: Vec<ThreadPool> = threads.split(',').map(|number| pool(number).unwrap()).collect();
+    let threads: Vec<usize> = threads.split(',').map(|number| number.parse().unwrap()).collect();
     let level = if has("avx2") { avx2() } else { Level::new() };
     let share = Duration::from_millis(if has("quick") { 150 } else { 1500 });
     let patience = Duration::from_secs(if has("embree") { 0 } else { 30 });
@@ -72,10 +70,10 @@ fn main() {
     println!("{}, t as f32 and object as u32 of every pixel", level.split('(').next().unwrap());
     println!("ratio: a method's median time over the ladder's\n");
     let measured: Vec<Measured> =
-        chosen.iter().map(|listed| measure(listed, &limits, &pools, &programs)).collect();
+        chosen.iter().map(|listed| measure(listed, &limits, &threads, &programs)).collect();
     warn(measured.iter().map(|scene| scene.others).fold(0.0, f64::max));
-    show_table("medians", &measured, &pools, |times| times.median);
-    show_table("minima", &measured, &pools, |times| times.min);
+    show_table("medians", &measured, &threads, |times| times.median);
+    show_table("minima", &measured, &threads, |times| times.min);
     show_growth(&measured);
 }
 
@@ -108,18 +106,15 @@ fn programs(with_embree: bool) -> Vec<Program> {
     stores.into_iter().chain(embree).collect()
 }
 
-fn measure(
-    listed: &Listed,
-    limits: &Limits,
-    pools: &[ThreadPool],
-    programs: &[Program],
-) -> Measured {
+fn measure(listed: &Listed, limits: &Limits, threads: &[usize], programs: &[Program]) -> Measured {
     let watch = Watch::start();
     let setting = (listed.make)();
     let mut rigs: Vec<Rig> =
         programs.iter().map(|program| program.start(&setting).unwrap()).collect();
-    let run = |pool: &ThreadPool| pool.install(|| contest::run(&setting, limits, &mut rigs));
-    let outcomes: Vec<Outcome> = pools.iter().map(run).collect();
+    let run = |threads: &usize| {
+        contest::run(&setting, &Limits { threads: *threads, ..*limits }, &mut rigs)
+    };
+    let outcomes: Vec<Outcome> = threads.iter().map(run).collect();
     let frame = &outcomes[0].frame;
     let coverage = check::coverage(&frame.object);
     let decided = frame.steps.total() as f64 / (coverage * setting.pixels() as f64).max(1.0);
@@ -133,7 +128,7 @@ fn measure(
         outcomes,
         others: 0.0,
     };
-    show(&measured, &setting, pools, &mut rigs);
+    show(&measured, &setting, threads, &mut rigs);
     drop(rigs);
     measured.others = watch.others().unwrap_or(0.0);
     warn(measured.others);
@@ -147,7 +142,7 @@ fn warn(others: f64) {
     }
 }
 
-fn show(measured: &Measured, setting: &Setting, pools: &[ThreadPool], rigs: &mut [Rig]) {
+fn show(measured: &Measured, setting: &Setting, threads: &[usize], rigs: &mut [Rig]) {
     let Measured { name, spheres, coverage, decided, outcomes, .. } = measured;
     let (image, sample) = (setting.image(), if *spheres >= MANY { 100 } else { 500 });
     println!(
@@ -158,7 +153,7 @@ fn show(measured: &Measured, setting: &Setting, pools: &[ThreadPool], rigs: &mut
         100.0 * coverage,
     );
     println!("  {:18} {:>10} {:>10} {:>10} {:>9}", "", "median ms", "min ms", "Mrays/s", "ratio");
-    for (outcome, pool) in outcomes.iter().zip(pools) {
+    for (outcome, threads) in outcomes.iter().zip(threads) {
         if let Err(fault) = check::sample(&setting.scene, &outcome.frame, sample, 1) {
             panic!("{name} is wrong: {fault}");
         }
@@ -171,12 +166,12 @@ fn show(measured: &Measured, setting: &Setting, pools: &[ThreadPool], rigs: &mut
                 1e-6 * setting.pixels() as f64 / times.median,
                 times.median / outcome.rows[0].1.median,
                 times.count,
-                pool.current_num_threads(),
+                threads,
             );
         }
     }
     println!("  {:?}", outcomes[0].frame.steps);
-    let (frame, threads) = (&outcomes[0].frame, pools[0].current_num_threads());
+    let (frame, threads) = (&outcomes[0].frame, threads[0]);
     for rig in rigs.iter_mut().filter(|rig| rig.modes == EMBREE) {
         for (mode, name) in rig.modes.iter().enumerate() {
             rig.frames(mode, threads, &[*frame.camera()]).unwrap();
@@ -187,9 +182,8 @@ fn show(measured: &Measured, setting: &Setting, pools: &[ThreadPool], rigs: &mut
 }
 
 /// Speeds and ratios by the time that is picked, for each number of threads.
-fn show_table(title: &str, measured: &[Measured], pools: &[ThreadPool], picked: fn(&Times) -> f64) {
-    let threads: Vec<String> =
-        pools.iter().map(|pool| format!("{}t", pool.current_num_threads())).collect();
+fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(&Times) -> f64) {
+    let threads: Vec<String> = threads.iter().map(|threads| format!("{threads}t")).collect();
     let threads = threads.join(" / ");
     println!("Mrays/s of {title}; best: the fastest of Embree's ways; {threads}\n");
     println!(

@@ -69,8 +69,8 @@ template <class Work> int serve(const Image &image, const char *saved, Work work
       auto run = [&](int thread) {
         for (int k = 0; k < count; k++) {
           if (thread == 0) frame.camera = cameras[k], frame.taken = 0;
-          meet(2 * k + 1);
           auto start = std::chrono::steady_clock::now();
+          meet(2 * k + 1);
           work(frame, thread);
           meet(2 * k + 2);
           std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
