@@ -10,12 +10,19 @@ use crate::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for,
 pub fn all() -> Vec<Listed> {
     let hard = |name, make: fn() -> Setting| Listed::new(name, "adversarial", make);
     vec![
+        hard("overdraw-1e3", || spheres_at(1000, COVERAGE, 10.0)),
         hard("overdraw-1e5", || spheres_at(100_000, COVERAGE, 10.0)),
         hard("overdraw-1e6", || spheres_at(1_000_000, COVERAGE, 10.0)),
         hard("behind-one", behind_one),
         hard("sub-pixel", sub_pixel),
         hard("six-decades", six_decades),
-        hard("in-cloud", in_cloud),
+        hard("dense-1e4", || dense(10_000)),
+        hard("dense-1e5", || dense(100_000)),
+        hard("dense-1e6", || dense(1_000_000)),
+        hard("clustered-1e3", || clustered(1000)),
+        hard("clustered-1e5", || clustered(100_000)),
+        hard("in-cloud-1e3", || in_cloud(1000)),
+        hard("in-cloud", || in_cloud(100_000)),
         hard("in-sphere", in_sphere),
         hard("one-pixel", one_pixel),
         hard("planet", planet),
@@ -28,6 +35,8 @@ pub fn all() -> Vec<Listed> {
         }),
     ]
 }
+
+const SPREAD: f64 = 0.6;
 
 fn setting(spheres: Vec<Sphere>) -> Setting {
     Setting::new(spheres, camera())
@@ -64,12 +73,30 @@ fn six_decades() -> Setting {
     setting(centers.into_iter().zip(radii).map(sphere).collect())
 }
 
-/// 10^5 spheres on all sides of the eye; 60 % of the pixels are covered.
-fn in_cloud() -> Setting {
+/// Spheres in the middle of the view, where they hide each other; 60 % of the pixels are covered.
+fn dense(count: usize) -> Setting {
+    let centers = centers_ahead(count, &mut Random::new(8)).into_iter();
+    alike(centers.map(|center| center * DVec3::new(0.5, 0.5, 1.0)).collect())
+}
+
+/// Spheres in thirty clusters, each denser towards its middle; 60 % of the pixels are covered.
+fn clustered(count: usize) -> Setting {
+    let mut random = Random::new(9);
+    let middles = centers_ahead(30, &mut random);
+    let mut offset = || (0..4).map(|_| random.within(-SPREAD, SPREAD)).sum::<f64>();
+    let near = |k: usize| middles[k % 30] + DVec3::new(offset(), offset(), offset());
+    alike((0..count).map(near).collect())
+}
+
+/// Spheres on all sides of the eye; 60 % of the pixels are covered.
+fn in_cloud(count: usize) -> Setting {
     let mut random = Random::new(4);
     let mut coordinate = || random.within(-8.0, 8.0);
-    let centers: Vec<DVec3> =
-        (0..100_000).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
+    alike((0..count).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect())
+}
+
+/// Spheres of the radius with which they cover 60 % of the pixels.
+fn alike(centers: Vec<DVec3>) -> Setting {
     let radius = scale_for(COVERAGE, &centers, &|_| 1.0);
     setting(centers.into_iter().map(|center| Sphere { center, radius }).collect())
 }

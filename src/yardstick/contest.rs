@@ -1,14 +1,17 @@
 //! All contestants over one scene.
 
+use std::cell::RefCell;
 use std::time::Duration;
 
 use pinhole_core::{Frame, Level, Outputs, Raster, ResolvedCamera, retrace, trace_at_level};
 
+use rayon::ThreadPoolBuilder;
+
 use crate::bvh::Bvh;
 use crate::frames::Buffers;
-use crate::rounds::{self, Times};
+use crate::rig::Rig;
+use crate::rounds::{self, Times, each};
 use crate::scenes::Setting;
-use crate::stores::Stores;
 use crate::textbook;
 
 /// Name of `pinhole-core` among the contestants, every decision certified.
@@ -17,8 +20,10 @@ pub const LADDER: &str = "ladder";
 /// Limits of the time to spend.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// The instructions of the ladder and of the stores.
+    /// The ladder's instructions.
     pub level: Level,
+    /// Number of threads that make a frame.
+    pub threads: usize,
     /// Maximum time that each contestant spends on frames, if one frame does not take longer.
     pub share: Duration,
     /// Maximum number of frames of each that are timed.
@@ -30,7 +35,7 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         let (share, patience) = (Duration::from_secs(1), Duration::from_secs(12));
-        Limits { level: Level::new(), share, most: 41, patience }
+        Limits { level: Level::new(), threads: 1, share, most: 200, patience }
     }
 }
 
@@ -46,13 +51,18 @@ pub struct Outcome {
 /// Number of spheres up to which the textbook asks all of them, and from which on it has a tree.
 pub const TREE_FROM: usize = 100;
 
-/// A contestant's way to make a frame.
-type Run<'a> = Box<dyn FnMut(&ResolvedCamera) + 'a>;
+/// A contestant's way to make a frame for each camera, and how long each took.
+type Run<'a> = Box<dyn FnMut(&[ResolvedCamera]) -> Vec<Duration> + 'a>;
 
-/// Lets the contestants trace a setting frame by frame, in turn, on the threads of the current pool.
-pub fn run(setting: &Setting, limits: &Limits) -> Outcome {
-    let Limits { level, share, most, patience } = *limits;
+/// Lets the contestants, and the programs that were started for a setting, trace it frame by frame, in
+/// turn.
+///
+/// # Panics
+/// Returns an error if one of the programs ends before its time.
+pub fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outcome {
+    let Limits { level, threads, share, most, patience } = *limits;
     let (scene, image, count) = (&setting.scene, setting.image(), setting.scene.len());
+    let rigs: Vec<RefCell<&mut Rig>> = rigs.iter_mut().map(RefCell::new).collect();
     let mut frame = trace_at_level(
         level,
         scene,
@@ -61,27 +71,49 @@ pub fn run(setting: &Setting, limits: &Limits) -> Outcome {
         Outputs::default(),
         |_| (),
     );
-    let mut contestants: Vec<(&str, Run)> =
-        vec![(LADDER, Box::new(|camera| retrace(&mut frame, level, scene, camera)))];
+    let mut contestants: Vec<(&str, Run)> = vec![(
+        LADDER,
+        Box::new(|cameras| {
+            on(threads, || each(cameras, |camera| retrace(&mut frame, level, scene, camera)))
+        }),
+    )];
     // Of the usual size of things: 5 ns a sphere, 100 ns a level of the tree, on one thread.
     let is_quick = |seconds: f64| setting.pixels() as f64 * seconds <= patience.as_secs_f64();
     if count <= TREE_FROM && is_quick(5e-9 * count as f64) {
         let (balls, mut buffers) = (textbook::balls(scene), Buffers::new(image));
-        let run = move |camera: &_| textbook::trace(&balls, camera, &mut buffers);
-        contestants.push(("textbook", Box::new(run)));
+        let mut run = move |camera: &_| textbook::trace(&balls, camera, &mut buffers);
+        contestants
+            .push(("textbook", Box::new(move |cameras| on(threads, || each(cameras, &mut run)))));
     }
     if count >= TREE_FROM && is_quick(1e-7 * (count as f64).log2()) {
         let (tree, mut buffers) = (Bvh::new(scene), Buffers::new(image));
-        let run = move |camera: &_| tree.trace(camera, &mut buffers);
-        contestants.push(("textbook-bvh", Box::new(run)));
+        let mut run = move |camera: &_| tree.trace(camera, &mut buffers);
+        contestants.push((
+            "textbook-bvh",
+            Box::new(move |cameras| on(threads, || each(cameras, &mut run))),
+        ));
     }
-    let (mut again, mut to_memory) = (Stores::again(image, level), Stores::to_memory(image, level));
-    contestants.push(("stores", Box::new(move |_| _ = again.run())));
-    contestants.push(("stores to memory", Box::new(move |_| _ = to_memory.run())));
-    let times = rounds::interleaved(contestants.len(), share, most, |index, frame| {
-        (contestants[index].1)(&setting.camera(frame));
+    for rig in &rigs {
+        for (mode, name) in rig.borrow().modes.iter().enumerate() {
+            let run = move |cameras: &[_]| {
+                let times = rig.borrow_mut().frames(mode, threads, cameras);
+                times.unwrap_or_else(|error| panic!("{name}: {error}"))
+            };
+            contestants.push((name, Box::new(run)));
+        }
+    }
+    let times = rounds::interleaved(contestants.len(), share, most, |index, frames| {
+        let cameras: Vec<ResolvedCamera> = frames.map(|frame| setting.camera(frame)).collect();
+        (contestants[index].1)(&cameras)
     });
     let rows = contestants.iter().map(|(name, _)| *name).zip(times).collect();
     drop(contestants);
     Outcome { rows, frame }
+}
+
+/// Works on threads that are new. Where they are as old as the process, and slept while others had
+/// their turn, Linux may wake all of them on one processor, and takes tens of milliseconds to part them.
+fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    pool.install(work)
 }

@@ -52,6 +52,14 @@ impl Rays {
         }
     }
 
+    /// The eye, the direction of the first pixel, and its changes from column to column and from row to
+    /// row.
+    pub(crate) fn numbers(&self) -> [f32; 12] {
+        let (column, row) = (self.width / self.columns * self.u, -self.height / self.rows * self.v);
+        let vectors = [self.eye, self.direction(0, 0), column, row].map(|vector| vector.to_array());
+        std::array::from_fn(|k| vectors[k / 3][k % 3])
+    }
+
     /// `u*U + v*V - distance*W` of a pixel's centre.
     #[inline]
     pub(crate) fn direction(&self, row: usize, column: usize) -> Vec3 {

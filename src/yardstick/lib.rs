@@ -3,8 +3,10 @@
 //! - [`scenes`]: seeded scenes of 1 to 10^7 spheres, each with a camera that moves a little every
 //!   frame; [`adversarial`]: scenes that are hard to be fast in;
 //! - [`textbook`] and [`bvh`]: the rivals, as a good student writes them, without tricks;
-//! - [`stores`]: nothing but storing the same two buffers, which no tracer can beat;
+//! - [`rig`]: programs in C++, built where a compiler is: streaming stores of the same two buffers,
+//!   which are the limit, and Embree;
 //! - [`rounds`]: frames timed in turn, so that whatever slows the machine down slows all of them;
+//!   [`machine`]: whether others used it meanwhile;
 //! - [`contest`]: all of them over one scene; [`check`]: whether a frame is right, on a sample.
 //!
 //! Every contestant writes t as `f32` and the object as `u32` for every pixel, ray generation and
@@ -18,7 +20,7 @@
 //!
 //! let setting = scenes::spheres_at(10, 0.6, 1.0).with_image(96, 54);
 //! let limits = Limits { share: Duration::from_millis(1), ..Limits::default() };
-//! let outcome = contest::run(&setting, &limits);
+//! let outcome = contest::run(&setting, &limits, &mut []);
 //! let (name, times) = outcome.rows[0];
 //! assert!(name == contest::LADDER && times.min <= times.median);
 //! ```
@@ -28,10 +30,11 @@ pub mod bvh;
 pub mod check;
 pub mod contest;
 mod frames;
+pub mod machine;
 mod random;
+pub mod rig;
 pub mod rounds;
 pub mod scenes;
-pub mod stores;
 pub mod textbook;
 
 pub use frames::Buffers;

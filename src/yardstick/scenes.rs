@@ -176,6 +176,29 @@ impl Listed {
 /// The share of pixels that is covered in the scenes of the group `growth`.
 pub const COVERAGE: f64 = 0.6;
 
+/// Names of the scenes in which speed is stated: growth, overdraw, crowds in the middle and in clusters,
+/// the eye inside.
+pub const STATED: [&str; 18] = [
+    "N=1",
+    "N=3",
+    "N=10",
+    "N=100",
+    "N=1000",
+    "N=1e4",
+    "N=1e5",
+    "N=1e6",
+    "dense-1e4",
+    "dense-1e5",
+    "dense-1e6",
+    "overdraw-1e3",
+    "overdraw-1e5",
+    "overdraw-1e6",
+    "clustered-1e3",
+    "clustered-1e5",
+    "in-cloud-1e3",
+    "in-cloud",
+];
+
 /// All scenes: growth up to 10^7, the adversarial ones, other images.
 pub fn all() -> Vec<Listed> {
     let names = ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6", "N=1e7"];

@@ -1,42 +1,80 @@
 //! Time against the number of spheres, and in scenes that are hard to be fast in: the ladder, the
-//! textbook's loop, the same with a tree, and nothing but stores, frame by frame in turn. A sample
-//! of the ladder's pixels is checked against their exact rays.
+//! textbook's loop, the same with a tree, streaming stores of the result and, if asked for, Embree,
+//! frame by frame in turn. A sample of the ladder's pixels is checked against their exact rays.
 //!
-//! `cargo bench -p pinhole-core --bench speed -- [WORD...] [avx2] [threads=N] [quick]`
+//! `cargo bench -p pinhole-core --bench speed -- [WORD...] [embree] [threads=N,...] [avx2] [quick]`
 //!
-//! A word chooses scenes: `growth`, `adversarial`, `sizes`, a name (`N=1000`), or part of one
-//! (`overdraw`). Without one, all but `N=1e7`. `avx2` holds the ladder and the stores to AVX2; `quick`
-//! takes few frames.
+//! - A word chooses scenes: `growth`, `adversarial`, `sizes`, a name (`N=1000`), or part of one
+//!   (`overdraw`). Without one, those in which speed is stated.
+//! - `embree` sets Embree in the place of the textbook's ways: its own spheres, and user geometry with
+//!   a test 16 rays wide. It needs the library (Debian's `libembree-dev`) and a C++ compiler.
+//! - `threads=1,2` is the default. `avx2` holds the ladder to AVX2; `quick` takes few frames.
+//!
+//! Streaming stores are the limit of whoever leaves nothing in the caches. They are built by the C++
+//! compiler, `c++` or what `CXX` names; without one the limit is not known. On a machine that others
+//! use too, which is told where the system tells it, minima say more than medians.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
+use std::path::Path;
 use std::time::Duration;
 
 use pinhole_core::Level;
-use pinhole_yardstick::contest::{self, Limits, Outcome};
-use pinhole_yardstick::scenes::{self, Listed};
+use pinhole_yardstick::contest::{self, LADDER, Limits, Outcome};
+use pinhole_yardstick::machine::Watch;
+use pinhole_yardstick::rig::{EMBREE, Program, Rig, STREAMING};
+use pinhole_yardstick::rounds::Times;
+use pinhole_yardstick::scenes::{self, Listed, STATED};
 use pinhole_yardstick::{Setting, check};
 
 /// Scenes of at least so many spheres have fewer pixels checked, as each ray is asked of all.
 const MANY: usize = 100_000;
 
+/// Number of processors in use by others from which on the machine is called shared.
+const SHARED: f64 = 0.1;
+
+/// What was measured of a scene.
+struct Measured {
+    name: &'static str,
+    group: &'static str,
+    spheres: usize,
+    pixels: usize,
+    coverage: f64,
+    /// Decisions for each covered pixel.
+    decided: f64,
+    /// For each number of threads.
+    outcomes: Vec<Outcome>,
+    /// Number of processors that others kept busy meanwhile.
+    others: f64,
+}
+
 fn main() {
     // Cargo adds --bench.
     let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
     let has = |option: &str| words.iter().any(|word| word == option);
-    let threads = words.iter().find_map(|word| word.strip_prefix("threads="));
-    let threads = threads.map_or(0, |number| number.parse().unwrap());
+    let threads = words.iter().find_map(|word| word.strip_prefix("threads=")).unwrap_or("1,2");
+    let threads: Vec<usize> = threads.split(',').map(|number| number.parse().unwrap()).collect();
     let level = if has("avx2") { avx2() } else { Level::new() };
     let share = Duration::from_millis(if has("quick") { 150 } else { 1500 });
-    let limits = Limits { level, share, patience: Duration::from_secs(30), ..Limits::default() };
+    let patience = Duration::from_secs(if has("embree") { 0 } else { 30 });
+    let limits = Limits { level, share, patience, ..Limits::default() };
     let options = |word: &&String| {
-        !["avx2", "quick"].contains(&word.as_str()) && !word.starts_with("threads=")
+        !["avx2", "quick", "embree"].contains(&word.as_str()) && !word.starts_with("threads=")
     };
     let wanted: Vec<&str> = words.iter().filter(options).map(String::as_str).collect();
     let chosen: Vec<Listed> =
         scenes::all().into_iter().filter(|listed| is_wanted(listed, &wanted)).collect();
     assert!(!chosen.is_empty(), "no scene is called {wanted:?}");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| run(&chosen, &limits));
+    let programs = programs(has("embree"));
+    // Only the name of the level, not what is in it.
+    let level = format!("{:?}", limits.level);
+    println!("{}, t as f32 and object as u32 of every pixel", level.split('(').next().unwrap());
+    println!("ratio: a method's median time over the ladder's\n");
+    let measured: Vec<Measured> =
+        chosen.iter().map(|listed| measure(listed, &limits, &threads, &programs)).collect();
+    warn(measured.iter().map(|scene| scene.others).fold(0.0, f64::max));
+    show_table("medians", &measured, &threads, |times| times.median);
+    show_table("minima", &measured, &threads, |times| times.min);
+    show_growth(&measured);
 }
 
 fn avx2() -> Level {
@@ -47,69 +85,154 @@ fn avx2() -> Level {
 }
 
 fn is_wanted(listed: &Listed, wanted: &[&str]) -> bool {
-    let is_huge = listed.name == "N=1e7";
+    if wanted.is_empty() {
+        return STATED.contains(&listed.name);
+    }
     wanted.contains(&listed.name)
-        || (!is_huge && (wanted.is_empty() || wanted.contains(&listed.group)))
+        || (listed.name != "N=1e7" && wanted.contains(&listed.group))
         || wanted.iter().any(|word| !word.starts_with("N=") && listed.name.contains(word))
 }
 
-fn run(chosen: &[Listed], limits: &Limits) {
-    let threads = rayon::current_num_threads();
-    // Only the name of the level, not what is in it.
-    let level = format!("{:?}", limits.level);
-    let level = level.split('(').next().unwrap();
-    println!("{level}, {threads} threads, t as f32 and object as u32 of every pixel");
-    println!("ratio: a method's median time over the ladder's\n");
-    let mut growth = Vec::new();
-    for listed in chosen {
-        let setting = (listed.make)();
-        let outcome = contest::run(&setting, limits);
-        show(listed.name, &setting, &outcome);
-        let time = outcome.rows[0].1.median;
-        if listed.group == "growth" {
-            growth.push((setting.scene.len(), time));
-        }
-    }
-    show_growth(&growth);
+/// The programs in C++ that there are. Embree is there if it was asked for.
+fn programs(with_embree: bool) -> Vec<Program> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("speed");
+    let stores = Program::stores(&folder)
+        .inspect_err(|error| println!("the limit is not known, without streaming stores: {error}"));
+    let embree = with_embree.then(|| {
+        Program::embree(&folder).unwrap_or_else(|error| {
+            panic!("Embree is in Debian's libembree-dev, and needs a C++ compiler\n{error}")
+        })
+    });
+    stores.into_iter().chain(embree).collect()
 }
 
-fn show(name: &str, setting: &Setting, outcome: &Outcome) {
-    let (image, objects) = (setting.image(), setting.scene.len());
-    let sample = if objects >= MANY { 100 } else { 500 };
-    if let Err(fault) = check::sample(&setting.scene, &outcome.frame, sample, 1) {
-        panic!("{name} is wrong: {fault}");
+fn measure(listed: &Listed, limits: &Limits, threads: &[usize], programs: &[Program]) -> Measured {
+    let watch = Watch::start();
+    let setting = (listed.make)();
+    let mut rigs: Vec<Rig> =
+        programs.iter().map(|program| program.start(&setting).unwrap()).collect();
+    let run = |threads: &usize| {
+        contest::run(&setting, &Limits { threads: *threads, ..*limits }, &mut rigs)
+    };
+    let outcomes: Vec<Outcome> = threads.iter().map(run).collect();
+    let frame = &outcomes[0].frame;
+    let coverage = check::coverage(&frame.object);
+    let decided = frame.steps.total() as f64 / (coverage * setting.pixels() as f64).max(1.0);
+    let mut measured = Measured {
+        name: listed.name,
+        group: listed.group,
+        spheres: setting.scene.len(),
+        pixels: setting.pixels(),
+        coverage,
+        decided,
+        outcomes,
+        others: 0.0,
+    };
+    show(&measured, &setting, threads, &mut rigs);
+    drop(rigs);
+    measured.others = watch.others().unwrap_or(0.0);
+    warn(measured.others);
+    println!();
+    measured
+}
+
+fn warn(others: f64) {
+    if others > SHARED {
+        println!("WARNING: the machine is shared: others kept {others:.1} processors busy");
     }
+}
+
+fn show(measured: &Measured, setting: &Setting, threads: &[usize], rigs: &mut [Rig]) {
+    let Measured { name, spheres, coverage, decided, outcomes, .. } = measured;
+    let (image, sample) = (setting.image(), if *spheres >= MANY { 100 } else { 500 });
     println!(
-        "{name}: {objects} spheres, {} x {}, {:.1} % covered, {sample} pixels checked",
+        "{name}: {spheres} spheres, {} x {}, {:.1} % covered, {decided:.2} decisions a covered pixel, \
+         {sample} pixels checked",
         image.width(),
         image.height(),
-        100.0 * check::coverage(&outcome.frame.object),
+        100.0 * coverage,
     );
-    let ladder = outcome.rows[0].1.median;
-    println!("  {:16} {:>10} {:>10} {:>10} {:>9}", "", "median ms", "min ms", "Mrays/s", "ratio");
-    for (name, times) in &outcome.rows {
-        println!(
-            "  {:16} {:10.4} {:10.4} {:10.1} {:9.3}  {} frames",
-            name,
-            1e3 * times.median,
-            1e3 * times.min,
-            1e-6 * setting.pixels() as f64 / times.median,
-            times.median / ladder,
-            times.count,
-        );
+    println!("  {:18} {:>10} {:>10} {:>10} {:>9}", "", "median ms", "min ms", "Mrays/s", "ratio");
+    for (outcome, threads) in outcomes.iter().zip(threads) {
+        if let Err(fault) = check::sample(&setting.scene, &outcome.frame, sample, 1) {
+            panic!("{name} is wrong: {fault}");
+        }
+        for (name, times) in &outcome.rows {
+            println!(
+                "  {:18} {:10.4} {:10.4} {:10.1} {:9.3}  {} frames, {} threads",
+                name,
+                1e3 * times.median,
+                1e3 * times.min,
+                1e-6 * setting.pixels() as f64 / times.median,
+                times.median / outcome.rows[0].1.median,
+                times.count,
+                threads,
+            );
+        }
     }
-    println!("  {:?}\n", outcome.frame.steps);
+    println!("  {:?}", outcomes[0].frame.steps);
+    let (frame, threads) = (&outcomes[0].frame, threads[0]);
+    for rig in rigs.iter_mut().filter(|rig| rig.modes == EMBREE) {
+        for (mode, name) in rig.modes.iter().enumerate() {
+            rig.frames(mode, threads, &[*frame.camera()]).unwrap();
+            let same = check::alike(&frame.object, &rig.objects().unwrap());
+            println!("  {name}: another object in {:.4} % of the pixels", 100.0 * (1.0 - same));
+        }
+    }
 }
 
-/// The slope of time against number, both logarithmic, from each scene to the next.
-fn show_growth(points: &[(usize, f64)]) {
-    if points.len() < 2 {
-        return;
+/// Speeds and ratios by the time that is picked, for each number of threads.
+fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(&Times) -> f64) {
+    let threads: Vec<String> = threads.iter().map(|threads| format!("{threads}t")).collect();
+    let threads = threads.join(" / ");
+    println!("Mrays/s of {title}; best: the fastest of Embree's ways; {threads}\n");
+    println!(
+        "| scene | ours | best | ours / best | % of streaming stores | % covered | decided / covered |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
+    for scene in measured {
+        let time = |outcome: &Outcome, names: &[&str]| {
+            let rows = outcome.rows.iter().filter(|(name, _)| names.contains(name));
+            rows.map(|(_, times)| picked(times)).reduce(f64::min)
+        };
+        let cells = |number: &dyn Fn(&Outcome) -> Option<f64>, digits: usize| {
+            let cell = |number: Option<f64>| {
+                number.map_or("-".to_owned(), |number| format!("{number:.digits$}"))
+            };
+            let cells: Vec<String> =
+                scene.outcomes.iter().map(|outcome| cell(number(outcome))).collect();
+            cells.join(" / ")
+        };
+        let speed = |time: f64| 1e-6 * scene.pixels as f64 / time;
+        let over_ours = |outcome: &Outcome, names: &[&str]| {
+            Some(time(outcome, names)? / time(outcome, &[LADDER])?)
+        };
+        println!(
+            "| {} | {} | {} | {} | {} | {:.1} | {:.2} |",
+            scene.name,
+            cells(&|outcome| time(outcome, &[LADDER]).map(speed), 1),
+            cells(&|outcome| time(outcome, &EMBREE).map(speed), 1),
+            cells(&|outcome| over_ours(outcome, &EMBREE), 1),
+            cells(&|outcome| Some(100.0 * over_ours(outcome, &[STREAMING])?), 1),
+            100.0 * scene.coverage,
+            scene.decided,
+        );
     }
-    println!("growth of the ladder's time: log(time) / log(N)");
-    for pair in points.windows(2) {
-        let [(few, short), (many, long)] = [pair[0], pair[1]];
-        let slope = (long / short).ln() / (many as f64 / few as f64).ln();
-        println!("  N = {few} to {many}: {slope:.3}, {:.2} times as long", long / short);
+    println!();
+}
+
+/// The factor of the ladder's median time from each number of spheres to ten times as many.
+fn show_growth(measured: &[Measured]) {
+    println!("growth of the ladder's median time with the number of spheres\n");
+    let growth = || measured.iter().filter(|scene| scene.group == "growth");
+    for few in growth() {
+        for many in growth().filter(|many| many.spheres == 10 * few.spheres) {
+            let pairs = few.outcomes.iter().zip(&many.outcomes);
+            let factor = |(few, many): (&Outcome, &Outcome)| {
+                format!("{:.2}", many.rows[0].1.median / few.rows[0].1.median)
+            };
+            let factors: Vec<String> = pairs.map(factor).collect();
+            println!("{} to {}: {} times as long", few.name, many.name, factors.join(" / "));
+        }
     }
 }

@@ -1,11 +1,12 @@
 //! The rivals see what the ladder sees, as far as `f32` lets them.
 
+use std::path::Path;
 use std::time::Duration;
 
 use pinhole_core::*;
 use pinhole_yardstick::bvh::Bvh;
 use pinhole_yardstick::contest::{self, Limits};
-use pinhole_yardstick::stores::Stores;
+use pinhole_yardstick::rig::Program;
 use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes, textbook};
 
 fn ladder(setting: &Setting) -> Frame<f32> {
@@ -59,15 +60,31 @@ fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
     assert!(tree.object.contains(&0), "of equals the first listed");
 }
 
+/// Where there is no compiler, there is no limit to know.
 #[test]
-fn stores_store_every_pixel() {
-    let image = ImageSize::new(37, 5).unwrap();
-    for mut stores in [Stores::again(image, Level::new()), Stores::to_memory(image, Level::new())] {
-        for frame in 1..4 {
-            let last = stores.run();
-            assert_eq!(last.t, vec![frame as f32; 37 * 5]);
-            assert_eq!(last.object, vec![frame; 37 * 5]);
-        }
+fn streaming_stores_reach_every_pixel_on_any_number_of_threads() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stores");
+    let Ok(program) = Program::stores(&folder) else { return };
+    let setting = scenes::spheres_at(1, 0.6, 1.0).with_image(37, 5);
+    let mut rig = program.start(&setting).unwrap();
+    let cameras = [setting.camera(0), setting.camera(1)];
+    for threads in 1..4 {
+        assert_eq!(rig.frames(0, threads, &cameras).unwrap().len(), 2);
+        let lines: Vec<u32> = (0..37 * 5).map(|pixel| pixel / 16).collect();
+        assert_eq!(rig.objects().unwrap(), lines);
+    }
+}
+
+#[test]
+fn embree_sees_what_the_ladder_sees_where_it_is_installed() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("embree");
+    let Ok(program) = Program::embree(&folder) else { return };
+    let setting = scenes::spheres_at(1000, 0.6, 1.0).with_image(161, 91);
+    let (mut rig, truth) = (program.start(&setting).unwrap(), ladder(&setting));
+    for mode in 0..rig.modes.len() {
+        rig.frames(mode, 2, &[setting.camera(1), setting.camera(0)]).unwrap();
+        let same = check::alike(&truth.object, &rig.objects().unwrap());
+        assert!(same > 0.999, "{}: {same}", rig.modes[mode]);
     }
 }
 
@@ -76,16 +93,16 @@ fn a_contest_is_among_those_who_are_quick_enough() {
     let limits = Limits { share: Duration::from_millis(1), most: 3, ..Limits::default() };
     let names = |count: usize, limits: &Limits| -> Vec<&str> {
         let setting = scenes::spheres_at(count, 0.6, 1.0).with_image(40, 30);
-        let outcome = contest::run(&setting, limits);
+        let outcome = contest::run(&setting, limits, &mut []);
         assert_eq!(outcome.frame.object.len(), 1200);
         assert!(outcome.rows.iter().all(|(_, times)| times.count > 0 && times.min > 0.0));
         outcome.rows.into_iter().map(|(name, _)| name).collect()
     };
-    assert_eq!(names(10, &limits), ["ladder", "textbook", "stores", "stores to memory"]);
-    assert_eq!(names(1000, &limits), ["ladder", "textbook-bvh", "stores", "stores to memory"]);
+    assert_eq!(names(10, &limits), ["ladder", "textbook"]);
+    assert_eq!(names(1000, &limits), ["ladder", "textbook-bvh"]);
     assert_eq!(names(100, &limits)[1..3], ["textbook", "textbook-bvh"]);
     let impatient = Limits { patience: Duration::ZERO, ..limits };
-    assert_eq!(names(100, &impatient), ["ladder", "stores", "stores to memory"]);
+    assert_eq!(names(100, &impatient), ["ladder"]);
 }
 
 #[test]

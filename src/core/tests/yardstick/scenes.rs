@@ -18,7 +18,7 @@ fn as_much_is_covered_as_was_promised() {
         let found = covered(&setting);
         assert!((found - coverage).abs() < 0.03, "{count} spheres cover {found}");
     }
-    for name in ["six-decades", "in-cloud"] {
+    for name in ["six-decades", "in-cloud", "in-cloud-1e3", "dense-1e4", "clustered-1e3"] {
         let found = covered(&made(name));
         assert!((found - scenes::COVERAGE).abs() < 0.03, "{name} covers {found}");
     }
@@ -75,6 +75,9 @@ fn adversarial_scenes_are_what_their_names_say() {
 fn the_list_has_every_name_once() {
     let names: Vec<&str> = scenes::all().iter().map(|listed| listed.name).collect();
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
+    for name in scenes::STATED {
+        assert!(names.contains(&name), "{name}");
+    }
     for group in ["growth", "adversarial", "sizes"] {
         assert!(scenes::all().iter().any(|listed| listed.group == group), "{group}");
     }

@@ -1,0 +1,161 @@
+//! Programs in C++ beside which frames are timed: streaming stores, which need intrinsics, and Embree.
+//! They are built where a compiler is, and live as long as a scene is measured.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Error, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdout, Command, Stdio};
+use std::time::Duration;
+
+use pinhole_core::ResolvedCamera;
+
+use crate::frames::Rays;
+use crate::scenes::Setting;
+
+/// Name of the limit: streaming stores of t and object of every pixel, and nothing else.
+pub const STREAMING: &str = "streaming stores";
+
+/// Names of Embree's ways: its own spheres, and user geometry with a test as wide as a packet of 16 rays,
+/// which are declared coherent or not.
+pub const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
+
+const SOURCES: [(&str, &str); 3] = [
+    ("rig.hpp", include_str!("rigs/rig.hpp")),
+    ("stores.cpp", include_str!("rigs/stores.cpp")),
+    ("embree.cpp", include_str!("rigs/embree.cpp")),
+];
+
+/// A program that has been built.
+#[derive(Clone, Debug)]
+pub struct Program {
+    path: PathBuf,
+    modes: &'static [&'static str],
+}
+
+impl Program {
+    /// Builds the streaming stores into a folder.
+    ///
+    /// # Errors
+    /// Returns what the compiler says, or that there is none.
+    pub fn stores(folder: &Path) -> Result<Program, String> {
+        build(folder, "stores", &[])?;
+        Ok(Program { path: folder.join("stores"), modes: &[STREAMING] })
+    }
+
+    /// Builds the one that asks Embree 4 or 3 into a folder.
+    ///
+    /// # Errors
+    /// Returns what the compiler says of both, or that there is none.
+    pub fn embree(folder: &Path) -> Result<Program, String> {
+        let with = |version: &str| {
+            build(
+                folder,
+                "embree",
+                &[&format!("-DEMBREE={version}"), &format!("-lembree{version}")],
+            )
+        };
+        with("4").or_else(|of_4| with("3").map_err(|of_3| of_4 + "\n" + &of_3))?;
+        Ok(Program { path: folder.join("embree"), modes: &EMBREE })
+    }
+
+    /// Starts it for a scene, and waits until it is ready.
+    ///
+    /// # Errors
+    /// Returns what keeps it from starting.
+    pub fn start(&self, setting: &Setting) -> Result<Rig, Error> {
+        let [frame, spheres] = ["frame", "spheres"].map(|kind| self.path.with_extension(kind));
+        let numbers = |sphere: &pinhole_core::Sphere| {
+            let [x, y, z] = sphere.center.to_array();
+            [x, y, z, sphere.radius].map(|number| (number as f32).to_ne_bytes())
+        };
+        let bytes: Vec<u8> = setting.scene.spheres().iter().flat_map(numbers).flatten().collect();
+        fs::write(&spheres, bytes)?;
+        let size = setting.image();
+        let mut child = Command::new(&self.path)
+            .args([size.width(), size.height()].map(|number| number.to_string()))
+            .args([&frame, &spheres])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let answers = BufReader::new(child.stdout.take().ok_or(Error::other("no stdout"))?);
+        let mut rig = Rig { child, answers, frame, modes: self.modes };
+        // It answers when the scene is ready.
+        rig.frames(0, 1, &[])?;
+        Ok(rig)
+    }
+}
+
+fn build(folder: &Path, name: &str, flags: &[&str]) -> Result<(), String> {
+    let failed = |error: Error| format!("{}: {error}", folder.display());
+    fs::create_dir_all(folder).map_err(failed)?;
+    for (file, text) in SOURCES {
+        fs::write(folder.join(file), text).map_err(failed)?;
+    }
+    let compiler = std::env::var("CXX").unwrap_or("c++".into());
+    let mut command = Command::new(&compiler);
+    command.current_dir(folder).args(["-std=c++17", "-O3", "-march=native", "-pthread"]);
+    command.args(["-o", name, &format!("{name}.cpp")]).args(flags);
+    let output = command.output().map_err(|error| format!("{compiler}: {error}"))?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    output.status.success().then_some(()).ok_or_else(|| format!("{compiler}: {}", told.trim_end()))
+}
+
+/// A program that makes frames of a scene as it is told.
+#[derive(Debug)]
+pub struct Rig {
+    child: Child,
+    answers: BufReader<ChildStdout>,
+    frame: PathBuf,
+    /// The names of its ways to make a frame.
+    pub modes: &'static [&'static str],
+}
+
+impl Rig {
+    /// Makes a frame for each camera in one of the modes. Returns how long each took.
+    ///
+    /// # Errors
+    /// Returns an error if the program has ended.
+    pub fn frames(
+        &mut self,
+        mode: usize,
+        threads: usize,
+        cameras: &[ResolvedCamera],
+    ) -> Result<Vec<Duration>, Error> {
+        let numbers = |camera: &ResolvedCamera| {
+            Rays::new(camera).numbers().map(|number| number.to_string()).join(" ") + "\n"
+        };
+        let cameras_told: String = cameras.iter().map(numbers).collect();
+        let answer = self.ask(&format!("{mode} {threads} {}\n{cameras_told}", cameras.len()))?;
+        let seconds =
+            answer.split_whitespace().map(|word| word.parse().map(Duration::from_secs_f64));
+        seconds.collect::<Result<_, _>>().map_err(Error::other)
+    }
+
+    /// Objects of the last frame's pixels.
+    ///
+    /// # Errors
+    /// Returns an error if the program has ended or cannot write the file.
+    pub fn objects(&mut self) -> Result<Vec<u32>, Error> {
+        self.ask("save\n")?;
+        let bytes = fs::read(&self.frame)?;
+        let (numbers, _) = bytes[bytes.len() / 2..].as_chunks();
+        Ok(numbers.iter().map(|number| u32::from_ne_bytes(*number)).collect())
+    }
+
+    fn ask(&mut self, order: &str) -> Result<String, Error> {
+        self.child.stdin.as_mut().ok_or(Error::other("no stdin"))?.write_all(order.as_bytes())?;
+        let mut answer = String::new();
+        match self.answers.read_line(&mut answer)? {
+            0 => Err(Error::other("it has ended")),
+            _ => Ok(answer),
+        }
+    }
+}
+
+impl Drop for Rig {
+    /// Waits for its end, so that its time counts among this process's children's.
+    fn drop(&mut self) {
+        drop(self.child.stdin.take());
+        _ = self.child.wait();
+    }
+}
