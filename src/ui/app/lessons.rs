@@ -98,23 +98,23 @@ impl OpenScene {
         self.open_lesson(id, None).unwrap_or_default()
     }
 
-    /// Shows what the step keeps back: the answer to its question, which its derivation belongs to, or,
-    /// before an audience, the derivation's next line, up to those that it is about. Returns false if
-    /// all is shown.
+    /// Shows what the step keeps back: the answer to its question with the lines of the derivation
+    /// that it is about, or, before an audience, the next of those lines. Returns false if all is shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
-        if self.session.is_asking {
-            self.show_all();
-            return true;
+        let is_asking = self.session.is_asking;
+        if is_asking {
+            self.answer();
         }
         let session = &mut self.session;
         let (Some(count), Some(derivation)) = (session.revealed_lines, derivation) else {
-            return false;
+            return is_asking;
         };
-        let is_left = count < derivation.lines_through(session.highlighted);
+        let all = derivation.lines_through(session.highlighted);
+        let is_left = count < all;
         if is_left {
-            session.revealed_lines = Some(count + 1);
+            session.revealed_lines = Some(if is_asking { all } else { count + 1 });
         }
-        is_left
+        is_asking || is_left
     }
 
     /// Returns the number of the derivation's lines to begin a step with: before an audience those that
