@@ -11,8 +11,9 @@
 //! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
 //!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
 //!     ([`polynomial`]): they hide much of the rest;
-//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time; of many, near to
-//!     far, and what nearer ones hide is left out ([`bvh::occlusion`]);
+//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; of
+//!     few, each vector of pixels is written once where no others overlap ([`rows::draw_row`]); of
+//!     many, what nearer ones hide is left out ([`bvh::occlusion`]);
 //!   - what no outline can be drawn of, and the planes, by polynomials again.
 //! - Each step knows a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by
 //!   itself ([`row_band::fallback`]): the same object comes first as in exact arithmetic.

@@ -82,6 +82,20 @@ fn a_wide_row_along_which_b_falls_is_right() {
     }
 }
 
+/// Large spheres to both sides of the view: b varies along a row by several times the least b.
+#[test]
+fn a_wide_row_along_which_b_varies_much_is_right() {
+    let camera = with_pixels(640, 360, 1.0 / 360.0);
+    for side in [-1.0, 1.0] {
+        for (x, y, radius) in
+            [(5.37, 0.18, 3.29), (8.0, -1.5, 4.5), (3.5, 2.0, 4.2), (11.0, 0.0, 5.5)]
+        {
+            let sphere = Sphere::new([side * x, y, -6.28], radius).unwrap();
+            assert_right("b varies", vec![sphere], &camera);
+        }
+    }
+}
+
 #[test]
 fn the_checker_finds_what_is_wrong() {
     let few = |name| crowds::all().into_iter().find(|crowd| crowd.name == name).unwrap();

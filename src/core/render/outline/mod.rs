@@ -339,7 +339,7 @@ impl<S: Simd> Kinds<S> {
         let thin = square_doubt * keep * splat(1.0 / MARGIN);
         let twice = b_column * widest + b_column * widest;
         let can_be_wide = widest.simd_lt(splat(2040.0))
-            & (twice * twice).simd_lt(splat(0.99 * 0.99) * least)
+            & (twice * twice).simd_lt(splat(16.0) * least)
             & (widest + widest + one).simd_lt(splat(0.01) * least);
         let is_small = size.simd_lt(splat(SMALL_SIZE))
             & (small_error * small_error).simd_lt(splat(0.05 * 0.05) * least)

@@ -38,6 +38,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) counts: Counts,
     /// Number of rows that a thread traces at a time.
     pub(crate) band_rows: usize,
+    /// True if spheres are so few that pixels are not cleared before them.
+    pub(crate) is_written_once: bool,
     /// True if the frame is done before another thread would have begun.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
@@ -47,6 +49,9 @@ pub(crate) struct Plan<'a> {
 
 /// Spheres whose bounds one thread finds at a time.
 const SPHERES_PER_RUN: usize = 8192;
+
+/// Number of spheres up to which whole blocks, most of them written once, cost less than clearing all.
+const MOST_WRITTEN_ONCE: usize = 64;
 
 impl<'a> Plan<'a> {
     pub(crate) fn new(
@@ -104,10 +109,12 @@ impl<'a> Plan<'a> {
             visible,
             counts,
             band_rows,
+            is_written_once: false,
             is_quick: false,
             extents,
             planes,
         };
+        plan.is_written_once = plan.visible.is_none() && plan.spans.len() <= MOST_WRITTEN_ONCE;
         plan.is_quick = plan.is_quick();
         plan
     }

@@ -9,13 +9,11 @@ use std::cmp::Ordering;
 use std::mem;
 use std::ops::Range;
 
-use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
 use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::exact::steps::Steps;
 use crate::render::bvh::draw::{DrawnSpheres, draw_visible};
-use crate::render::frame::NO_OBJECT;
 use crate::render::frame::counts::Counts;
 use crate::render::outline::extent::Extent;
 use crate::render::plan::Plan;
@@ -27,6 +25,7 @@ use crate::render::polynomial::per_pixel::pixel_hit;
 use crate::render::row_band::fallback::PixelQuery;
 use crate::render::row_band::known_objects::KnownObjects;
 use crate::render::row_band::rough_hits::RoughHit;
+use crate::render::rows::draw_row::{WrittenBlocks, clear};
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
@@ -42,6 +41,8 @@ pub(crate) struct RowBand<'a> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
+    /// Which pixels have been written, while spheres are drawn by rows into what has not been cleared.
+    written: Option<WrittenBlocks>,
     /// The sphere, or group and block of many, from which rows are drawn next; `None` where all are.
     next: Option<(usize, usize)>,
     /// Pixels in doubt, left to be decided.
@@ -74,10 +75,17 @@ impl<'a> RowBand<'a> {
         t: &'a mut [f32],
         object: &'a mut [u32],
     ) -> Self {
-        dispatch!(plan.level, simd => clear(simd, t));
-        object.fill(NO_OBJECT);
+        let size = (rows.len(), plan.axes.width());
+        let written = if plan.is_written_once {
+            let new = dispatch!(plan.level, simd => WrittenBlocks::new(simd, size, t, object));
+            Some(new)
+        } else {
+            dispatch!(plan.level, simd => clear(simd, t, object));
+            None
+        };
         RowBand {
             plan,
+            written,
             is_reached: vec![false; rows.len()],
             rows,
             t,
@@ -108,6 +116,10 @@ impl<'a> RowBand<'a> {
         let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
         self.next = self.draw_spans(from, &mut doubts, &mut drawn);
         (self.doubts, self.drawn) = (doubts, drawn);
+        if let Some(written) = self.written.take() {
+            let (width, t, object) = (self.plan.axes.width(), &mut *self.t, &mut *self.object);
+            dispatch!(self.plan.level, simd => written.clear_others(simd, width, t, object));
+        }
         true
     }
 
@@ -177,6 +189,7 @@ impl<'a> RowBand<'a> {
             rows: self.rows.clone(),
             t: self.t,
             object: self.object,
+            written: self.written.as_mut(),
             doubts,
             spheres: plan.scene.spheres(),
             is_reached: &mut self.is_reached,
@@ -327,17 +340,6 @@ impl<'a> RowBand<'a> {
             self.found = found;
         }
     }
-}
-
-/// Sets all to no hit.
-#[inline(always)]
-fn clear<S: Simd>(simd: S, t: &mut [f32]) {
-    let none = S::f32s::splat(simd, f32::INFINITY);
-    let mut vectors = t.chunks_exact_mut(S::f32s::LEN);
-    for vector in &mut vectors {
-        none.store_slice(vector);
-    }
-    vectors.into_remainder().fill(f32::INFINITY);
 }
 
 #[inline(always)]

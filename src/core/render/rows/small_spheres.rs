@@ -6,7 +6,8 @@ use fearless_simd::{Simd, f32x8, u32x8};
 
 use crate::exact::lanes::lanes_of;
 use crate::render::outline::{MARGIN, MOST_LANES, Outlines, SMALL_ROWS};
-use crate::render::rows::span::{Doubt, RowEnds, SpanTarget, TIE};
+use crate::render::rows::draw_row::TIE;
+use crate::render::rows::span::{Doubt, RowEnds, SpanTarget};
 
 /// Pixels drawn at once.
 const PIXELS: usize = 8;

@@ -10,6 +10,7 @@ use crate::exact::error_free::Lane;
 use crate::exact::lanes::{SingleLanes, lanes_of};
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{MARGIN, MOST_LANES, Outline};
+use crate::render::rows::draw_row::{RowBuffers, TIE, WrittenBlocks, draw_row};
 use crate::scene::sphere::Sphere;
 
 /// A sphere that can be drawn by rows.
@@ -73,6 +74,8 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
+    /// Which pixels have been written, where they are not cleared at the start.
+    pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
@@ -141,8 +144,12 @@ impl Span {
             columns: &target.axes.columns,
             t: &mut target.t[start..],
             object: &mut target.object[start..],
+            is_written: match &mut target.written {
+                Some(written) => written.row(row - target.rows.start),
+                None => &mut [],
+            },
         };
-        let own = (self.index, self.outline.nearest as f32);
+        let own = (self.index, span_row.nearest);
         target.decided += (columns.1 - columns.0 + 1) as u64;
         target.is_reached[row - target.rows.start] = true;
         if self.outline.is_wide {
@@ -209,7 +216,11 @@ impl Span {
         if first <= last
             && let Some(columns) = target.axes.columns_between(first, last)
         {
-            let pivot = if self.outline.is_wide { first } else { 0.5 * (first + last) };
+            let pivot = match (self.outline.is_wide, self.outline.b_column > 0.0) {
+                (true, false) => first,
+                (true, true) => last,
+                (false, _) => 0.5 * (first + last),
+            };
             let b = self.outline.b0 + self.outline.b_row * j + self.outline.b_column * pivot;
             let (left, right) = (first - start, end - last);
             let span_row = SpanRow {
@@ -220,6 +231,7 @@ impl Span {
                 b: two_parts(b),
                 pivot: pivot as f32,
                 offset: (left * right) as f32,
+                nearest: self.outline.nearest as f32,
             };
             if self.draw_row(simd, target, row, &span_row, columns) {
                 self.find_doubts(simd, target, row, columns, &span_row);
@@ -252,6 +264,7 @@ pub(crate) struct SpanRows {
     b: [Singles; 2],
     pivot: Singles,
     offset: Singles,
+    nearest: Singles,
     /// First and last column of the raster, as numbers.
     from: [f64; MOST_LANES],
     to: [f64; MOST_LANES],
@@ -290,11 +303,20 @@ impl SpanRows {
         let RowEnds { start, end, first, last, is_sure } = ends;
         let (from, to, is_there) = axes.clip(simd, first, last);
         let is_wide = span.outline.is_wide;
-        let pivot = if is_wide { first } else { splat(0.5) * (first + last) };
+        let pivot = match (is_wide, b_column > 0.0) {
+            (true, false) => first,
+            (true, true) => last,
+            (false, _) => splat(0.5) * (first + last),
+        };
         let b = splat(b0) + splat(b_row) * j + splat(b_column) * pivot;
         let high = b.narrow(b);
         let (left, right) = (first - start, end - last);
         let offset = if is_wide { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
+        // Within the row `b <= b(pivot) + |b_column| 2 w` and `S <= w`.
+        let half = (end - start) * splat(0.5);
+        let most = b + half * splat(1.0 + 2.0 * b_column.abs());
+        let nearest = splat(span.outline.numerator * (1.0 - 1e-6)) / most;
+        let nearest = nearest.max(splat(span.outline.nearest));
         let is_doubtful =
             squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask();
         SpanRows {
@@ -305,6 +327,7 @@ impl SpanRows {
             b: [store_narrow::<S>(b), store_narrow::<S>(b - high.widen().0)],
             pivot: store_narrow::<S>(pivot),
             offset,
+            nearest: store_narrow::<S>(nearest),
             from: store::<S>(from),
             to: store::<S>(to),
             is_drawn: is_sure.to_bitmask() & is_there,
@@ -323,6 +346,7 @@ impl SpanRows {
             b: self.b.map(|b| b[lane]),
             pivot: self.pivot[lane],
             offset: self.offset[lane],
+            nearest: self.nearest[lane],
         }
     }
 
@@ -374,10 +398,12 @@ pub(crate) struct SpanRow {
     pub(crate) right: f32,
     /// b at the pivot, in two parts.
     pub(crate) b: [f32; 2],
-    /// The column that b is given at: the middle, for wide spheres the first.
+    /// The column that b is given at: the middle, for wide spheres the end at which b is larger.
     pub(crate) pivot: f32,
     /// `left right`, for wide spheres.
     pub(crate) offset: f32,
+    /// Lower bound of the t of all hits.
+    pub(crate) nearest: f32,
 }
 
 /// The lanes' version of a [`Span`] and a [`SpanRow`].
@@ -450,7 +476,9 @@ impl<S: Simd> SpanLanes<S> {
     ///
     /// What is left: the rounding of the second term of `S^2`, by 4 u of itself, which is at most
     /// `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`; and the third power of the share of
-    /// the sum that stands in `rest`, at most `2^-12` of what b varies by.
+    /// the sum that stands in `rest`, at most `2^-12` of what b varies by, which is less than four times
+    /// the sum. From the end at which b is larger it only becomes smaller, so that the rest of the sum
+    /// with it is exact (Dekker, Numerische Mathematik 18, 1971).
     #[inline(always)]
     pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
@@ -463,9 +491,10 @@ impl<S: Simd> SpanLanes<S> {
         let root_residual = square.residual(root, root) + square_rest;
 
         // Exact: 12 bits by 12.
-        let moved = from_first * self.b_column[0];
+        let from_pivot = columns - self.pivot;
+        let moved = from_pivot * self.b_column[0];
         let b = self.b[0] + moved;
-        let b_low = self.b[1] + from_first * self.b_column[1];
+        let b_low = self.b[1] + from_pivot * self.b_column[1];
         let b_rest = (moved - (b - self.b[0])) + b_low;
         let sum = b + root;
         let sum_rest = root - (sum - b);
@@ -480,103 +509,4 @@ impl<S: Simd> SpanLanes<S> {
         let share = rest * reciprocal;
         quotient + (residual * reciprocal - quotient * (share - share * share))
     }
-}
-
-/// The buffers of a row, and the whole column numbers of its pixels.
-pub(crate) struct RowBuffers<'a> {
-    pub(crate) columns: &'a [f32],
-    pub(crate) t: &'a mut [f32],
-    pub(crate) object: &'a mut [u32],
-}
-
-/// Two `t` that are closer than this share of them may be in the wrong order for their rounding:
-/// each is off by an ulp at most.
-pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
-
-/// The numbers that the vectors of one row share.
-struct Drawing<S: Simd> {
-    simd: S,
-    below: S::f32s,
-    above: S::f32s,
-    none: S::f32s,
-    nearest: S::f32s,
-    /// True if a row is so long that it pays to look whether whole vectors are hidden.
-    may_be_hidden: bool,
-    end: S::f32s,
-    own: S::u32s,
-}
-
-impl<S: Simd> Drawing<S> {
-    /// One vector: which lanes are in doubt.
-    #[inline(always)]
-    fn draw<const IS_WIDE: bool>(
-        &self,
-        columns: &[f32],
-        t: &mut [f32],
-        object: &mut [u32],
-        lanes: &SpanLanes<S>,
-    ) -> <S::f32s as SimdBase<S>>::Mask {
-        let columns = S::f32s::from_slice(self.simd, columns);
-        let known = S::f32s::from_slice(self.simd, t);
-        if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
-            return self.none.simd_lt(self.none);
-        }
-        let found = if IS_WIDE { lanes.wide(columns) } else { lanes.narrow(columns) }.0;
-        let is_inside = columns.simd_le(self.end);
-        let is_nearer = is_inside & found.simd_lt(known * self.below);
-        // Not a selection of what is stored: that would become a masked store, slow on many
-        // processors.
-        let nearest = is_nearer.select(found, self.none).min(known);
-        nearest.store_slice(t);
-        let objects = S::u32s::from_slice(self.simd, object);
-        let is_changed = is_nearer.select(self.own ^ objects, S::u32s::splat(self.simd, 0));
-        (objects ^ is_changed).store_slice(object);
-        let is_farther = found.simd_gt(known * self.above);
-        is_inside & !(is_nearer | is_farther)
-    }
-}
-
-/// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
-/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too
-/// close to it to tell; those stay as they are.
-#[inline(always)]
-pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
-    simd: S,
-    buffers: &mut RowBuffers,
-    (from, to): (usize, usize),
-    (index, nearest): (u32, f32),
-    lanes: &SpanLanes<S>,
-) -> bool {
-    let n = S::f32s::LEN;
-    let drawing = Drawing {
-        simd,
-        below: S::f32s::splat(simd, 1.0 - TIE),
-        above: S::f32s::splat(simd, 1.0 + TIE),
-        none: S::f32s::splat(simd, f32::INFINITY),
-        nearest: S::f32s::splat(simd, nearest),
-        may_be_hidden: to - from >= 8 * n,
-        end: S::f32s::splat(simd, buffers.columns[to]),
-        own: S::u32s::splat(simd, index),
-    };
-    let mut in_doubt = drawing.none.simd_lt(drawing.none);
-    // Where whole vectors may begin.
-    let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
-    let mut at = from;
-    while at < whole {
-        let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
-        in_doubt |= drawing.draw::<IS_WIDE>(&buffers.columns[at..at + n], t, object, lanes);
-        at += n;
-    }
-    if at <= to {
-        // The buffers end within this vector.
-        let (mut t, mut object) = ([0.0; 16], [0; 16]);
-        let left = buffers.t.len() - at;
-        t[..left].copy_from_slice(&buffers.t[at..]);
-        object[..left].copy_from_slice(&buffers.object[at..]);
-        let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw::<IS_WIDE>(columns, &mut t[..n], &mut object[..n], lanes);
-        buffers.t[at..].copy_from_slice(&t[..left]);
-        buffers.object[at..].copy_from_slice(&object[..left]);
-    }
-    in_doubt.any_true()
 }

@@ -1,0 +1,230 @@
+//! A sphere's row, drawn into what nearer spheres have left there.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::render::frame::NO_OBJECT;
+use crate::render::rows::span::SpanLanes;
+
+/// The buffers of a row, and the whole column numbers of its pixels.
+pub(crate) struct RowBuffers<'a> {
+    pub(crate) columns: &'a [f32],
+    pub(crate) t: &'a mut [f32],
+    pub(crate) object: &'a mut [u32],
+    /// True, by block of the row, if its pixels have been written; none where all have.
+    pub(crate) is_written: &'a mut [bool],
+}
+
+/// Two `t` that are closer than this share of them may be in the wrong order for their rounding:
+/// each is off by an ulp at most.
+pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
+
+/// Which blocks of a band have been written: each is written without being read the first time, and
+/// what nothing covers is cleared at the end.
+///
+/// A block is a vector of neighbouring pixels of a row. The last pixels of a row, which fill none,
+/// are cleared at the start.
+pub(crate) struct WrittenBlocks {
+    is_written: Vec<bool>,
+    /// Number of blocks of a row.
+    per_row: usize,
+}
+
+impl WrittenBlocks {
+    /// The blocks of rows of so many columns, none of which is written.
+    #[inline(always)]
+    pub(crate) fn new<S: Simd>(
+        _simd: S,
+        (rows, width): (usize, usize),
+        t: &mut [f32],
+        object: &mut [u32],
+    ) -> WrittenBlocks {
+        let per_row = width / S::f32s::LEN;
+        let whole = per_row * S::f32s::LEN;
+        if whole < width {
+            let rows = t.chunks_exact_mut(width).zip(object.chunks_exact_mut(width));
+            for (t, object) in rows {
+                t[whole..].fill(f32::INFINITY);
+                object[whole..].fill(NO_OBJECT);
+            }
+        }
+        WrittenBlocks { is_written: vec![false; rows * per_row], per_row }
+    }
+
+    /// The blocks of a row of the band.
+    #[inline(always)]
+    pub(crate) fn row(&mut self, row: usize) -> &mut [bool] {
+        &mut self.is_written[row * self.per_row..(row + 1) * self.per_row]
+    }
+
+    /// Clears what has not been written.
+    #[inline(always)]
+    pub(crate) fn clear_others<S: Simd>(
+        self,
+        simd: S,
+        width: usize,
+        t: &mut [f32],
+        object: &mut [u32],
+    ) {
+        if self.per_row == 0 {
+            return;
+        }
+        let n = S::f32s::LEN;
+        let (none, no_object) =
+            (S::f32s::splat(simd, f32::INFINITY), S::u32s::splat(simd, NO_OBJECT));
+        let rows = t.chunks_exact_mut(width).zip(object.chunks_exact_mut(width));
+        for ((t, object), is_written) in rows.zip(self.is_written.chunks_exact(self.per_row)) {
+            let blocks = t.chunks_exact_mut(n).zip(object.chunks_exact_mut(n));
+            for ((t, object), is_written) in blocks.zip(is_written) {
+                if !is_written {
+                    none.store_slice(t);
+                    no_object.store_slice(object);
+                }
+            }
+        }
+    }
+}
+
+/// Sets all to no hit.
+#[inline(always)]
+pub(crate) fn clear<S: Simd>(simd: S, t: &mut [f32], object: &mut [u32]) {
+    let none = S::f32s::splat(simd, f32::INFINITY);
+    let mut vectors = t.chunks_exact_mut(S::f32s::LEN);
+    for vector in &mut vectors {
+        none.store_slice(vector);
+    }
+    vectors.into_remainder().fill(f32::INFINITY);
+    object.fill(NO_OBJECT);
+}
+
+/// The numbers that the vectors of one row share.
+struct Drawing<S: Simd> {
+    simd: S,
+    below: S::f32s,
+    above: S::f32s,
+    none: S::f32s,
+    nearest: S::f32s,
+    /// True if a row is so long that it pays to look whether whole vectors are hidden.
+    may_be_hidden: bool,
+    begin: S::f32s,
+    end: S::f32s,
+    own: S::u32s,
+}
+
+impl<S: Simd> Drawing<S> {
+    /// `t` of some columns.
+    #[inline(always)]
+    fn find<const IS_WIDE: bool>(&self, columns: S::f32s, lanes: &SpanLanes<S>) -> S::f32s {
+        if IS_WIDE { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
+    }
+
+    /// One vector, from the row's first column on: which lanes are in doubt.
+    #[inline(always)]
+    fn draw<const IS_WIDE: bool>(
+        &self,
+        columns: &[f32],
+        t: &mut [f32],
+        object: &mut [u32],
+        lanes: &SpanLanes<S>,
+    ) -> <S::f32s as SimdBase<S>>::Mask {
+        let columns = S::f32s::from_slice(self.simd, columns);
+        let known = S::f32s::from_slice(self.simd, t);
+        if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
+            return self.none.simd_lt(self.none);
+        }
+        let found = self.find::<IS_WIDE>(columns, lanes);
+        let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
+        let is_nearer = is_inside & found.simd_lt(known * self.below);
+        // Not a selection of what is stored: that would become a masked store, slow on many
+        // processors.
+        let nearest = is_nearer.select(found, self.none).min(known);
+        nearest.store_slice(t);
+        let objects = S::u32s::from_slice(self.simd, object);
+        let is_changed = is_nearer.select(self.own ^ objects, S::u32s::splat(self.simd, 0));
+        (objects ^ is_changed).store_slice(object);
+        let is_farther = found.simd_gt(known * self.above);
+        is_inside & !(is_nearer | is_farther)
+    }
+
+    /// One block that has not been written yet; `is_whole` if the sphere covers all of it.
+    #[inline(always)]
+    fn write<const IS_WIDE: bool>(
+        &self,
+        is_whole: bool,
+        columns: &[f32],
+        t: &mut [f32],
+        object: &mut [u32],
+        lanes: &SpanLanes<S>,
+    ) {
+        let columns = S::f32s::from_slice(self.simd, columns);
+        if is_whole {
+            self.find::<IS_WIDE>(columns, lanes).store_slice(t);
+            self.own.store_slice(object);
+            return;
+        }
+        let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
+        let found = self.find::<IS_WIDE>(columns, lanes);
+        is_inside.select(found, self.none).store_slice(t);
+        is_inside.select(self.own, S::u32s::splat(self.simd, NO_OBJECT)).store_slice(object);
+    }
+}
+
+/// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
+/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too
+/// close to it to tell; those stay as they are.
+#[inline(always)]
+pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
+    simd: S,
+    buffers: &mut RowBuffers,
+    (from, to): (usize, usize),
+    (index, nearest): (u32, f32),
+    lanes: &SpanLanes<S>,
+) -> bool {
+    let n = S::f32s::LEN;
+    let drawing = Drawing {
+        simd,
+        below: S::f32s::splat(simd, 1.0 - TIE),
+        above: S::f32s::splat(simd, 1.0 + TIE),
+        none: S::f32s::splat(simd, f32::INFINITY),
+        nearest: S::f32s::splat(simd, nearest),
+        may_be_hidden: to - from >= 8 * n,
+        begin: S::f32s::splat(simd, buffers.columns[from]),
+        end: S::f32s::splat(simd, buffers.columns[to]),
+        own: S::u32s::splat(simd, index),
+    };
+    let mut in_doubt = drawing.none.simd_lt(drawing.none);
+    // Where blocks have been written or not, vectors are whole blocks.
+    let mut at = if buffers.is_written.is_empty() { from } else { from - from % n };
+    for is_written in buffers.is_written.iter_mut().take(to / n + 1).skip(from / n) {
+        let vector = at..at + n;
+        let (t, object) = (&mut buffers.t[vector.clone()], &mut buffers.object[vector.clone()]);
+        let columns = &buffers.columns[vector];
+        if *is_written {
+            in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, lanes);
+        } else {
+            *is_written = true;
+            let is_whole = from <= at && at + n <= to + 1;
+            drawing.write::<IS_WIDE>(is_whole, columns, t, object, lanes);
+        }
+        at += n;
+    }
+    // Where whole vectors may begin.
+    let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
+    while at < whole {
+        let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
+        in_doubt |= drawing.draw::<IS_WIDE>(&buffers.columns[at..at + n], t, object, lanes);
+        at += n;
+    }
+    if at <= to {
+        // The buffers end within this vector.
+        let (mut t, mut object) = ([0.0; 16], [0; 16]);
+        let left = buffers.t.len() - at;
+        t[..left].copy_from_slice(&buffers.t[at..]);
+        object[..left].copy_from_slice(&buffers.object[at..]);
+        let columns = &buffers.columns[at..at + n];
+        in_doubt |= drawing.draw::<IS_WIDE>(columns, &mut t[..n], &mut object[..n], lanes);
+        buffers.t[at..].copy_from_slice(&t[..left]);
+        buffers.object[at..].copy_from_slice(&object[..left]);
+    }
+    in_doubt.any_true()
+}
