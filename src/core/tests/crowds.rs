@@ -90,7 +90,7 @@ fn a_wide_row_along_which_b_varies_much_is_right() {
         for (x, y, radius) in
             [(5.37, 0.18, 3.29), (8.0, -1.5, 4.5), (3.5, 2.0, 4.2), (11.0, 0.0, 5.5)]
         {
-            let sphere = Sphere::new([side * x, y, -6.28], radius).unwrap();
+            let sphere = Sphere::new([side * x, y, -6.3], radius).unwrap();
             assert_right("b varies", vec![sphere], &camera);
         }
     }
