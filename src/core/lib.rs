@@ -233,7 +233,9 @@ pub use render::frame::depth::Depth;
 pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::{HitShader, lambert, shade, shade_at_level};
-pub use render::{retrace, retrace_painted, trace, trace_as, trace_at_level, trace_painted};
+pub use render::{
+    retrace, retrace_at_level, retrace_painted, trace, trace_as, trace_at_level, trace_painted,
+};
 pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::certificate::{Certificate, Hardest, Question};

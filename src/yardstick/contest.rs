@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 use std::time::Duration;
 
-use pinhole_core::{Frame, Level, Outputs, Raster, ResolvedCamera, retrace, trace_at_level};
+use pinhole_core::{
+    Frame, Level, Outputs, Raster, ResolvedCamera, retrace_at_level, trace_at_level,
+};
 
 use rayon::ThreadPoolBuilder;
 
@@ -74,7 +76,9 @@ pub fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outcome {
     let mut contestants: Vec<(&str, Run)> = vec![(
         LADDER,
         Box::new(|cameras| {
-            on(threads, || each(cameras, |camera| retrace(&mut frame, level, scene, camera)))
+            on(threads, || {
+                each(cameras, |camera| retrace_at_level(level, &mut frame, scene, camera))
+            })
         }),
     )];
     // Of the usual size of things: 5 ns a sphere, 100 ns a level of the tree, on one thread.

@@ -83,8 +83,8 @@ fn compare(level: Level, share: f64) {
         run(0, &mut || by_f32.run(level, Form::TwoRoots));
         run(1, &mut || by_f32.run(level, Form::OneRoot));
         run(2, &mut || by_f64.run(level, Form::TwoRoots));
-        run(3, &mut || retrace(black_box(&mut single), level, &scene, &camera));
-        run(4, &mut || retrace(black_box(&mut double), level, &scene, &camera));
+        run(3, &mut || retrace_at_level(level, black_box(&mut single), &scene, &camera));
+        run(4, &mut || retrace_at_level(level, black_box(&mut double), &scene, &camera));
     }
     let hits = single.object.iter().filter(|object| **object != NO_OBJECT).count();
     let wrong = |object: &[u32]| object.iter().zip(&single.object).filter(|(a, b)| a != b).count();

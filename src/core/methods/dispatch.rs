@@ -199,7 +199,7 @@ impl<T: Depth> LadderFrame<T> {
 impl<T: Depth + 'static> FrameKernel for LadderFrame<T> {
     fn trace(&mut self) {
         match self.frame.get_mut() {
-            Some(frame) => retrace(frame, Level::new(), &self.scene, &self.camera),
+            Some(frame) => retrace(frame, &self.scene, &self.camera),
             None => self.frame = OnceLock::from(self.traced()),
         }
     }

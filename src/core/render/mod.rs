@@ -69,6 +69,8 @@ use crate::scene::Scene;
 /// The same bits come from any number of threads and any processor. What the rays share is computed
 /// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
 /// without planes runs no plane code.
+///
+/// Of one frame after another, all but the first are traced by [`retrace`].
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_as(scene, camera, raster, outputs)
 }
@@ -167,10 +169,27 @@ pub fn retrace_painted<T: Depth, P: Send>(
 }
 
 /// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
-/// new memory.
-pub fn retrace<T: Depth>(
-    frame: &mut Frame<T>,
+/// new memory, which for a simple scene costs several times as much as all else.
+///
+/// ```
+/// use pinhole_core::*;
+/// let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0)?], vec![])?;
+/// let at = |x| Camera { eye: DVec3::new(x, 0.0, 0.0), ..Camera::CANONICAL }.resolve();
+/// let first = at(0.0)?;
+/// let mut frame = trace_as::<f32>(&scene, &first, &Raster::full(first.image()), Outputs::default());
+/// for step in 1..4 {
+///     retrace(&mut frame, &scene, &at(0.1 * f64::from(step))?);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn retrace<T: Depth>(frame: &mut Frame<T>, scene: &Scene, camera: &ResolvedCamera) {
+    retrace_at_level(Level::new(), frame, scene, camera);
+}
+
+/// [`retrace`] with the instructions of a given SIMD level, all of which give the same bits.
+pub fn retrace_at_level<T: Depth>(
     level: Level,
+    frame: &mut Frame<T>,
     scene: &Scene,
     camera: &ResolvedCamera,
 ) {

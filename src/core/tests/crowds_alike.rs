@@ -133,7 +133,7 @@ fn traced_again_into_the_same_frame_is_the_same_as_anew() {
         let camera = crowd.camera.resolve().unwrap();
         let fresh = crowd.trace();
         let again = frame.get_or_insert_with(|| fresh.clone());
-        retrace(again, Level::new(), &crowd.scene, &camera);
+        retrace(again, &crowd.scene, &camera);
         assert_eq!(difference(&fresh, again), None, "{}", crowd.name);
     }
 }

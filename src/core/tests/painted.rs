@@ -95,7 +95,7 @@ fn a_frame_without_buffers_is_traced_again_without_buffers() {
     let only_t = Outputs { object: false, ..Outputs::default() };
     let mut frame = trace_as::<f32>(&scene, &camera, &raster, only_t);
     let ball = Scene::new(vec![sphere([0.0, 0.0, -3.0], 1.0)], vec![]).unwrap();
-    retrace(&mut frame, Level::new(), &ball, &camera);
+    retrace(&mut frame, &ball, &camera);
     assert!(frame == trace_as::<f32>(&ball, &camera, &raster, only_t));
 }
 
