@@ -103,9 +103,8 @@ struct Drawing<S: Simd> {
     below: S::f32s,
     above: S::f32s,
     none: S::f32s,
+    /// Lower bound of all t of the row.
     nearest: S::f32s,
-    /// True if a row is so long that it pays to look whether whole vectors are hidden.
-    may_be_hidden: bool,
     begin: S::f32s,
     end: S::f32s,
     own: S::u32s,
@@ -129,7 +128,7 @@ impl<S: Simd> Drawing<S> {
     ) -> <S::f32s as SimdBase<S>>::Mask {
         let columns = S::f32s::from_slice(self.simd, columns);
         let known = S::f32s::from_slice(self.simd, t);
-        if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
+        if known.simd_lt(self.nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
         let found = self.find::<IS_WIDE>(columns, lanes);
@@ -187,7 +186,6 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
         above: S::f32s::splat(simd, 1.0 + TIE),
         none: S::f32s::splat(simd, f32::INFINITY),
         nearest: S::f32s::splat(simd, nearest),
-        may_be_hidden: to - from >= 8 * n,
         begin: S::f32s::splat(simd, buffers.columns[from]),
         end: S::f32s::splat(simd, buffers.columns[to]),
         own: S::u32s::splat(simd, index),
