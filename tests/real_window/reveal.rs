@@ -1,4 +1,5 @@
-//! A step that asks before an audience: its answer comes by a key, then the derivation line by line.
+//! A step that asks before an audience: its answer comes by a key, with the lines of the derivation
+//! that it is about; the next step goes on line by line.
 
 use std::fs;
 
@@ -15,12 +16,19 @@ text = "Look."
 scene = "canonical"
 layout = "derivation"
 derivation = ["basis"]
+highlight = "w"
 ask = "Where does **w** point?"
 answer = "Backwards."
+
+[[step]]
+title = "Two"
+text = "Go on."
+highlight = "nothing"
 "#;
 
 const QUESTION: &str = "Where does w point?";
 const ANSWER: &str = "Backwards.";
+const NEXT: &str = "Go on.";
 
 /// The derivation of the canonical camera's basis.
 const LINES: [&str; 10] = [
@@ -36,11 +44,13 @@ const LINES: [&str; 10] = [
     "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
 ];
 
-/// Waits until so many lines are shown, which are the first ones; question and answer are as said.
-fn wait_for_lines(heard: &Heard, count: usize, is_asking: bool) {
-    let what = format!("{count} lines, asking: {is_asking}");
+/// Waits until so many lines are shown, which are the first ones, and of question, answer and the next
+/// step's text this one alone.
+fn wait_for_lines(heard: &Heard, count: usize, text: &str) {
+    let what = format!("{count} lines beside {text}");
     let nodes = heard.wait(&what, |nodes| {
-        let is_so = says(nodes, QUESTION) == is_asking && says(nodes, ANSWER) != is_asking;
+        let mut texts = [QUESTION, ANSWER, NEXT].into_iter();
+        let is_so = texts.all(|other| says(nodes, other) == (other == text));
         let shown = LINES.iter().filter(|line| says(nodes, line)).count();
         (is_so && shown == count).then(|| heard.nodes())
     });
@@ -57,14 +67,14 @@ pub(crate) fn key_by_key() {
     let arguments = ["--lesson".as_ref(), lesson.as_os_str()];
     let mut heard = Heard::open(&screen, &arguments, folder.path());
     heard.key("F5");
-    wait_for_lines(&heard, 0, true);
+    wait_for_lines(&heard, 0, QUESTION);
     heard.key("Next");
-    wait_for_lines(&heard, 0, false);
-    for count in 1..=3 {
+    wait_for_lines(&heard, 6, ANSWER);
+    for count in 6..=8 {
         heard.key("Next");
-        wait_for_lines(&heard, count, false);
+        wait_for_lines(&heard, count, NEXT);
     }
     heard.key("End");
-    wait_for_lines(&heard, LINES.len(), false);
+    wait_for_lines(&heard, LINES.len(), NEXT);
     heard.window.quit();
 }
