@@ -1,8 +1,10 @@
-//! The plot of error against run time, both logarithmic, with one mark per method.
+//! The plot of error against run time, both logarithmic: a mark for each method, a line through the
+//! precisions of each formula, and the Pareto front, as in the plots that are written to files.
 
 use egui::{Align2, Color32, RichText, Ui};
 use egui_plot::{
-    GridInput, GridMark, HLine, HoverPosition, LineStyle, MarkerShape, Plot, PlotUi, Points, Text,
+    GridInput, GridMark, HLine, HoverPosition, Line, LineStyle, MarkerShape, Plot, PlotUi, Points,
+    Text,
 };
 use pinhole_core::methods::Method;
 
@@ -19,6 +21,9 @@ const EXACT: f64 = -2.0;
 
 /// Half the width of a mark, in points.
 const RADIUS: f32 = 7.5;
+
+/// The colour of the Pareto front, behind the marks.
+const FRONT: Color32 = Color32::from_rgba_premultiplied(0x38, 0x44, 0x58, 0x60);
 
 /// A method in the plot.
 struct Mark<'a> {
@@ -66,11 +71,48 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
                 let name = Text::new("name of the line", at, name);
                 plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
             }
+            draw_front(plot, &marks);
+            draw_curves(plot, &marks);
             // The first method is on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
         });
     let response = shown.response.with_role(egui::accesskit::Role::Image);
     response.named("Every method's error against its time");
+}
+
+/// Draws the stairs of the methods that decide all right and that no other one beats in both time and
+/// error.
+fn draw_front(plot: &mut PlotUi, marks: &[Mark]) {
+    let is_beaten = |[time, error]: [f64; 2]| {
+        let mut others = marks.iter().filter(|mark| mark.row.wrong == 0).map(|mark| mark.at);
+        others.any(|at| at != [time, error] && at[0] <= time && at[1] <= error)
+    };
+    let right = marks.iter().filter(|mark| mark.row.wrong == 0).map(|mark| mark.at);
+    let mut front: Vec<[f64; 2]> = right.filter(|at| !is_beaten(*at)).collect();
+    front.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let corners = front.windows(2).flat_map(|pair| [pair[0], [pair[1][0], pair[0][1]]]);
+    let stairs: Vec<[f64; 2]> = corners.chain(front.last().copied()).collect();
+    // Each step by itself: egui's wide lines have no clean corners.
+    for step in stairs.windows(2) {
+        let line = Line::new("Pareto front", step.to_vec()).allow_hover(false);
+        plot.line(line.color(FRONT).width(0.8 * RADIUS));
+    }
+}
+
+/// Draws a line through the precisions of each formula.
+fn draw_curves(plot: &mut PlotUi, marks: &[Mark]) {
+    for (k, first) in marks.iter().enumerate() {
+        let formula = first.row.formula();
+        if marks[..k].iter().any(|mark| mark.row.formula() == formula) {
+            continue;
+        }
+        let mut own: Vec<&Mark> =
+            marks.iter().filter(|mark| mark.row.formula() == formula).collect();
+        own.sort_by_key(|mark| mark.row.digits());
+        let points: Vec<[f64; 2]> = own.iter().map(|mark| mark.at).collect();
+        let line = Line::new(format!("{formula} in all precisions"), points).allow_hover(false);
+        plot.line(line.color(first.color).width(1.5));
+    }
 }
 
 fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
