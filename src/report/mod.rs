@@ -10,5 +10,5 @@ pub mod machine;
 pub mod measure;
 pub mod model;
 pub mod plot;
-mod summary;
+pub(crate) mod summary;
 pub mod table;

@@ -56,7 +56,7 @@ pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
 }
 
 impl<'a> Summary<'a> {
-    fn new(mut cases: Vec<&'a Case>) -> Summary<'a> {
+    pub(crate) fn new(mut cases: Vec<&'a Case>) -> Summary<'a> {
         cases.sort_by(|a, b| a.knob.unwrap_or(0.0).total_cmp(&b.knob.unwrap_or(0.0)));
         let mut names: Vec<&str> = Vec::new();
         for row in cases.iter().flat_map(|case| &case.methods) {

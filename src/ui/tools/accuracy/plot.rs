@@ -12,6 +12,7 @@ use super::table::color_of;
 use crate::model::number::{power_of_ten, short};
 use crate::report::columns;
 use crate::report::model::{Case, Digits, MethodRow, NO_DIGIT, SINGLE};
+use crate::report::summary::{Summary, Worst, front};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
@@ -71,7 +72,7 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
                 let name = Text::new("name of the line", at, name);
                 plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
             }
-            draw_front(plot, &marks);
+            draw_front(plot, &Summary::new(vec![case]), &marks);
             draw_curves(plot, &marks);
             // The first method is on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
@@ -80,16 +81,11 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
     response.named("Every method's error against its time");
 }
 
-/// Draws the stairs of the methods that decide all right and that no other one beats in both time and
-/// error.
-fn draw_front(plot: &mut PlotUi, marks: &[Mark]) {
-    let is_beaten = |[time, error]: [f64; 2]| {
-        let mut others = marks.iter().filter(|mark| mark.row.wrong == 0).map(|mark| mark.at);
-        others.any(|at| at != [time, error] && at[0] <= time && at[1] <= error)
-    };
-    let right = marks.iter().filter(|mark| mark.row.wrong == 0).map(|mark| mark.at);
-    let mut front: Vec<[f64; 2]> = right.filter(|at| !is_beaten(*at)).collect();
-    front.sort_by(|a, b| a[0].total_cmp(&b[0]));
+/// Draws the stairs of the Pareto front.
+fn draw_front(plot: &mut PlotUi, summary: &Summary, marks: &[Mark]) {
+    let at =
+        |worst: &Worst| marks.iter().find(|mark| mark.row.name == worst.name).map(|mark| mark.at);
+    let front: Vec<[f64; 2]> = front(&summary.methods).into_iter().filter_map(at).collect();
     let corners = front.windows(2).flat_map(|pair| [pair[0], [pair[1][0], pair[0][1]]]);
     let stairs: Vec<[f64; 2]> = corners.chain(front.last().copied()).collect();
     // Each step by itself: egui's wide lines have no clean corners.
@@ -101,13 +97,13 @@ fn draw_front(plot: &mut PlotUi, marks: &[Mark]) {
 
 /// Draws a line through the precisions of each formula.
 fn draw_curves(plot: &mut PlotUi, marks: &[Mark]) {
-    for (k, first) in marks.iter().enumerate() {
+    for first in marks {
         let formula = first.row.formula();
-        if marks[..k].iter().any(|mark| mark.row.formula() == formula) {
-            continue;
-        }
         let mut own: Vec<&Mark> =
             marks.iter().filter(|mark| mark.row.formula() == formula).collect();
+        if own[0].row.name != first.row.name {
+            continue;
+        }
         own.sort_by_key(|mark| mark.row.digits());
         let points: Vec<[f64; 2]> = own.iter().map(|mark| mark.at).collect();
         let line = Line::new(format!("{formula} in all precisions"), points).allow_hover(false);
