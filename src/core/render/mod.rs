@@ -13,7 +13,8 @@
 //!     ([`polynomial`]): they hide much of the rest;
 //!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; of
 //!     few, each vector of pixels is written once where no others overlap ([`rows::draw_row`]); of
-//!     many, what nearer ones hide is left out ([`bvh::occlusion`]);
+//!     many, those that are small beside their distance together ([`rows::small_spheres`]), and what
+//!     nearer ones hide is left out ([`bvh::occlusion`], [`rows::vector_bounds`]);
 //!   - what no outline can be drawn of, and the planes, by polynomials again.
 //! - Each step knows a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by
 //!   itself ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
@@ -214,7 +215,7 @@ fn fill<T: Depth>(
     *counts = plan.counts;
     let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
     let (width, bands, keeps_t) = (raster.columns().len(), plan.bands(), !t.is_empty());
-    let buffers = band_buffers(t, object, normal, (plan.band_rows * width, bands.len()));
+    let buffers = band_buffers(t, object, normal, (&bands, width));
     let draw = |own: &mut OwnBuffers<T>, (rows, part): (Range<usize>, BandBuffers<T>)| {
         let needs_t = !part.t.is_empty() || finish.is_some();
         let t = or_own(part.t, &mut own.t, rows.len() * width, T::ZERO);
@@ -241,8 +242,8 @@ fn fill<T: Depth>(
         let mut own = OwnBuffers::new();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
-        let bands: Vec<_> = bands.collect();
-        bands.into_par_iter().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
+        // A thread takes the next band when it is done with one.
+        bands.par_bridge().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
     };
     *counts += of_bands;
 }

@@ -98,7 +98,8 @@ impl SphereIndex {
 
     /// The spheres of some slots.
     pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
-        self.columns.each_ref().map(|column| &column[slots.clone()])
+        let [x, y, z, radius] = &self.columns;
+        [&x[slots.clone()], &y[slots.clone()], &z[slots.clone()], &radius[slots]]
     }
 
     /// One slot's sphere.

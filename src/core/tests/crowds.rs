@@ -96,6 +96,44 @@ fn a_wide_row_along_which_b_varies_much_is_right() {
     }
 }
 
+/// Returns the largest error of a frame's t, in ulps of `f32`.
+fn largest_error(scene: &Scene, camera: &Camera) -> f64 {
+    let resolved = camera.resolve().unwrap();
+    let raster = Raster::full(resolved.image());
+    let drawn = trace_as::<f32>(scene, &resolved, &raster, Outputs::default());
+    let exact = trace_as::<f64>(scene, &resolved, &raster, Outputs::default());
+    let error = |(drawn, exact): (&f32, &f64)| {
+        let ulp = f64::from(drawn.next_up()) - f64::from(*drawn);
+        (f64::from(*drawn) - exact).abs() / ulp
+    };
+    let pairs = drawn.t.iter().zip(&exact.t);
+    pairs.filter(|(drawn, _)| drawn.is_finite()).map(error).fold(0.0, f64::max)
+}
+
+/// The bound of the error of t decides how large spheres are drawn by the kernel of small ones: these are
+/// as large, a little smaller and a little larger, everywhere in the picture. Half an ulp is the last
+/// rounding.
+#[test]
+fn spheres_as_large_as_small_ones_can_be_are_within_an_ulp() {
+    let mut largest: f64 = 0.0;
+    for (seed, slope) in [(71, 1.0 / 1080.0), (72, 1.0 / 300.0), (73, 1.0 / 64.0)] {
+        let camera = with_pixels(320, 200, slope);
+        let mut numbers = Numbers(seed);
+        let mut between = |low, high| numbers.between(low, high);
+        let mut sphere = || {
+            let z = between(3.0, 30.0);
+            let (x, y) = (between(-150.0, 150.0) * slope * z, between(-90.0, 90.0) * slope * z);
+            Sphere::new([x, y, -z], between(0.1, 1.2) * z / 22.0).unwrap()
+        };
+        let spheres: Vec<Sphere> = (0..300).map(|_| sphere()).collect();
+        assert_right(&format!("slope {slope}"), spheres.clone(), &camera);
+        let scene = Scene::new(spheres, vec![]).unwrap();
+        largest = largest.max(largest_error(&scene, &camera));
+    }
+    println!("largest error of t: {largest:.3} ulp");
+    assert!((0.55..1.0).contains(&largest), "{largest}");
+}
+
 #[test]
 fn the_checker_finds_what_is_wrong() {
     let few = |name| crowds::all().into_iter().find(|crowd| crowd.name == name).unwrap();

@@ -10,10 +10,10 @@ use crate::render::bvh::occlusion::Occlusion;
 use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
+use crate::render::outline::small_outlines::SmallOutlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
 use crate::render::rows::span::{Span, SpanTarget};
-use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
-use crate::scene::sphere_order::BLOCK;
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
 
 /// Results of drawing a band's part of many spheres.
 #[derive(Default)]
@@ -37,6 +37,8 @@ pub(crate) fn draw_visible<S: Simd>(
     let mut drawing = Drawing {
         visible,
         runs: Runs::new(),
+        small: SmallOutlines::default(),
+        outlines: None,
         occlusion: Occlusion::new(target.axes.width(), target.rows.len(), is_drawn),
         drawn,
     };
@@ -62,9 +64,7 @@ pub(crate) fn draw_visible<S: Simd>(
                 drawing.count_hidden(target, block);
                 continue;
             }
-            let vectors = BLOCK / S::f64s::LEN;
-            let kept = group.outlines.get(k * vectors..(k + 1) * vectors);
-            drawing.block(simd, target, (block, group.has_others), kept);
+            drawing.block(simd, target, (block, group.has_others));
             if target.is_full() {
                 return Some((number, k + 1));
             }
@@ -79,6 +79,9 @@ pub(crate) fn draw_visible<S: Simd>(
 struct Drawing<'a> {
     visible: &'a VisibleSpheres<'a>,
     runs: Runs,
+    /// Those at hand.
+    small: SmallOutlines,
+    outlines: Option<Box<Outlines>>,
     occlusion: Occlusion,
     drawn: &'a mut DrawnSpheres,
 }
@@ -117,79 +120,126 @@ impl Drawing<'_> {
         }
     }
 
-    /// Draws the spheres of a block, whose outlines may be known.
+    /// Draws the spheres of a block.
     #[inline(always)]
     fn block<S: Simd>(
         &mut self,
         simd: S,
         target: &mut SpanTarget,
         (block, has_others): (&VisibleBox, bool),
-        kept: Option<&[Outlines]>,
     ) {
         let index = self.visible.index;
-        let slots = SphereIndex::slots_of(block.id as usize);
         let counts_here = is_first_band(target, block);
-        for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
-            let lanes = from..from + S::f64s::LEN;
-            let ids = &index.ids[lanes.clone()];
-            match kept {
-                Some(kept) => {
-                    self.vector(simd, target, &kept[vector], ids, (counts_here, has_others))
-                }
-                None => {
-                    let mut outlines = Outlines::default();
-                    outlines.find(simd, &self.visible.space, &index.spheres(lanes));
-                    self.vector(simd, target, &outlines, ids, (counts_here, has_others));
+        let n = S::f64s::LEN;
+        for from in SphereIndex::slots_of(block.id as usize).step_by(2 * n) {
+            let halves = [index.spheres(from..from + n), index.spheres(from + n..from + 2 * n)];
+            let ids = S::u32s::from_slice(simd, &index.ids[from..from + 2 * n]);
+            let there = !ids.simd_eq(S::u32s::splat(simd, NO_SPHERE));
+            let there = there.to_bitmask();
+            let left = self.small_spheres(simd, target, (from, &halves), (there, counts_here));
+            for (half, slots) in halves.iter().enumerate() {
+                let left = left >> (half * n) & (u64::MAX >> (64 - n));
+                if left != 0 {
+                    let from = from + half * n;
+                    self.other_spheres(
+                        simd,
+                        target,
+                        (from, slots),
+                        (left, counts_here, has_others),
+                    );
                 }
             }
         }
     }
 
-    /// Draws the spheres of one vector.
+    /// Draws those of the spheres from a slot on that are small; returns which are left.
     #[inline(always)]
-    fn vector<S: Simd>(
+    fn small_spheres<S: Simd>(
         &mut self,
         simd: S,
         target: &mut SpanTarget,
-        outlines: &Outlines,
-        ids: &[u32],
-        (counts_here, has_others): (bool, bool),
-    ) {
-        let mut there = 0;
-        for (lane, id) in ids.iter().enumerate() {
-            there |= u64::from(*id != NO_SPHERE) << lane;
+        (from, halves): (usize, &[SphereSlots; 2]),
+        (there, counts_here): (u64, bool),
+    ) -> u64 {
+        let (index, space) = (self.visible.index, &self.visible.space);
+        self.small.find(simd, space, halves);
+        let outlines = &self.small;
+        let behind = there & outlines.is_behind;
+        let beyond = there & outlines.is_outside & !behind;
+        let small = there & outlines.is_small & !behind & !beyond;
+        let in_view = small & outlines.rows_meet(simd, target.axes, 0..target.axes.height());
+        if counts_here {
+            let counts = &mut self.drawn.counts;
+            counts.behind += u64::from(behind.count_ones());
+            counts.outside += u64::from((beyond | small & !in_view).count_ones());
+            counts.in_view += u64::from(in_view.count_ones());
         }
+        let mut drawn = in_view & outlines.rows_meet(simd, target.axes, target.rows.clone());
+        if self.visible.is_crowded {
+            for lane in lanes_of(drawn) {
+                let (rows, columns) = outlines.extent((lane, S::f64s::LEN), target.axes);
+                let rows = own_rows(target, &rows);
+                let is_nowhere = rows.is_empty() || columns.is_empty();
+                let nearest = outlines.nearest[lane];
+                if is_nowhere || self.occlusion.hides(target.t, &rows, &columns, nearest) {
+                    self.drawn.counts.hidden += u64::from(!is_nowhere);
+                    drawn &= !(1 << lane);
+                }
+            }
+        }
+        if drawn != 0 {
+            let ids = &index.ids[from..from + S::f32s::LEN];
+            draw_small(simd, outlines, drawn, ids, &mut self.runs, target);
+            for (lane, row) in self.runs.doubtful.drain(..) {
+                let mut outlines = Outlines::default();
+                outlines.find(simd, space, &halves[lane / S::f64s::LEN]);
+                let outline = outlines.one(lane % S::f64s::LEN);
+                Span::new(ids[lane], &outline).doubtful_row(simd, target, row);
+            }
+        }
+        if self.visible.is_crowded {
+            for lane in lanes_of(drawn) {
+                let (rows, columns) = outlines.extent((lane, S::f64s::LEN), target.axes);
+                self.occlusion.touch(&own_rows(target, &rows), &columns);
+            }
+        }
+        there & !behind & !beyond & !small
+    }
+
+    /// Draws those of the spheres from a slot on whose bits are set.
+    #[inline(always)]
+    fn other_spheres<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        (from, slots): (usize, &SphereSlots),
+        (there, counts_here, has_others): (u64, bool, bool),
+    ) {
+        let mut outlines = self.outlines.take().unwrap_or_default();
+        outlines.find(simd, &self.visible.space, slots);
+        let ids = &self.visible.index.ids[from..from + S::f64s::LEN];
         let behind = there & outlines.is_behind;
         let between =
-            outlines.is_plain & !rows_meet(simd, outlines, target, 0..target.axes.height());
+            outlines.is_plain & !rows_meet(simd, &outlines, target, 0..target.axes.height());
         let outside = there & (outlines.is_outside | between) & !behind;
         let left = there & !behind & !outside;
         let plain = left & outlines.is_plain;
-        let plain_here = plain & rows_meet(simd, outlines, target, target.rows.clone());
-        let small = plain_here & outlines.is_small;
+        let plain_here = plain & rows_meet(simd, &outlines, target, target.rows.clone());
         if counts_here {
             let counts = &mut self.drawn.counts;
             counts.behind += u64::from(behind.count_ones());
             counts.outside += u64::from(outside.count_ones());
             counts.in_view += u64::from(left.count_ones());
         }
-        if small != 0 {
-            draw_small(simd, outlines, small, ids, &mut self.runs, target);
-            if self.visible.is_crowded {
-                for lane in lanes_of(small) {
-                    let (rows, columns) = extent(target, outlines, lane);
-                    self.occlusion.touch(&rows, &columns);
-                }
-            }
-        }
-        for lane in lanes_of(plain_here & !small) {
-            self.sphere(simd, target, outlines, lane, ids[lane]);
+        for lane in lanes_of(plain_here) {
+            self.sphere(simd, target, &outlines, lane, ids[lane]);
         }
         if !has_others {
             for lane in lanes_of(left & !plain) {
                 self.drawn.others.push(ids[lane]);
             }
         }
+        self.outlines = Some(outlines);
     }
 
     /// Draws one sphere by rows.

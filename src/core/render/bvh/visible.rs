@@ -27,9 +27,6 @@ pub(crate) struct VisibleBox {
 pub(crate) struct VisibleGroup {
     pub(crate) bounds: VisibleBox,
     pub(crate) blocks: Vec<VisibleBox>,
-    /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
-    /// finds them anew otherwise.
-    pub(crate) outlines: Vec<Outlines>,
     /// True if those of its spheres that are not drawn by rows are among those of the whole.
     pub(crate) has_others: bool,
 }
@@ -43,8 +40,6 @@ pub(crate) struct VisibleSpheres<'a> {
     pub(crate) is_crowded: bool,
     /// Spheres that are not drawn by rows, of groups in which there can be such.
     pub(crate) others: Vec<(u32, Extent)>,
-    /// True if outlines are kept.
-    pub(crate) keeps_outlines: bool,
 }
 
 /// Reason why nothing of a box can be seen.
@@ -63,8 +58,6 @@ impl<'a> VisibleSpheres<'a> {
     ) -> VisibleSpheres<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
         const CROWDED: f64 = 2.5;
-        /// Number of outlines that fit into a processor's second-level cache.
-        const KEPT: u32 = 40_000;
         let mut dropped = Counts { blocks: index.blocks.len() as u64, ..Counts::default() };
         let mut groups = Vec::new();
         let mut covered = 0.0;
@@ -82,31 +75,14 @@ impl<'a> VisibleSpheres<'a> {
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
-        let in_groups: u32 = groups.iter().map(|group| index.groups[group.id as usize].count).sum();
-        let keeps_outlines = in_groups <= KEPT;
         let found: Vec<(VisibleGroup, Counts)> = groups
             .into_par_iter()
-            // A group's outlines are worth a thread's while, its blocks' bounds alone are not.
-            .with_min_len(if keeps_outlines { 1 } else { 16 })
+            .with_min_len(16)
             .map(|bounds| {
-                let mut dropped = Counts::default();
-                let mut blocks = Vec::new();
-                for block in index.blocks_of(bounds.id as usize) {
-                    match seen(&index.blocks, block, &space, axes) {
-                        Ok((bounds, _)) => blocks.push(bounds),
-                        Err(why) => drop_box(&mut dropped, why, index.blocks[block].count, 1),
-                    }
-                }
-                if is_crowded {
-                    blocks.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
-                }
-                let outlines = if keeps_outlines {
-                    dispatch!(level, simd => outlines_of(simd, index, &space, &blocks))
-                } else {
-                    Vec::new()
-                };
+                let (blocks, dropped) =
+                    dispatch!(level, simd => seen_blocks(simd, index, &bounds, &space, axes, is_crowded));
                 let has_others = may_have_others(&index.groups, &bounds, &space);
-                (VisibleGroup { bounds, blocks, outlines, has_others }, dropped)
+                (VisibleGroup { bounds, blocks, has_others }, dropped)
             })
             .collect();
         let mut groups = Vec::with_capacity(found.len());
@@ -115,8 +91,7 @@ impl<'a> VisibleSpheres<'a> {
             groups.push(group);
         }
         *counts += dropped;
-        let mut visible =
-            VisibleSpheres { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
+        let mut visible = VisibleSpheres { index, space, groups, is_crowded, others: Vec::new() };
         visible.others = dispatch!(level, simd => visible.find_others(simd, extents));
         visible
     }
@@ -126,14 +101,10 @@ impl<'a> VisibleSpheres<'a> {
     fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
         let mut others = Vec::new();
         for group in self.groups.iter().filter(|group| group.has_others) {
-            let found = match self.keeps_outlines {
-                true => Vec::new(),
-                false => outlines_of(simd, self.index, &self.space, &group.blocks),
-            };
-            let outlines = if self.keeps_outlines { &group.outlines } else { &found };
+            let outlines = outlines_of(simd, self.index, &self.space, &group.blocks);
             let blocks = group.blocks.iter().map(|block| SphereIndex::slots_of(block.id as usize));
             let vectors = blocks.flat_map(|slots| slots.step_by(S::f64s::LEN));
-            for (from, outlines) in vectors.zip(outlines) {
+            for (from, outlines) in vectors.zip(&outlines) {
                 let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
                 for slot in from..from + S::f64s::LEN {
                     let id = self.index.ids[slot];
@@ -146,6 +117,31 @@ impl<'a> VisibleSpheres<'a> {
         }
         others
     }
+}
+
+/// The blocks of a group that can be seen, near to far where they are crowded, and what is left out.
+#[inline(always)]
+fn seen_blocks<S: Simd>(
+    _simd: S,
+    index: &SphereIndex,
+    group: &VisibleBox,
+    space: &CameraSpace,
+    axes: &RasterAxes,
+    is_crowded: bool,
+) -> (Vec<VisibleBox>, Counts) {
+    let mut dropped = Counts::default();
+    let range = index.blocks_of(group.id as usize);
+    let mut blocks = Vec::with_capacity(range.len());
+    for block in range {
+        match seen(&index.blocks, block, space, axes) {
+            Ok((bounds, _)) => blocks.push(bounds),
+            Err(why) => drop_box(&mut dropped, why, index.blocks[block].count, 1),
+        }
+    }
+    if is_crowded {
+        blocks.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
+    }
+    (blocks, dropped)
 }
 
 /// Returns whether a sphere of a group may be so near or so large that it is not drawn by rows.

@@ -1,5 +1,7 @@
 //! The buffers of a frame, and the part of them that a band of rows fills.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::camera::resolved::ResolvedCamera;
@@ -49,21 +51,24 @@ impl<T> OwnBuffers<T> {
     }
 }
 
-/// The buffers of all bands, each of so many pixels, the last one of what is left.
+/// The buffers of all bands, each of so many rows of so many columns, one after the other.
 pub(crate) fn band_buffers<'a, T>(
-    t: &'a mut [T],
-    object: &'a mut [u32],
-    normal: &'a mut [DVec3],
-    (pixels, bands): (usize, usize),
+    mut t: &'a mut [T],
+    mut object: &'a mut [u32],
+    mut normal: &'a mut [DVec3],
+    (bands, width): (&[Range<usize>], usize),
 ) -> Vec<BandBuffers<'a, T>> {
-    let parts = parts(t, pixels).zip(parts(object, pixels)).zip(parts(normal, pixels));
-    let bands = parts.map(|((t, object), normal)| BandBuffers { t, object, normal }).take(bands);
-    bands.collect()
+    let next = |rows: &Range<usize>| {
+        let pixels = rows.len() * width;
+        let (t, object) = (first_of(&mut t, pixels), first_of(&mut object, pixels));
+        BandBuffers { t, object, normal: first_of(&mut normal, pixels) }
+    };
+    bands.iter().map(next).collect()
 }
 
-/// The parts of a buffer, and empty ones where there is none.
-fn parts<T>(buffer: &mut [T], size: usize) -> impl Iterator<Item = &mut [T]> {
-    buffer.chunks_mut(size).chain(std::iter::repeat_with(|| -> &mut [T] { &mut [] }))
+/// Splits off the first part of a buffer; an empty one where there is none.
+fn first_of<'a, T>(buffer: &mut &'a mut [T], size: usize) -> &'a mut [T] {
+    buffer.split_off_mut(..size).unwrap_or_default()
 }
 
 /// A buffer's part; where that was not asked for, as much of the thread's own.

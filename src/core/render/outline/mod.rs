@@ -3,6 +3,7 @@
 pub(crate) mod camera_space;
 pub(crate) mod extent;
 pub(crate) mod raster_axes;
+pub(crate) mod small_outlines;
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -13,12 +14,6 @@ use crate::scene::sphere_index::SphereSlots;
 /// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the
 /// end is off by, and so little that hardly a pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
-
-/// A small sphere has at most so many rows.
-pub(crate) const SMALL_ROWS: usize = 9;
-
-/// The largest `w^2` of a small sphere: its rows are less than [`PIXELS`] columns long.
-pub(crate) const SMALL_SIZE: f64 = 16.0;
 
 /// The widest vector of `f64` that any level has.
 pub(crate) const MOST_LANES: usize = 8;
@@ -77,9 +72,6 @@ pub(crate) struct Outlines {
     pub(crate) thin: Lane8,
     /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
     pub(crate) is_wide: u64,
-    /// Lanes whose spheres have so few rows and columns that each row is drawn as one vector, see
-    /// [`small_spheres`](crate::render::rows::small_spheres).
-    pub(crate) is_small: u64,
     /// Lanes in which all of the above holds.
     pub(crate) is_plain: u64,
     /// Lanes whose spheres lie wholly behind the eye.
@@ -164,7 +156,7 @@ impl Outlines {
 
         // Rows: where w^2 = 0.
         let inverse_square2 = (h * h) * inverse_c_depths * splat(space.inverse_ratio_squared);
-        let eta = splat(space.doubt) * (x.abs() + y.abs() + z.abs() + r);
+        let eta = centers.eta(simd, space);
         let near = splat(8.0) * rr * (c * inverse_c_depths) + splat(4.0);
         let share = near * (splat(16.0 * 1.2e-16) + eta * inverse_r);
         let size = square0 + square1 * square1 * inverse_square2;
@@ -183,14 +175,12 @@ impl Outlines {
         let numerator = c * per_s * splat(space.per_distance);
         let nearest = (z - r - eta) * splat(space.per_distance) * splat(1.0 - 1e-6);
 
-        let rows_away = middle.abs() + reach;
         let kinds = Kinds::<S>::new(
             simd,
             [c * inverse_h, h * (depths * inverse_c_depths)],
             (space, size, square_doubt),
-            ([b_row, b_column, shear], rows_away),
+            b_column,
         );
-        let is_small = (last_row - first_row).simd_lt(splat(SMALL_ROWS as f64)) & kinds.is_small;
         let far = splat(131_072.0);
         let is_plain = centers.are_plain(simd)
             & kinds.is_plain(simd, numerator, nearest)
@@ -199,8 +189,7 @@ impl Outlines {
             & size.simd_lt(far * far)
             & size.simd_gt(splat(1e-12));
         self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
-        (self.is_behind, self.is_outside) = centers.unseen(simd, space, r + eta * 4.0);
-        self.is_small = is_small.to_bitmask();
+        (self.is_behind, self.is_outside) = centers.not_seen(simd, space);
         self.is_wide = kinds.is_wide.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
         put(&mut self.column, column_center + offset);
@@ -247,7 +236,7 @@ impl Outlines {
 
 /// Centres along the camera's u, v and -w, with the radii and the squares of the distances.
 #[derive(Clone, Copy)]
-struct Centers<S: Simd> {
+pub(crate) struct Centers<S: Simd> {
     x: S::f64s,
     y: S::f64s,
     z: S::f64s,
@@ -282,11 +271,19 @@ impl<S: Simd> Centers<S> {
             & r.simd_gt(z * splat(1e-9))
     }
 
-    /// Lanes that are behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
+    /// What the radii may be off by, see [`CameraSpace::new`].
     #[inline(always)]
-    fn unseen(self, simd: S, space: &CameraSpace, safe: S::f64s) -> (u64, u64) {
+    fn eta(self, simd: S, space: &CameraSpace) -> S::f64s {
+        let Centers { x, y, z, r, .. } = self;
+        S::f64s::splat(simd, space.doubt) * (x.abs() + y.abs() + z.abs() + r)
+    }
+
+    /// Lanes that are behind, or beyond one of the image's four borders, by more than all roundings.
+    #[inline(always)]
+    fn not_seen(self, simd: S, space: &CameraSpace) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let Centers { x, y, z, r, qq } = self;
+        let safe = r + self.eta(simd, space) * 4.0;
         let is_ordinary = qq.simd_gt(splat(1e-200))
             & qq.simd_lt(splat(1e200))
             & r.simd_gt(splat(1e-100))
@@ -305,9 +302,6 @@ impl<S: Simd> Centers<S> {
 /// needed but one in `f32`, rounded up.
 struct Kinds<S: Simd> {
     is_wide: <S::f64s as SimdBase<S>>::Mask,
-    /// Lanes of few columns, and so small beside b as
-    /// [`small_spheres`](crate::render::rows::small_spheres) rows need.
-    is_small: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which wide rows would do.
     can_be_wide: <S::f64s as SimdBase<S>>::Mask,
     /// The root of `w^2` below which a row is thin.
@@ -323,7 +317,7 @@ impl<S: Simd> Kinds<S> {
         simd: S,
         [c_by_h, h_by_c]: [S::f64s; 2],
         (space, size, square_doubt): (&CameraSpace, S::f64s, S::f64s),
-        ([b_row, b_column, shear], rows_away): ([S::f64s; 3], S::f64s),
+        b_column: S::f64s,
     ) -> Self {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let (one, slope) = (splat(1.0), splat(space.column_slope * space.column_slope));
@@ -331,8 +325,6 @@ impl<S: Simd> Kinds<S> {
         let widest = size.narrow(size).sqrt().widen().0 * splat(1.0 + 1e-6);
         let b_column = b_column.abs();
         let error = (splat(4.5) + splat(4.0) * b_column) * widest;
-        let away = b_row.abs() * rows_away + b_column * (widest + shear.abs() * rows_away);
-        let small_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
         let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);
         let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
         let keep = (square_doubt * root_error * (h_by_c * slope)).max(splat(32.0));
@@ -341,10 +333,7 @@ impl<S: Simd> Kinds<S> {
         let can_be_wide = widest.simd_lt(splat(2040.0))
             & (twice * twice).simd_lt(splat(16.0) * least)
             & (widest + widest + one).simd_lt(splat(0.01) * least);
-        let is_small = size.simd_lt(splat(SMALL_SIZE))
-            & (small_error * small_error).simd_lt(splat(0.05 * 0.05) * least)
-            & thin.simd_lt(splat(1.0));
-        Kinds { is_wide, is_small, can_be_wide, thin, least }
+        Kinds { is_wide, can_be_wide, thin, least }
     }
 
     /// Finds the lanes in which rows of the kind will do, and `f32` holds the numbers.

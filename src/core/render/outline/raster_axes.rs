@@ -53,6 +53,11 @@ impl RasterAxes {
         self.height
     }
 
+    /// Returns whether rows, and columns, follow one another without a gap.
+    pub(crate) fn are_whole(&self) -> bool {
+        self.rows_are_whole && self.columns_are_whole
+    }
+
     pub(crate) fn pixels(&self) -> usize {
         self.width * self.height
     }
@@ -75,40 +80,6 @@ impl RasterAxes {
         }
         let from = rows.partition_point(|row| *row < first);
         from..rows.partition_point(|row| *row <= last).max(from)
-    }
-
-    /// The raster's row with this number.
-    #[inline(always)]
-    pub(crate) fn row_at(&self, number: f64) -> Option<usize> {
-        let rows = self.rows_between(number, number);
-        (!rows.is_empty()).then_some(rows.start)
-    }
-
-    /// Finds where in these rows of the raster a vector of row numbers lies, and in which
-    /// lanes they do.
-    #[inline(always)]
-    pub(crate) fn locate_rows<S: Simd>(
-        &self,
-        simd: S,
-        numbers: S::f64s,
-        rows: &Range<usize>,
-    ) -> (S::f64s, u64) {
-        let splat = |x: f64| S::f64s::splat(simd, x);
-        if self.rows_are_whole {
-            let offset = numbers - splat(self.row_numbers[rows.start]);
-            let is_here = offset.simd_ge(splat(0.0)) & offset.simd_lt(splat(rows.len() as f64));
-            return (offset, is_here.to_bitmask());
-        }
-        let (mut offset, mut is_here) = (splat(0.0), 0);
-        for lane in 0..S::f64s::LEN {
-            if let Some(row) = self.row_at(numbers.as_slice()[lane])
-                && rows.contains(&row)
-            {
-                offset.as_mut_slice()[lane] = (row - rows.start) as f64;
-                is_here |= 1 << lane;
-            }
-        }
-        (offset, is_here)
     }
 
     /// The raster's first and last column with a number from `first` to `last`, both whole.
@@ -152,5 +123,36 @@ impl RasterAxes {
             }
         }
         (from, to, is_there)
+    }
+
+    /// [`RasterAxes::clip`] for twice as many lanes: the numbers of the first and last columns, their
+    /// indices, and the lanes in which there is one.
+    #[inline(always)]
+    pub(crate) fn clip_singles<S: Simd>(
+        &self,
+        simd: S,
+        first: S::f32s,
+        last: S::f32s,
+    ) -> (S::f32s, S::f32s, [S::i32s; 2], u64) {
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        if self.columns_are_whole {
+            let (begin, end) = (splat(self.columns[0]), splat(self.columns[self.width - 1]));
+            let (from, to) = (first.max(begin), last.min(end));
+            let index = [S::i32s::truncate_from(from - begin), S::i32s::truncate_from(to - begin)];
+            return (from, to, index, from.simd_le(to).to_bitmask());
+        }
+        let (mut from, mut to, mut is_there) = (splat(0.0), splat(0.0), 0);
+        let mut index = [S::i32s::splat(simd, 0); 2];
+        for lane in 0..S::f32s::LEN {
+            let (first, last) = (first.as_slice()[lane], last.as_slice()[lane]);
+            if let Some(columns) = self.columns_between(f64::from(first), f64::from(last)) {
+                from.as_mut_slice()[lane] = self.columns[columns.0];
+                to.as_mut_slice()[lane] = self.columns[columns.1];
+                index[0].as_mut_slice()[lane] = columns.0 as i32;
+                index[1].as_mut_slice()[lane] = columns.1 as i32;
+                is_there |= 1 << lane;
+            }
+        }
+        (from, to, index, is_there)
     }
 }

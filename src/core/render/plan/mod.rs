@@ -36,8 +36,6 @@ pub(crate) struct Plan<'a> {
     /// The part of an index over the spheres that is seen; of few there is none.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
     pub(crate) counts: Counts,
-    /// Number of rows that a thread traces at a time.
-    pub(crate) band_rows: usize,
     /// True if spheres are so few that pixels are not cleared before them.
     pub(crate) is_written_once: bool,
     /// True if the frame is done before another thread would have begun.
@@ -97,8 +95,6 @@ impl<'a> Plan<'a> {
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes: Vec<Option<ObjectFromOrigin>> = planes.collect();
         counts.planes_asked = planes.iter().flatten().count() as u64;
-        let keeps_outlines = visible.as_ref().is_none_or(|visible| visible.keeps_outlines);
-        let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
         let mut plan = Plan {
             level,
             scene,
@@ -108,7 +104,6 @@ impl<'a> Plan<'a> {
             others,
             visible,
             counts,
-            band_rows,
             is_written_once: false,
             is_quick: false,
             extents,
@@ -129,11 +124,23 @@ impl<'a> Plan<'a> {
         is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
     }
 
-    /// The rows of each band.
+    /// The rows of each band, in the order in which threads take them.
+    ///
+    /// Of many spheres, what lies on the border of two bands is looked at twice: bands are of two
+    /// slices, and of one towards the end, so that all threads are done at about the same time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
+        /// The last rows, as a share of all.
+        const LAST: usize = 4;
         let rows = self.axes.height();
-        let first = (0..rows).step_by(self.band_rows);
-        first.map(|first| first..rows.min(first + self.band_rows)).collect()
+        let mut bands = Vec::new();
+        let mut first = 0;
+        while first < rows {
+            let is_wide = self.visible.is_some() && rows - first > rows / LAST;
+            let last = rows.min(first + if is_wide { 2 * SLICE_ROWS } else { SLICE_ROWS });
+            bands.push(first..last);
+            first = last;
+        }
+        bands
     }
 
     /// The spheres, but those drawn by rows and those of an index, that a slice of rows can see.

@@ -92,9 +92,10 @@ fn blend_vector<S: Simd>(
         x.simd_gt(S::f32s::splat(simd, RANGE.0)) & x.simd_lt(S::f32s::splat(simd, RANGE.1));
     let is_sure = is_miss | (is_plain & is_apart);
     let take = is_sure & x.simd_lt(known);
-    // Vectors, not a loop over numbers: that would become masked stores, slow on many processors.
-    take.select(x, known).store_slice(t);
+    // Not a selection of what is stored: that would become a masked store, slow on many processors.
+    take.select(x, S::f32s::splat(simd, f32::INFINITY)).min(known).store_slice(t);
     let objects = S::u32s::from_slice(simd, object);
-    take.select(S::u32s::splat(simd, index), objects).store_slice(object);
+    let change = S::u32s::splat(simd, index) ^ objects;
+    (objects ^ take.select(change, S::u32s::splat(simd, 0))).store_slice(object);
     (!is_sure).any_true()
 }

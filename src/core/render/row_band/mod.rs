@@ -27,6 +27,7 @@ use crate::render::row_band::known_objects::KnownObjects;
 use crate::render::row_band::rough_hits::RoughHit;
 use crate::render::rows::draw_row::{WrittenBlocks, clear};
 use crate::render::rows::span::{Doubt, SpanTarget};
+use crate::render::rows::vector_bounds::VectorBounds;
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
@@ -191,8 +192,12 @@ impl<'a> RowBand<'a> {
             object: self.object,
             written: self.written.as_mut(),
             doubts,
+            is_crowded: plan.axes.are_whole()
+                && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
+            bounds: VectorBounds::NONE,
             spheres: plan.scene.spheres(),
             is_reached: &mut self.is_reached,
+            is_all_reached: false,
             decided: 0,
         };
         let next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));

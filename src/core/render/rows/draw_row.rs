@@ -5,6 +5,7 @@ use fearless_simd::prelude::*;
 
 use crate::render::frame::NO_OBJECT;
 use crate::render::rows::span::SpanLanes;
+use crate::render::rows::vector_bounds::VectorBounds;
 
 /// The buffers of a row, and the whole column numbers of its pixels.
 pub(crate) struct RowBuffers<'a> {
@@ -61,7 +62,7 @@ impl WrittenBlocks {
     #[inline(always)]
     pub(crate) fn clear_others<S: Simd>(
         self,
-        simd: S,
+        _simd: S,
         width: usize,
         t: &mut [f32],
         object: &mut [u32],
@@ -69,17 +70,16 @@ impl WrittenBlocks {
         if self.per_row == 0 {
             return;
         }
-        let n = S::f32s::LEN;
-        let (none, no_object) =
-            (S::f32s::splat(simd, f32::INFINITY), S::u32s::splat(simd, NO_OBJECT));
         let rows = t.chunks_exact_mut(width).zip(object.chunks_exact_mut(width));
         for ((t, object), is_written) in rows.zip(self.is_written.chunks_exact(self.per_row)) {
-            let blocks = t.chunks_exact_mut(n).zip(object.chunks_exact_mut(n));
-            for ((t, object), is_written) in blocks.zip(is_written) {
-                if !is_written {
-                    none.store_slice(t);
-                    no_object.store_slice(object);
+            let mut start = 0;
+            for run in is_written.chunk_by(|a, b| a == b) {
+                let end = start + run.len() * S::f32s::LEN;
+                if !run[0] {
+                    t[start..end].fill(f32::INFINITY);
+                    object[start..end].fill(NO_OBJECT);
                 }
+                start = end;
             }
         }
     }
@@ -124,11 +124,11 @@ impl<S: Simd> Drawing<S> {
         columns: &[f32],
         t: &mut [f32],
         object: &mut [u32],
-        lanes: &SpanLanes<S>,
+        (lanes, nearest): (&SpanLanes<S>, S::f32s),
     ) -> <S::f32s as SimdBase<S>>::Mask {
         let columns = S::f32s::from_slice(self.simd, columns);
         let known = S::f32s::from_slice(self.simd, t);
-        if known.simd_lt(self.nearest).all_true() {
+        if known.simd_lt(nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
         let found = self.find::<IS_WIDE>(columns, lanes);
@@ -169,14 +169,14 @@ impl<S: Simd> Drawing<S> {
 }
 
 /// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
-/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too
-/// close to it to tell; those stay as they are.
+/// are nearer than what is there; none of them is nearer than `nearest`, or than its vector's bound, where
+/// there is one. Tells whether any is too close to it to tell; those stay as they are.
 #[inline(always)]
 pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
     simd: S,
     buffers: &mut RowBuffers,
     (from, to): (usize, usize),
-    (index, nearest): (u32, f32),
+    (index, nearest, bounds): (u32, f32, &VectorBounds),
     lanes: &SpanLanes<S>,
 ) -> bool {
     let n = S::f32s::LEN;
@@ -198,7 +198,7 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
         let (t, object) = (&mut buffers.t[vector.clone()], &mut buffers.object[vector.clone()]);
         let columns = &buffers.columns[vector];
         if *is_written {
-            in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, lanes);
+            in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, (lanes, drawing.nearest));
         } else {
             *is_written = true;
             let is_whole = from <= at && at + n <= to + 1;
@@ -208,10 +208,16 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
     }
     // Where whole vectors may begin.
     let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
+    let mut vector = 0;
     while at < whole {
         let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
-        in_doubt |= drawing.draw::<IS_WIDE>(&buffers.columns[at..at + n], t, object, lanes);
-        at += n;
+        let nearest = match bounds.get(vector) {
+            Some(nearest) => S::f32s::splat(simd, nearest),
+            None => drawing.nearest,
+        };
+        let columns = &buffers.columns[at..at + n];
+        in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, (lanes, nearest));
+        (at, vector) = (at + n, vector + 1);
     }
     if at <= to {
         // The buffers end within this vector.
@@ -220,7 +226,12 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
         t[..left].copy_from_slice(&buffers.t[at..]);
         object[..left].copy_from_slice(&buffers.object[at..]);
         let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw::<IS_WIDE>(columns, &mut t[..n], &mut object[..n], lanes);
+        in_doubt |= drawing.draw::<IS_WIDE>(
+            columns,
+            &mut t[..n],
+            &mut object[..n],
+            (lanes, drawing.nearest),
+        );
         buffers.t[at..].copy_from_slice(&t[..left]);
         buffers.object[at..].copy_from_slice(&object[..left]);
     }

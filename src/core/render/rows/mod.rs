@@ -3,3 +3,4 @@
 pub(crate) mod draw_row;
 pub(crate) mod small_spheres;
 pub(crate) mod span;
+pub(crate) mod vector_bounds;

@@ -1,251 +1,365 @@
-//! Spheres that cover a few pixels in a few rows: the rows of a vector of them are found together, and
-//! each is drawn as one vector of pixels.
+//! Spheres that are small beside their distance: one row of each sphere of a vector is found at a time, and
+//! the rows are drawn several pixels at once.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
 
 use crate::exact::lanes::lanes_of;
-use crate::render::outline::{MARGIN, MOST_LANES, Outlines, SMALL_ROWS};
+use crate::render::outline::MARGIN;
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::small_outlines::{Halves, MOST_SPHERES, Singles, SmallOutlines};
 use crate::render::rows::draw_row::TIE;
-use crate::render::rows::span::{Doubt, RowEnds, SpanTarget};
+use crate::render::rows::span::{Doubt, SpanTarget};
 
 /// Pixels drawn at once.
 const PIXELS: usize = 8;
 
-/// Maximum number of rows of the spheres of a vector.
-const RUNS: usize = SMALL_ROWS * MOST_LANES;
+/// Maximum number of rows that are found before they are drawn: bits of a number.
+const RUNS: usize = 64;
 
-/// The numbers that the rows of a small sphere share, lane by lane: with an anchor B near all of its b,
-/// `Q = numerator / B` in two parts.
-struct SmallSpheres {
-    /// 1 / B.
-    inverse: [f32; 2 * MOST_LANES],
-    /// Change of e from column to column, see [`SmallSpheres::t`].
-    slope: [f32; 2 * MOST_LANES],
-    quotient: [[f32; 2 * MOST_LANES]; 2],
+/// The rows that the spheres of a vector have in the target. Where its rows follow one another without a
+/// gap, steps go from the first row of each sphere on, else from the first of all.
+struct OwnRows {
+    /// The first and the last, as numbers.
+    first: Singles,
+    last: Singles,
+    /// The row of the target from which on steps are counted, and its first pixel.
+    row: [i32; MOST_SPHERES],
+    offset: [i32; MOST_SPHERES],
+    /// Number of steps.
+    steps: usize,
+}
+
+/// One row of each sphere of a vector.
+struct RowStep<S: Simd> {
+    number: S::f32s,
+    /// First pixel of the row in the target.
+    offset: S::i32s,
+    /// Spheres that have this row.
+    is_here: <S::f32s as SimdBase<S>>::Mask,
 }
 
 /// Rows of small spheres: those of the first row of each, lane by lane, then those of the second, and so
-/// on; each narrowed vector is stored with as many lanes again, which the next one overwrites.
+/// on. Columns count from the first one that the sphere covers, wherever the raster ends.
 pub(crate) struct Runs {
-    /// First and last column that the sphere covers, wherever the image ends, and how far inside
-    /// the outline's two ends they are.
-    first: [f32; RUNS + MOST_LANES],
-    last: [f32; RUNS + MOST_LANES],
-    left: [f32; RUNS + MOST_LANES],
-    right: [f32; RUNS + MOST_LANES],
-    /// e without S at the first column.
-    moved: [f32; RUNS + MOST_LANES],
-    /// The row in the target and the first column in the raster; see [`whole`].
-    row: [f64; RUNS],
-    from: [f64; RUNS],
-    /// The rows that are drawn.
-    listed: [u8; RUNS + 1],
+    /// The first column, as a number of the image's.
+    first: [f32; RUNS],
+    /// The first and the last column that lie in the raster.
+    from: [f32; RUNS],
+    to: [f32; RUNS],
+    /// The last column.
+    last: [f32; RUNS],
+    /// How far inside the outline's two ends the first and the last column are.
+    left: [f32; RUNS],
+    right: [f32; RUNS],
+    /// e without S at the first column, see [`Runs::t`].
+    moved: [f32; RUNS],
+    /// The first pixel in the target, and the number of pixels.
+    offset: [i32; RUNS],
+    count: [i32; RUNS],
+    /// Spheres, by lane, with rows of the raster in which a pixel is in doubt.
+    pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
-/// Rows of some spheres: those drawn, those in doubt, and the spheres that have this row or a later
-/// one.
+/// Rows of some spheres, one of each: those drawn and those in doubt.
 struct FoundRows {
     is_drawn: u64,
     is_doubtful: u64,
-    is_left: u64,
 }
 
-/// Summand that leaves a whole number from 0 on as the lowest bits of the sum.
-const WHOLE: f64 = (1_u64 << 52) as f64;
-
-/// The whole number that [`WHOLE`] was added to.
-#[inline(always)]
-fn whole(sum: f64) -> usize {
-    sum.to_bits() as u32 as usize
-}
-
-/// Draws those spheres of a vector whose bits are set.
+/// Draws those spheres of a vector whose bits are set and which have a row in the target. Rows in doubt
+/// are left to be drawn, see [`Runs::doubtful`].
 #[inline(always)]
 pub(crate) fn draw_small<S: Simd>(
     simd: S,
-    outlines: &Outlines,
+    outlines: &SmallOutlines,
     small: u64,
     ids: &[u32],
     runs: &mut Runs,
     target: &mut SpanTarget,
 ) {
-    let (spheres, anchor) = SmallSpheres::new(simd, outlines);
-    // Listed without a branch, which no processor could foresee.
-    let mut count = 0;
-    for number in 0..SMALL_ROWS {
-        let step = runs.find::<S>(simd, (outlines, &spheres, anchor), number, target);
-        // A row between two others may pass no pixel's centre, where the outline leans.
-        if small & step.is_left == 0 {
-            break;
+    let n = S::f32s::LEN;
+    let own = OwnRows::new(simd, outlines, small, target);
+    for first in (0..own.steps).step_by(RUNS / n) {
+        let mut is_drawn = 0;
+        for depth in 0..(RUNS / n).min(own.steps - first) {
+            let step = first + depth;
+            let rows = own.step(simd, step, target);
+            let found = runs.find(simd, outlines, &rows, depth * n, target.axes);
+            is_drawn |= (small & found.is_drawn) << (depth * n);
+            for lane in lanes_of(small & found.is_doubtful) {
+                let row = target.rows.start + own.row[lane] as usize + step;
+                runs.doubtful.push((lane, row));
+            }
         }
-        let is_drawn = small & step.is_drawn;
-        for lane in 0..S::f64s::LEN {
-            runs.listed[count] = (number * S::f64s::LEN + lane) as u8;
-            count += (is_drawn >> lane & 1) as usize;
-        }
-        for lane in lanes_of(small & step.is_doubtful) {
-            note_doubts(outlines, lane, ids[lane], number, target);
-        }
-    }
-    for offset in 0..count {
-        let run = usize::from(runs.listed[offset]);
-        let lane = run % S::f64s::LEN;
-        runs.draw::<S>(simd, run, (&spheres, lane, ids[lane]), target);
+        simd.vectorize(
+            #[inline(always)]
+            || runs.draw(simd, is_drawn, (outlines, ids), target),
+        );
     }
 }
 
-impl SmallSpheres {
-    /// Computes the spheres' numbers, and the anchors: each sphere's b at its centre.
+impl OwnRows {
     #[inline(always)]
-    fn new<S: Simd>(simd: S, outlines: &Outlines) -> (SmallSpheres, S::f64s) {
-        let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
-        let anchor = load(&outlines.b0) + load(&outlines.b_column) * load(&outlines.column);
-        let inverse = S::f64s::splat(simd, 1.0) / anchor;
-        let quotient = load(&outlines.numerator) * inverse;
-        let high = quotient.narrow(quotient);
-        let spheres = SmallSpheres {
-            inverse: narrowed::<S>(inverse),
-            slope: narrowed::<S>(load(&outlines.b_column) * inverse),
-            quotient: [narrowed::<S>(quotient), narrowed::<S>(quotient - high.widen().0)],
-        };
-        (spheres, anchor)
-    }
-
-    /// `t = numerator / (b + S) = Q / (1 + e)` of the columns from a row's first one on.
-    ///
-    /// With `u = 2^-24`, w the most that S can be and v the most that b can differ from the anchor B,
-    /// both in units of B: each factor of `S^2` is off by `4/3 u` (u for the sum, `1/3 u` for left or
-    /// right), and their product by u more, so S is by less than `2 u` and its own rounding, and as a
-    /// share of B by 5 u; what b changes along the row, `2 w |b_column|` at most, by 2 u of itself, and
-    /// the rest of b by 2 u; their sum by `v u`, and the sum with S by `(w + v) u`. So e is off by at
-    /// most `(6 w + 4 w |b_column| + 4 v) u`. The series `e (1 - e) (1 + e^2)` differs from
-    /// `e / (1 + e)` by `e^5 / (1 + e)`, and its roundings and those of its product with Q are less
-    /// than `8 |e| u`: less than `(14 w + 4 w |b_column| + 12 v) u` in all. The caller keeps
-    /// `4 w + 4 w |b_column| + 3 v` below a twentieth, so that `|e| < 1/60`: together less than
-    /// `0.25 u`.
-    #[inline(always)]
-    fn t<S: Simd>(
-        &self,
+    fn new<S: Simd>(
         simd: S,
-        (lane, from_first): (usize, f32x8<S>),
-        square: f32x8<S>,
-        moved: f32,
-    ) -> f32x8<S> {
-        let splat = |x: f32| f32x8::splat(simd, x);
-        let added = from_first * splat(self.slope[lane]) + splat(moved);
-        let e = added + square.sqrt() * splat(self.inverse[lane]);
-        let one = splat(1.0);
-        let series = (e * (one - e)) * (one + e * e);
-        let [high, low] = self.quotient.each_ref().map(|part| splat(part[lane]));
-        high + (low - high * series)
+        outlines: &SmallOutlines,
+        small: u64,
+        target: &mut SpanTarget,
+    ) -> OwnRows {
+        let n = S::f32s::LEN;
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        let load = |x: &Singles| S::f32s::from_slice(simd, &x[..n]);
+        let numbers = &target.axes.row_numbers;
+        let above = splat(numbers[target.rows.start] as f32);
+        let below = splat(numbers[target.rows.end - 1] as f32);
+        let (first, last) =
+            (load(&outlines.first_row).max(above), load(&outlines.last_row).min(below));
+        let mut own = OwnRows {
+            first: [0.0; MOST_SPHERES],
+            last: [0.0; MOST_SPHERES],
+            row: [0; MOST_SPHERES],
+            offset: [0; MOST_SPHERES],
+            steps: 0,
+        };
+        first.store_slice(&mut own.first[..n]);
+        last.store_slice(&mut own.last[..n]);
+        let row = S::i32s::truncate_from(first - above);
+        let width = S::i32s::splat(simd, target.axes.width() as i32);
+        row.store_slice(&mut own.row[..n]);
+        (row * width).store_slice(&mut own.offset[..n]);
+        if target.axes.are_whole() {
+            for lane in lanes_of(small) {
+                own.steps = own.steps.max(own.count(lane));
+            }
+            if !target.is_all_reached {
+                for lane in lanes_of(small) {
+                    let first = own.row[lane] as usize;
+                    target.reach(first..first + own.count(lane));
+                }
+            }
+        } else {
+            own.begin_at_first_of_all(small, target);
+        }
+        own
+    }
+
+    /// Number of rows of a sphere, where they follow one another without a gap.
+    #[inline(always)]
+    fn count(&self, lane: usize) -> usize {
+        // By way of i32, which processors convert to in one instruction.
+        (self.last[lane] - self.first[lane]) as i32 as usize + 1
+    }
+
+    /// Counts steps from the first row of the target that any of these spheres has.
+    #[cold]
+    #[inline(never)]
+    fn begin_at_first_of_all(&mut self, small: u64, target: &mut SpanTarget) {
+        let mut all = target.rows.end..target.rows.start;
+        for lane in lanes_of(small) {
+            let [first, last] = [self.first[lane], self.last[lane]].map(f64::from);
+            let own = target.axes.rows_between(first, last);
+            if !own.is_empty() {
+                target.reach(own.start - target.rows.start..own.end - target.rows.start);
+                all = all.start.min(own.start)..all.end.max(own.end);
+            }
+        }
+        self.steps = all.len();
+        let first = all.start - target.rows.start;
+        self.row.fill(first as i32);
+        self.offset.fill((first * target.axes.width()) as i32);
+    }
+
+    #[inline(always)]
+    fn step<S: Simd>(&self, simd: S, step: usize, target: &SpanTarget) -> RowStep<S> {
+        let n = S::f32s::LEN;
+        let load = |x: &Singles| S::f32s::from_slice(simd, &x[..n]);
+        let (first, last) = (load(&self.first), load(&self.last));
+        let number = if target.axes.are_whole() {
+            first + S::f32s::splat(simd, step as f32)
+        } else {
+            let row = target.rows.start + self.row[0] as usize + step;
+            S::f32s::splat(simd, target.axes.row_numbers[row] as f32)
+        };
+        let to_step = S::i32s::splat(simd, (step * target.axes.width()) as i32);
+        RowStep {
+            number,
+            offset: S::i32s::from_slice(simd, &self.offset[..n]) + to_step,
+            is_here: number.simd_ge(first) & number.simd_le(last),
+        }
     }
 }
 
-#[inline(always)]
-fn narrowed<S: Simd>(x: S::f64s) -> [f32; 2 * MOST_LANES] {
-    let mut all = [0.0; 2 * MOST_LANES];
-    x.narrow(x).store_slice(&mut all[..S::f32s::LEN]);
-    all
+/// The ends of a row of each sphere of half a vector.
+struct RowEnds<S: Simd> {
+    first: S::f64s,
+    last: S::f64s,
+    left: S::f64s,
+    right: S::f64s,
+    /// e without S at the first column.
+    moved: S::f64s,
+    is_thick: <S::f64s as SimdBase<S>>::Mask,
+}
+
+impl<S: Simd> RowEnds<S> {
+    #[inline(always)]
+    fn new(simd: S, outlines: &SmallOutlines, half: usize, j: S::f64s) -> Self {
+        let SmallOutlines { column, middle, shear, square, thin, slope, row_slope, .. } = outlines;
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let load = |x: &Halves| S::f64s::from_slice(simd, &x[half][..S::f64s::LEN]);
+        let middle = load(middle) + load(shear) * j;
+        let squared = load(&square[0]) + (load(&square[1]) + load(&square[2]) * j) * j;
+        let reach = squared.max(splat(0.0)).sqrt();
+        let (start, end) = (middle - reach, middle + reach);
+        let (first, last) = (start.ceil(), end.floor());
+        let (left, right) = (first - start, end - last);
+        let moved = (first - load(column)) * load(slope) + j * load(row_slope);
+        RowEnds { first, last, left, right, moved, is_thick: squared.simd_ge(load(thin)) }
+    }
 }
 
 impl Runs {
     pub(crate) fn new() -> Runs {
-        let singles = [0.0; RUNS + MOST_LANES];
+        let singles = [0.0; RUNS];
         Runs {
             first: singles,
+            from: singles,
+            to: singles,
             last: singles,
             left: singles,
             right: singles,
             moved: singles,
-            row: [0.0; RUNS],
-            from: [0.0; RUNS],
-            listed: [0; RUNS + 1],
+            offset: [0; RUNS],
+            count: [0; RUNS],
+            doubtful: Vec::new(),
         }
     }
 
-    /// The row of each sphere that is so many below its first.
+    /// Finds the row of each sphere that is so many below its first in the target.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,
         simd: S,
-        (outlines, spheres, anchor): (&Outlines, &SmallSpheres, S::f64s),
-        step: usize,
-        target: &SpanTarget,
+        outlines: &SmallOutlines,
+        rows: &RowStep<S>,
+        at: usize,
+        axes: &RasterAxes,
     ) -> FoundRows {
-        let n = S::f64s::LEN;
-        let splat = |x: f64| S::f64s::splat(simd, x);
-        let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..n]);
-        let number = load(&outlines.first_row) + splat(step as f64);
-        let j = number - load(&outlines.row);
-        let middle = load(&outlines.column) + load(&outlines.shear) * j;
-        let squared = load(&outlines.square[0])
-            + (load(&outlines.square[1]) + load(&outlines.square[2]) * j) * j;
-        let RowEnds { start, end, first, last, is_sure } =
-            RowEnds::<S>::new(simd, middle, squared, load(&outlines.thin));
-        let is_left = number.simd_le(load(&outlines.last_row)).to_bitmask();
-        let is_near = squared.simd_ge(-load(&outlines.square_doubt)).to_bitmask();
-        let (row, is_here) = target.axes.locate_rows(simd, number, &target.rows);
-        let (from, _, is_there) = target.axes.clip(simd, first, last);
-        let is_sure = is_sure.to_bitmask();
+        let half = S::f64s::LEN;
+        let row =
+            |half_number: usize| S::f64s::from_slice(simd, &outlines.row[half_number][..half]);
+        let (low_number, high_number) = rows.number.widen();
+        let (low_j, high_j) = (low_number - row(0), high_number - row(1));
+        let low = RowEnds::<S>::new(simd, outlines, 0, low_j);
+        let high = RowEnds::<S>::new(simd, outlines, 1, high_j);
+        let (first, last) = (low.first.narrow(high.first), low.last.narrow(high.last));
+        let (left, right) = (low.left.narrow(high.left), low.right.narrow(high.right));
+        let moved = low.moved.narrow(high.moved);
+        let is_thick = low.is_thick.narrow(high.is_thick);
 
-        let b = load(&outlines.b0) + load(&outlines.b_row) * j + load(&outlines.b_column) * first;
-        let inverse = S::f32s::from_slice(simd, &spheres.inverse[..S::f32s::LEN]).widen().0;
-        let moved = (b - anchor) * inverse;
-        let at = step * n;
-        let singles = at..at + S::f32s::LEN;
-        first.narrow(first).store_slice(&mut self.first[singles.clone()]);
-        last.narrow(last).store_slice(&mut self.last[singles.clone()]);
-        let (left, right) = (first - start, end - last);
-        left.narrow(left).store_slice(&mut self.left[singles.clone()]);
-        right.narrow(right).store_slice(&mut self.right[singles.clone()]);
-        moved.narrow(moved).store_slice(&mut self.moved[singles]);
-        (row + splat(WHOLE)).store_slice(&mut self.row[at..at + n]);
-        (from + splat(WHOLE)).store_slice(&mut self.from[at..at + n]);
+        let n = S::f32s::LEN;
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        let margin = MARGIN as f32;
+        let is_sure = is_thick
+            & left.min(right).simd_ge(splat(margin))
+            & left.max(right).simd_le(splat(1.0 - margin));
+        let (from, to, index, is_there) = axes.clip_singles(simd, first, last);
+        let runs = at..at + n;
+        first.store_slice(&mut self.first[runs.clone()]);
+        (from - first).store_slice(&mut self.from[runs.clone()]);
+        (to - first).store_slice(&mut self.to[runs.clone()]);
+        (last - first).store_slice(&mut self.last[runs.clone()]);
+        left.store_slice(&mut self.left[runs.clone()]);
+        right.store_slice(&mut self.right[runs.clone()]);
+        moved.store_slice(&mut self.moved[runs.clone()]);
+        let [begin, end] = index;
+        (rows.offset + begin).store_slice(&mut self.offset[runs.clone()]);
+        ((end - begin) + S::i32s::splat(simd, 1)).store_slice(&mut self.count[runs]);
+        let is_drawn = is_sure & rows.is_here;
         FoundRows {
-            is_drawn: is_left & is_here & is_sure & is_there,
-            is_doubtful: is_left & is_here & is_near & !is_sure,
-            is_left,
+            is_drawn: is_drawn.to_bitmask() & is_there,
+            is_doubtful: (rows.is_here & !is_sure).to_bitmask(),
         }
     }
 
-    /// Takes over the pixels of a row that are nearer than what is there.
+    /// `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first one on,
+    /// see [`SmallOutlines`].
+    ///
+    /// With `u = 2^-24`, let w be the most that `inverse S` can be, V the most that the rest of e can be in
+    /// either of its two terms and their sum, and v the change of e along half a row. Each factor of `S^2`
+    /// is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their product by u more, the
+    /// product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of w.
+    /// `moved` is rounded from `f64`, by u of V; what e changes by along the row, 2 v at most, is off by
+    /// 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of `w + V`. So e
+    /// is off by `(4.84 w + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The roundings of
+    /// `Q_high e`, of the difference, of `1 + e` and of the quotient are 4 u of 1.07 |e|. Together:
+    /// `(9.8 w + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep that and `0.07 u`, which the errors of `S^2` itself
+    /// and of Q come to, below `0.5 u`: with the last rounding, t is within an ulp.
+    #[inline(always)]
+    fn t<S: Simd>(
+        &self,
+        simd: S,
+        run: usize,
+        (spheres, lane): (&SmallOutlines, usize),
+        columns: f32x8<S>,
+    ) -> f32x8<S> {
+        let splat = |x: f32| f32x8::splat(simd, x);
+        let to_last = splat(self.last[run]) - columns;
+        let square = (columns + splat(self.left[run])) * (to_last + splat(self.right[run]));
+        let added = columns * splat(spheres.rounded_slope[lane]) + splat(self.moved[run]);
+        let e = added + (square * splat(spheres.inverse_squared[lane])).sqrt();
+        let [high, low] = spheres.quotient.each_ref().map(|part| splat(part[lane]));
+        high + (low - high * e) / (splat(1.0) + e)
+    }
+
+    /// Takes over the pixels of those rows whose bits are set that are nearer than what is there.
     #[inline(always)]
     fn draw<S: Simd>(
         &self,
         simd: S,
-        run: usize,
-        (spheres, lane, index): (&SmallSpheres, usize, u32),
+        is_drawn: u64,
+        (spheres, ids): (&SmallOutlines, &[u32]),
         target: &mut SpanTarget,
     ) {
-        let (row, from) = (whole(self.row[run]), whole(self.from[run]));
-        let offset = row * target.axes.width() + from;
-        target.is_reached[row] = true;
-        let splat = |x: f32| f32x8::splat(simd, x);
-        let columns = f32x8::from_slice(simd, &target.axes.columns[from..from + PIXELS]);
-        let (first, last) = (splat(self.first[run]), splat(self.last[run]));
-        let (from_first, to_last) = (columns - first, last - columns);
-        let square = (from_first + splat(self.left[run])) * (to_last + splat(self.right[run]));
-        let found = spheres.t(simd, (lane, from_first), square, self.moved[run]);
-        let is_inside = columns.simd_le(last);
-        let mut doubtful = 0;
-        let pixels = Pixels { simd, found, is_inside, index };
-        if target.t.len() - offset >= PIXELS {
-            let (t, object) = (&mut target.t[offset..], &mut target.object[offset..]);
-            doubtful = pixels.take_over(&mut t[..PIXELS], &mut object[..PIXELS]);
-        } else {
-            let left = target.t.len() - offset;
-            let (mut t, mut object) = ([0.0; PIXELS], [0; PIXELS]);
-            t[..left].copy_from_slice(&target.t[offset..]);
-            object[..left].copy_from_slice(&target.object[offset..]);
-            doubtful |= pixels.take_over(&mut t, &mut object);
-            target.t[offset..].copy_from_slice(&t[..left]);
-            target.object[offset..].copy_from_slice(&object[..left]);
+        const FIRST: [f32; PIXELS] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let first = f32x8::from_slice(simd, &FIRST);
+        let mut decided = 0;
+        let are_whole = target.axes.are_whole();
+        for run in lanes_of(is_drawn) {
+            let lane = run % S::f32s::LEN;
+            let index = ids[lane];
+            let (mut offset, count) = (self.offset[run] as usize, self.count[run] as usize);
+            decided += count;
+            let mut columns = first + f32x8::splat(simd, self.from[run]);
+            let end = offset + count;
+            loop {
+                if !are_whole {
+                    let column = offset % target.axes.width();
+                    let numbers = &target.axes.columns[column..column + PIXELS];
+                    columns =
+                        f32x8::from_slice(simd, numbers) - f32x8::splat(simd, self.first[run]);
+                }
+                let found = self.t(simd, run, (spheres, lane), columns);
+                let is_inside = columns.simd_le(f32x8::splat(simd, self.to[run]));
+                let vector = offset..offset + PIXELS;
+                let doubtful = if vector.end <= target.t.len() {
+                    let (t, object) = (&mut target.t[vector.clone()], &mut target.object[vector]);
+                    Pixels { simd, found, is_inside, index }.take_over(t, object)
+                } else {
+                    let (t, object) = (&mut target.t[offset..end], &mut target.object[offset..end]);
+                    take_over_last(&found.into(), index, t, object)
+                };
+                if doubtful != 0 {
+                    decided -= note_ties(target, (offset, doubtful), found.into(), index);
+                }
+                offset += PIXELS;
+                if offset >= end {
+                    break;
+                }
+                columns += f32x8::splat(simd, PIXELS as f32);
+            }
         }
-        target.decided += u64::from(is_inside.to_bitmask().count_ones());
-        if doubtful != 0 {
-            note_ties(target, (offset, doubtful), found.into(), index);
-        }
+        target.decided += decided as u64;
     }
 }
 
@@ -264,16 +378,34 @@ impl<S: Simd> Pixels<S> {
         let Pixels { simd, found, is_inside, index } = *self;
         let known = f32x8::from_slice(simd, t);
         let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
-        is_nearer.select(found, known).store_slice(t);
+        // Not a selection of what is stored: that would become a masked store, slow on many
+        // processors.
+        is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
         let objects = u32x8::from_slice(simd, object);
-        is_nearer.select(u32x8::splat(simd, index), objects).store_slice(object);
+        let change = u32x8::splat(simd, index) ^ objects;
+        (objects ^ is_nearer.select(change, u32x8::splat(simd, 0))).store_slice(object);
         let is_farther = found.simd_gt(known * f32x8::splat(simd, 1.0 + TIE));
         (is_inside & !(is_nearer | is_farther)).to_bitmask()
     }
 }
 
-/// Leaves pixels from a position on, whose bits are set, to the ladder: they are too close to what is
-/// known.
+/// [`Pixels::take_over`] for the last pixels of the buffers, where they end within a vector.
+#[cold]
+#[inline(never)]
+fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut [u32]) -> u64 {
+    let mut doubtful = 0;
+    for (lane, (found, (t, object))) in found.iter().zip(t.iter_mut().zip(object)).enumerate() {
+        if *found < *t * (1.0 - TIE) {
+            (*t, *object) = (*found, index);
+        } else if *found <= *t * (1.0 + TIE) {
+            doubtful |= 1 << lane;
+        }
+    }
+    doubtful
+}
+
+/// Leaves pixels from a position on, whose bits are set, to the ladder, which counts them: they are too close
+/// to what is known. Tells how many.
 #[cold]
 #[inline(never)]
 fn note_ties(
@@ -281,37 +413,18 @@ fn note_ties(
     (offset, doubtful): (usize, u64),
     found: [f32; PIXELS],
     index: u32,
-) {
+) -> usize {
+    let mut count = 0;
     let width = target.axes.width();
     for lane in lanes_of(doubtful) {
         let offset = offset + lane;
         if target.is_same_as_known(offset, index) {
             continue;
         }
-        // The ladder counts it.
-        target.decided -= 1;
+        count += 1;
         let (row, column) = (target.rows.start + offset / width, offset % width);
         let (row, column) = (row as u32, column as u32);
         target.doubts.push(Doubt { index, row, column, t: Some(found[lane]) });
     }
-}
-
-/// Leaves all pixels that a row, so many below the first, may cover to the ladder.
-#[cold]
-#[inline(never)]
-fn note_doubts(outlines: &Outlines, lane: usize, index: u32, step: usize, target: &mut SpanTarget) {
-    let number = outlines.first_row[lane] + step as f64;
-    let Some(row) = target.axes.row_at(number) else { return };
-    let j = number - outlines.row[lane];
-    let middle = outlines.column[lane] + outlines.shear[lane] * j;
-    let [square0, square1, square2] = [0, 1, 2].map(|power| outlines.square[power][lane]);
-    let squared = square0 + (square1 + square2 * j) * j;
-    let reach = squared.max(0.0).sqrt() + MARGIN + (2.0 * outlines.thin[lane]).sqrt();
-    let (first, last) = ((middle - reach).ceil(), (middle + reach).floor());
-    let Some((from, to)) = target.axes.columns_between(first, last) else { return };
-    target.is_reached[row - target.rows.start] = true;
-    for column in from..=to {
-        let (row, column) = (row as u32, column as u32);
-        target.doubts.push(Doubt { index, row, column, t: None });
-    }
+    count
 }

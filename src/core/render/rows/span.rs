@@ -11,6 +11,7 @@ use crate::exact::lanes::{SingleLanes, lanes_of};
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{MARGIN, MOST_LANES, Outline};
 use crate::render::rows::draw_row::{RowBuffers, TIE, WrittenBlocks, draw_row};
+use crate::render::rows::vector_bounds::VectorBounds;
 use crate::scene::sphere::Sphere;
 
 /// A sphere that can be drawn by rows.
@@ -77,15 +78,30 @@ pub(crate) struct SpanTarget<'a> {
     /// Which pixels have been written, where they are not cleared at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// True if spheres cover one another so much that each vector of a row is worth a look whether it is
+    /// hidden.
+    pub(crate) is_crowded: bool,
+    pub(crate) bounds: VectorBounds,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
     /// True, by row of the target, if an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
+    pub(crate) is_all_reached: bool,
     /// Number of pixels that were decided.
     pub(crate) decided: u64,
 }
 
+/// A row of fewer columns is looked at as a whole.
+const SHORT: usize = 128;
+
 impl SpanTarget<'_> {
+    /// Tells that an outline reaches these rows of the target.
+    #[inline(always)]
+    pub(crate) fn reach(&mut self, rows: Range<usize>) {
+        self.is_reached[rows].fill(true);
+        self.is_all_reached = !self.is_reached.contains(&false);
+    }
+
     /// Returns whether the sphere is the one that the pixel shows, given twice: then the one that
     /// is listed first is shown, and nothing is in doubt.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
@@ -149,7 +165,17 @@ impl Span {
                 None => &mut [],
             },
         };
-        let own = (self.index, span_row.nearest);
+        if target.is_crowded {
+            let (first, last) = columns;
+            if last - first >= SHORT {
+                let numbers = (self.numerator[0], self.outline.b_column as f32, span_row);
+                let column = target.axes.columns[first];
+                target.bounds.find(simd, numbers, (column, last + 1 - first));
+            } else {
+                target.bounds.clear();
+            }
+        }
+        let own = (self.index, span_row.nearest, &target.bounds);
         target.decided += (columns.1 - columns.0 + 1) as u64;
         target.is_reached[row - target.rows.start] = true;
         if self.outline.is_wide {
@@ -200,7 +226,7 @@ impl Span {
     /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
     #[cold]
     #[inline(never)]
-    fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
+    pub(crate) fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
         let Outline { column, row: center, shear, square, .. } = self.outline;
         let j = target.axes.row_numbers[row] - center;
         let middle = column + shear * j;

@@ -1,0 +1,299 @@
+//! Outlines of spheres that are small beside their distance, as many side by side as a vector of `f32` has
+//! lanes.
+
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::render::outline::camera_space::CameraSpace;
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES};
+use crate::scene::sphere_index::SphereSlots;
+
+/// Maximum number of spheres side by side: as many as two vectors of `f64` narrow to.
+pub(crate) const MOST_SPHERES: usize = 2 * MOST_LANES;
+
+/// A number for each sphere, in `f32`, and in `f64` in two vectors.
+pub(crate) type Singles = [f32; MOST_SPHERES];
+pub(crate) type Halves = [[f64; MOST_LANES]; 2];
+
+/// What a few results in `f32` are multiplied by so that they are bounds.
+const UP: f32 = 1.0 + 1e-5;
+
+/// Outlines of small spheres, as [`Outlines`](crate::render::outline::Outlines) have them: on row
+/// `row + j` the columns within w of `middle + shear j`, and there, `S^2 = w^2 - (c - middle - shear j)^2`.
+/// At column c the first hit is at
+///
+/// ```text
+/// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
+/// ```
+///
+/// with `(row, column)` the centre in the picture, and Q the t of the ray through it at which it would pass
+/// the outline. Derivation: with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z` at the
+/// centre and linear in row and column, and the root is `sqrt h s S`; all divided by `|q|^2 / Z`:
+///
+/// ```text
+/// Q = Z (1 - r^2 / |q|^2) / distance      slope = s X Z / |q|^2      inverse = s sqrt h Z / |q|^2
+/// ```
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SmallOutlines {
+    /// Row and column of the centre.
+    pub(crate) row: Halves,
+    pub(crate) column: Halves,
+    /// Middle of the columns on the row of the centre.
+    pub(crate) middle: Halves,
+    pub(crate) shear: Halves,
+    pub(crate) square: [Halves; 3],
+    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// go up the ladder.
+    pub(crate) thin: Halves,
+    /// All rows lie between these: whole numbers.
+    pub(crate) first_row: Singles,
+    pub(crate) last_row: Singles,
+    pub(crate) slope: Halves,
+    pub(crate) row_slope: Halves,
+    /// `slope` and `inverse^2`, rounded.
+    pub(crate) rounded_slope: Singles,
+    pub(crate) inverse_squared: Singles,
+    /// Q in two parts.
+    pub(crate) quotient: [Singles; 2],
+    /// Lower bound of the t of all hits.
+    pub(crate) nearest: Singles,
+    /// Upper bound of the columns from the centre's to any that is covered, and one more.
+    pub(crate) reach: Singles,
+    /// Lanes in which all of the above holds.
+    pub(crate) is_small: u64,
+    /// Lanes whose spheres lie wholly behind the eye.
+    pub(crate) is_behind: u64,
+    /// Lanes whose spheres no ray inside the image's borders can meet.
+    pub(crate) is_outside: u64,
+}
+
+/// The numbers of half a vector of spheres that take `f64`.
+struct Doubles<S: Simd> {
+    centers: Centers<S>,
+    /// Column and row of the centre.
+    column: S::f64s,
+    row: S::f64s,
+    offset: S::f64s,
+    shear: S::f64s,
+    square0: S::f64s,
+    square1: S::f64s,
+    minus_square2: S::f64s,
+    quotient: S::f64s,
+    /// `X / Z`, `Y / Z`, `r / Z` and `h / Z^2`.
+    xc: S::f64s,
+    yc: S::f64s,
+    a: S::f64s,
+    g: S::f64s,
+    slope: S::f64s,
+    row_slope: S::f64s,
+    inverse_squared: S::f64s,
+}
+
+impl<S: Simd> Doubles<S> {
+    #[inline(always)]
+    fn new(simd: S, space: &CameraSpace, slots: &SphereSlots) -> Self {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let centers = Centers::<S>::new(simd, space, slots);
+        let one = splat(1.0);
+        let inverse_z = one / centers.z;
+        let (xc, yc, a) = (centers.x * inverse_z, centers.y * inverse_z, centers.r * inverse_z);
+        let (aa, level) = (a * a, one + yc * yc);
+        let (m, g) = (level + xc * xc, level - aa);
+        let (inverse_m, inverse_g) = (one / m, one / g);
+        let by_h = aa * inverse_g;
+        let (per_column, ratio) = (splat(space.per_column), splat(space.ratio));
+        let from_middle = xc * per_column;
+        let offset = by_h * from_middle;
+        let shear = -(xc * yc * inverse_g * ratio);
+        let stretch = by_h * (per_column * per_column);
+        let square0 = stretch * m + offset * offset;
+        let half_square1 = offset * shear - stretch * (yc * splat(space.row_slope));
+        let per_q = inverse_m * splat(space.column_slope);
+        let c = m - aa;
+        let minus_square2 = (c * inverse_g) * ((one - aa) * inverse_g) * (ratio * ratio);
+        Doubles {
+            column: splat(space.middle_column) + from_middle,
+            row: splat(space.middle_row) - yc * splat(space.per_row),
+            offset,
+            shear,
+            square0,
+            square1: half_square1 + half_square1,
+            minus_square2,
+            quotient: (centers.z * splat(space.per_distance)) * (c * inverse_m),
+            centers,
+            xc,
+            yc,
+            a,
+            g,
+            slope: xc * per_q,
+            row_slope: -(yc * per_q * ratio),
+            inverse_squared: g * (per_q * per_q),
+        }
+    }
+}
+
+/// Upper bounds for a vector of spheres.
+struct Bounds<S: Simd> {
+    /// `w^2` in any row.
+    size: S::f32s,
+    /// Where `w^2 = 0`: rows from the centre's to the middle of both, and from there to each.
+    middle: S::f32s,
+    half: S::f32s,
+    reach: S::f32s,
+    /// The parts of |e|: `inverse S`, and what varies with row and column.
+    of_root: S::f32s,
+    of_position: S::f32s,
+    /// The error of t in units of `2^-24` of it, but for the last rounding.
+    error: S::f32s,
+}
+
+impl<S: Simd> Bounds<S> {
+    /// All operations are rounded by less than `UP` together leaves room for. For the error of t, see
+    /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
+    #[inline(always)]
+    fn new(simd: S, low: &Doubles<S>, high: &Doubles<S>) -> Self {
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        let up = splat(UP);
+        let square0 = low.square0.narrow(high.square0);
+        let square1 = low.square1.narrow(high.square1);
+        let inverse2 = splat(1.0) / low.minus_square2.narrow(high.minus_square2);
+        let size = (square0 + square1 * square1 * inverse2) * up;
+        let widest = size.sqrt() * up;
+        let middle = square1 * inverse2 * splat(0.5);
+        let half = (square0 * inverse2 + middle * middle).sqrt() * up + splat(1e-3);
+        let rows = middle.abs() + half;
+        let shear = low.shear.narrow(high.shear).abs();
+        let offset = low.offset.narrow(high.offset).abs();
+        let reach = (widest + offset + shear * rows + splat(1.0)) * up;
+        let slope = low.slope.narrow(high.slope).abs();
+        let row_slope = low.row_slope.narrow(high.row_slope).abs();
+        let of_position = (slope * reach + row_slope * rows) * up;
+        let of_root = (size * low.inverse_squared.narrow(high.inverse_squared)).sqrt() * up;
+        let along_row = slope * widest;
+        let error =
+            splat(9.8) * of_root + splat(7.8) * of_position + splat(4.6) * along_row + splat(0.07);
+        Bounds { size, middle, half, reach, of_root, of_position, error }
+    }
+
+    /// Finds the `w^2` below which a row is thin: what
+    /// [`Outlines::find`](crate::render::outline::Outlines::find) says of it holds here, too. Each
+    /// coefficient of `w^2` is the result of at most 64 roundings in none of which anything cancels, as
+    /// `a < 1/16`; then `8 k + 4 < 4.1`, and `h / c < 1.005 h / Z^2`.
+    #[inline(always)]
+    fn thin(&self, simd: S, space: &CameraSpace, low: &Doubles<S>, high: &Doubles<S>) -> S::f32s {
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        let up = splat(UP);
+        let (xc, yc) = (low.xc.narrow(high.xc).abs(), low.yc.narrow(high.yc).abs());
+        let eta_by_r = (xc + yc + splat(1.0)) / low.a.narrow(high.a) + splat(1.0);
+        let share = splat(64.0 * 1.2e-16) + eta_by_r * splat((4.1 * space.doubt) as f32) * up;
+        let square_doubt = share * (splat(4.0) * self.size) * up;
+        let slope = (1.005 * space.column_slope * space.column_slope) as f32;
+        let by_b = low.g.narrow(high.g) * splat(slope) * up;
+        let keep = (square_doubt * splat((16.0 * KEEP) as f32) * by_b * up).max(splat(32.0));
+        let root = square_doubt * keep * splat((1.0 / MARGIN) as f32);
+        (root * root).max(splat(32.0) * square_doubt) * up
+    }
+}
+
+impl SmallOutlines {
+    /// Finds the outlines of the spheres of as many slots as a vector of `f32` has lanes.
+    #[inline(always)]
+    pub(crate) fn find<S: Simd>(
+        &mut self,
+        simd: S,
+        space: &CameraSpace,
+        [low, high]: &[SphereSlots; 2],
+    ) {
+        let (n, half) = (S::f32s::LEN, S::f64s::LEN);
+        let low = Doubles::<S>::new(simd, space, low);
+        let high = Doubles::<S>::new(simd, space, high);
+        let bounds = Bounds::new(simd, &low, &high);
+        let thin = bounds.thin(simd, space, &low, &high);
+        let quotient = low.quotient.narrow(high.quotient);
+        let splat = |x: f32| S::f32s::splat(simd, x);
+        let nearest = quotient * (splat(1.0 - 1e-5) - (bounds.of_root + bounds.of_position));
+
+        let (a, far) = (low.a.narrow(high.a), splat(131_072.0));
+        let is_small = a.simd_lt(splat(1.0 / 16.0))
+            & a.simd_gt(splat(1e-8))
+            & bounds.error.simd_lt(splat(0.5))
+            & thin.simd_lt(splat(32.0))
+            & nearest.simd_gt(splat(1e-20))
+            & quotient.simd_lt(splat(1e20))
+            & bounds.size.simd_gt(splat(1e-10))
+            & low.column.narrow(high.column).abs().simd_lt(far)
+            & low.row.narrow(high.row).abs().simd_lt(far);
+        self.is_small = if space.is_plain { is_small.to_bitmask() } else { 0 };
+        let not_seen = low.centers.not_seen(simd, space);
+        let not_seen_high = high.centers.not_seen(simd, space);
+        self.is_behind = not_seen.0 | not_seen_high.0 << half;
+        self.is_outside = not_seen.1 | not_seen_high.1 << half;
+
+        // Whole numbers and fractions by themselves: `f32` holds the sums of whole ones.
+        let rounding = S::f64s::splat(simd, 0.5);
+        let (low_row, high_row) = ((low.row + rounding).floor(), (high.row + rounding).floor());
+        let row = low_row.narrow(high_row);
+        let middle = (low.row - low_row).narrow(high.row - high_row) + bounds.middle;
+        (row + (middle - bounds.half).ceil()).store_slice(&mut self.first_row[..n]);
+        (row + (middle + bounds.half).floor()).store_slice(&mut self.last_row[..n]);
+        nearest.store_slice(&mut self.nearest[..n]);
+        bounds.reach.store_slice(&mut self.reach[..n]);
+        low.slope.narrow(high.slope).store_slice(&mut self.rounded_slope[..n]);
+        let inverse_squared = low.inverse_squared.narrow(high.inverse_squared);
+        inverse_squared.store_slice(&mut self.inverse_squared[..n]);
+        let (rounded, rounded_high) = quotient.widen();
+        let rest = (low.quotient - rounded).narrow(high.quotient - rounded_high);
+        quotient.store_slice(&mut self.quotient[0][..n]);
+        rest.store_slice(&mut self.quotient[1][..n]);
+        let (thin, thin_high) = thin.widen();
+        low.store(thin, self, 0);
+        high.store(thin_high, self, 1);
+    }
+}
+
+impl SmallOutlines {
+    /// Finds the spheres of which a row lies between two of the raster.
+    #[inline(always)]
+    pub(crate) fn rows_meet<S: Simd>(&self, simd: S, axes: &RasterAxes, rows: Range<usize>) -> u64 {
+        let load = |x: &Singles| S::f32s::from_slice(simd, &x[..S::f32s::LEN]);
+        let number = |row: usize| S::f32s::splat(simd, axes.row_numbers[row] as f32);
+        let (above, below) = (number(rows.start), number(rows.end - 1));
+        let (first, last) = (load(&self.first_row), load(&self.last_row));
+        (last.simd_ge(above) & first.simd_le(below) & first.simd_le(last)).to_bitmask()
+    }
+
+    /// The rows and columns of the raster that a sphere can cover.
+    #[inline(always)]
+    pub(crate) fn extent(
+        &self,
+        (lane, lanes): (usize, usize),
+        axes: &RasterAxes,
+    ) -> (Range<usize>, Range<usize>) {
+        let half = if lane < lanes { (0, lane) } else { (1, lane - lanes) };
+        let (column, reach) = (self.column[half.0][half.1], f64::from(self.reach[lane]));
+        let (left, right) = ((column - reach).floor(), (column + reach).ceil());
+        let rows =
+            axes.rows_between(f64::from(self.first_row[lane]), f64::from(self.last_row[lane]));
+        (rows, axes.columns_range(left, right))
+    }
+}
+
+impl<S: Simd> Doubles<S> {
+    #[inline(always)]
+    fn store(&self, thin: S::f64s, outlines: &mut SmallOutlines, half: usize) {
+        let n = S::f64s::LEN;
+        thin.store_slice(&mut outlines.thin[half][..n]);
+        self.column.store_slice(&mut outlines.column[half][..n]);
+        self.slope.store_slice(&mut outlines.slope[half][..n]);
+        self.row_slope.store_slice(&mut outlines.row_slope[half][..n]);
+        self.row.store_slice(&mut outlines.row[half][..n]);
+        (self.column + self.offset).store_slice(&mut outlines.middle[half][..n]);
+        self.shear.store_slice(&mut outlines.shear[half][..n]);
+        self.square0.store_slice(&mut outlines.square[0][half][..n]);
+        self.square1.store_slice(&mut outlines.square[1][half][..n]);
+        (-self.minus_square2).store_slice(&mut outlines.square[2][half][..n]);
+    }
+}
