@@ -29,9 +29,9 @@ const UP: f32 = 1.0 + 1e-5;
 /// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
 /// ```
 ///
-/// with `(row, column)` the centre in the picture, and Q the t of the ray through it at which it would pass
-/// the outline. Derivation: with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z` at the
-/// centre and linear in row and column, and the root is `sqrt h s S`; all divided by `|q|^2 / Z`:
+/// with `(row, column)` the centre in the picture, and Q what t would be there if S were 0. Derivation:
+/// with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z` at the centre and linear in row and
+/// column, and the root is `sqrt h s S`; all divided by `|q|^2 / Z`:
 ///
 /// ```text
 /// Q = Z (1 - r^2 / |q|^2) / distance      slope = s X Z / |q|^2      inverse = s sqrt h Z / |q|^2
