@@ -134,6 +134,56 @@ fn spheres_as_large_as_small_ones_can_be_are_within_an_ulp() {
     assert!((0.55..1.0).contains(&largest), "{largest}");
 }
 
+/// Spheres that nobody sees, so many that the others are found by an index.
+fn behind() -> Vec<Sphere> {
+    (0..300).map(|k| Sphere::new([f64::from(k), 0.0, 9.0], 0.25).unwrap()).collect()
+}
+
+/// Pixels a thousand times as high as they are wide: the rounding of a row's number must not count as many
+/// columns.
+#[test]
+fn outlines_in_pixels_far_from_square_are_right() {
+    for (height, ratio) in [(16_383, 1024.0_f64), (16_383, 64.0), (1001, 1024.0)] {
+        let slope = 1.0 / ratio.sqrt();
+        let viewport = Viewport {
+            width: 3.0 * slope,
+            height: f64::from(height) * ratio * slope,
+            distance: 1.0,
+        };
+        let image = ImageSize::new(3, height).unwrap();
+        let camera = Camera { viewport, image, ..Camera::CANONICAL };
+        // The first is the one by which the fault was found.
+        let mut spheres = vec![([1.0736941544047746e-6, 0.03124999998390639, -1.0], 1.0 / 32.0)];
+        for k in -4..=4 {
+            let (x, below) = (1e-6 * f64::from(k), 1e-11 * f64::from(k));
+            spheres.push(([x, (slope * slope - x * x).sqrt() - below, -1.0], slope));
+            spheres.push(([x, 0.8 * slope - below, -1.0], 0.8 * slope));
+        }
+        for (center, radius) in spheres {
+            let sphere = Sphere::new(center, radius).unwrap();
+            assert_right("high pixels", vec![sphere], &camera);
+            let many: Vec<Sphere> = behind().into_iter().chain([sphere]).collect();
+            assert_right("high pixels, many spheres", many, &camera);
+        }
+    }
+}
+
+/// A basis by hand that is off by almost as much as one may be: the outline is no surer than that.
+#[test]
+fn the_last_row_of_an_outline_is_not_lost() {
+    let basis = Basis { u: DVec3::X, v: DVec3::Y, w: vec3(0.0, 2.3e-13, 1.0) };
+    let viewport = Viewport { width: 3.0 * 0.99e-6, height: 2401e-11, distance: 1.0 };
+    let image = ImageSize::new(3, 2401).unwrap();
+    let orientation = Orientation::Basis(basis);
+    let camera = Camera { orientation, viewport, image, ..Camera::CANONICAL };
+    for short in 0..40 {
+        let radius = (1100.0 - 0.002 * f64::from(short)) * 1e-11;
+        let sphere = Sphere::new([0.0, 0.0, -1.0], radius).unwrap();
+        let many: Vec<Sphere> = behind().into_iter().chain([sphere]).collect();
+        assert_right("the last row", many, &camera);
+    }
+}
+
 #[test]
 fn the_checker_finds_what_is_wrong() {
     let few = |name| crowds::all().into_iter().find(|crowd| crowd.name == name).unwrap();

@@ -12,7 +12,7 @@ use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
 use crate::render::outline::small_outlines::SmallOutlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
-use crate::render::rows::span::{Span, SpanTarget};
+use crate::render::rows::span::{Doubt, Span, SpanTarget};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
 
 /// Results of drawing a band's part of many spheres.
@@ -193,8 +193,14 @@ impl Drawing<'_> {
             for (lane, row) in self.runs.doubtful.drain(..) {
                 let mut outlines = Outlines::default();
                 outlines.find(simd, space, &halves[lane / S::f64s::LEN]);
-                let outline = outlines.one(lane % S::f64s::LEN);
-                Span::new(ids[lane], &outline).doubtful_row(simd, target, row);
+                let half_lane = lane % S::f64s::LEN;
+                if outlines.is_plain >> half_lane & 1 == 1 {
+                    let span = Span::new(ids[lane], &outlines.one(half_lane));
+                    span.doubtful_row(simd, target, row);
+                } else {
+                    let (_, columns) = self.small.extent((lane, S::f64s::LEN), target.axes);
+                    note_row(target, ids[lane], row, columns);
+                }
             }
         }
         if self.visible.is_crowded {
@@ -271,6 +277,15 @@ impl Drawing<'_> {
     }
 }
 
+/// Leaves all pixels of a row that a sphere may cover to the ladder.
+#[cold]
+fn note_row(target: &mut SpanTarget, index: u32, row: usize, columns: Range<usize>) {
+    for column in columns {
+        let (row, column) = (row as u32, column as u32);
+        target.doubts.push(Doubt { index, row, column, t: None });
+    }
+}
+
 /// Finds the spheres of a vector that reach rows of the raster.
 #[inline(always)]
 fn rows_meet<S: Simd>(
@@ -292,10 +307,8 @@ fn rows_meet<S: Simd>(
 fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
     let rows = target.axes.rows_between(outlines.first_row[lane], outlines.last_row[lane]);
     // The middle moves by the shear, the half width is at most that of the widest row.
-    let (above, below) = (
-        outlines.row[lane] - outlines.first_row[lane],
-        outlines.last_row[lane] - outlines.row[lane],
-    );
+    let row = outlines.middle_row + outlines.row[lane];
+    let (above, below) = (row - outlines.first_row[lane], outlines.last_row[lane] - row);
     let reach =
         outlines.size[lane].sqrt() + outlines.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
     let (left, right) = (outlines.column[lane] - reach, outlines.column[lane] + reach);

@@ -33,7 +33,7 @@ pub struct Counts {
     pub bands_untouched: u64,
     /// Rows of the picture.
     pub rows: u64,
-    /// Rows that no object's outline reaches: background only.
+    /// Rows that the bounds of no object's outline reach: background only.
     pub rows_untouched: u64,
 }
 

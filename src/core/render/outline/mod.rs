@@ -21,10 +21,13 @@ pub(crate) const MOST_LANES: usize = 8;
 /// `2^50`, see [`Outlines::find`].
 const KEEP: f64 = 1.126e15;
 
+/// The widest vector of `f32` that any level has.
+pub(crate) const MOST_SINGLE_LANES: usize = 2 * MOST_LANES;
+
 type Lane8 = [f64; MOST_LANES];
 
-/// Outlines of a vector of spheres. Rows r and columns c are numbers of the image's; with
-/// `j = r - row`, a sphere seen from outside, wholly in front of the eye, covers on row r the
+/// Outlines of a vector of spheres. Rows r and columns c are numbers of the image's; with j the rows from
+/// the centre's to r, a sphere seen from outside, wholly in front of the eye, covers on row r the
 /// columns
 ///
 /// ```text
@@ -51,6 +54,9 @@ type Lane8 = [f64; MOST_LANES];
 #[derive(Clone, Default)]
 pub(crate) struct Outlines {
     pub(crate) column: Lane8,
+    /// The middle of the image, and from there on the row of each centre: `j = (r - middle) - row`, so that
+    /// j is off by a share of what it is made of, not by the rounding of a large row's number.
+    pub(crate) middle_row: f64,
     pub(crate) row: Lane8,
     pub(crate) shear: Lane8,
     pub(crate) square: [Lane8; 3],
@@ -84,6 +90,7 @@ pub(crate) struct Outlines {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outline {
     pub(crate) column: f64,
+    pub(crate) middle_row: f64,
     pub(crate) row: f64,
     pub(crate) shear: f64,
     pub(crate) square: [f64; 3],
@@ -144,7 +151,7 @@ impl Outlines {
         let (xc, yc) = (x * inverse_z, y * inverse_z);
         let (per_column, per_row) = (splat(space.per_column), splat(space.per_row));
         let column_center = splat(space.middle_column) + xc * per_column;
-        let row = splat(space.middle_row) - yc * per_row;
+        let row = -(yc * per_row);
         let by_h = rr * inverse_h;
         let offset = by_h * xc * per_column;
         let ratio = splat(space.ratio);
@@ -165,7 +172,8 @@ impl Outlines {
         let reach = ((square0 + square_doubt) * inverse_square2 + middle * middle).sqrt();
         let margin = splat(1e-6) + splat(1e-12) * row.abs();
         let reach = reach + margin;
-        let (first_row, last_row) = (row + middle - reach, row + middle + reach);
+        let whole = splat(space.middle_row) + row;
+        let (first_row, last_row) = (whole + middle - reach, whole + middle + reach);
 
         let root = inverse_h.sqrt();
         let per_s = root * per_column;
@@ -193,6 +201,7 @@ impl Outlines {
         self.is_wide = kinds.is_wide.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
         put(&mut self.column, column_center + offset);
+        self.middle_row = space.middle_row;
         put(&mut self.row, row);
         put(&mut self.shear, shear);
         put(&mut self.square[0], square0);
@@ -217,6 +226,7 @@ impl Outlines {
     pub(crate) fn one(&self, lane: usize) -> Outline {
         Outline {
             column: self.column[lane],
+            middle_row: self.middle_row,
             row: self.row[lane],
             shear: self.shear[lane],
             square: self.square.map(|x| x[lane]),

@@ -6,9 +6,10 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::render::frame::Raster;
+use crate::render::outline::MOST_SINGLE_LANES;
 
-/// The widest vector of `f32` that any level has: as far as the tables go on.
-const PADDING: usize = 16;
+/// As far as the tables go on.
+const PADDING: usize = MOST_SINGLE_LANES;
 
 /// The numbers of a raster's rows and columns in the image, ascending, with entries behind the last
 /// so that a vector can begin anywhere.

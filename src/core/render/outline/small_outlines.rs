@@ -8,15 +8,16 @@ use fearless_simd::prelude::*;
 
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES};
+use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES, MOST_SINGLE_LANES};
 use crate::scene::sphere_index::SphereSlots;
 
-/// Maximum number of spheres side by side: as many as two vectors of `f64` narrow to.
-pub(crate) const MOST_SPHERES: usize = 2 * MOST_LANES;
-
 /// A number for each sphere, in `f32`, and in `f64` in two vectors.
-pub(crate) type Singles = [f32; MOST_SPHERES];
+pub(crate) type Singles = [f32; MOST_SINGLE_LANES];
 pub(crate) type Halves = [[f64; MOST_LANES]; 2];
+
+/// The largest `w^2`: columns from a row's first one on, and what is added to them, are whole numbers and
+/// fractions that `f32` holds as [`Runs::t`](crate::render::rows::small_spheres::Runs::t) needs them.
+const MOST_SIZE: f32 = 4_194_304.0;
 
 /// What a few results in `f32` are multiplied by so that they are bounds.
 const UP: f32 = 1.0 + 1e-5;
@@ -38,7 +39,9 @@ const UP: f32 = 1.0 + 1e-5;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SmallOutlines {
-    /// Row and column of the centre.
+    /// The middle of the image, and from there on the row of each centre, as in
+    /// [`Outlines`](crate::render::outline::Outlines); then its column.
+    pub(crate) middle_row: f64,
     pub(crate) row: Halves,
     pub(crate) column: Halves,
     /// Middle of the columns on the row of the centre.
@@ -73,7 +76,7 @@ pub(crate) struct SmallOutlines {
 /// The numbers of half a vector of spheres that take `f64`.
 struct Doubles<S: Simd> {
     centers: Centers<S>,
-    /// Column and row of the centre.
+    /// Column of the centre, and its row from the image's middle one on.
     column: S::f64s,
     row: S::f64s,
     offset: S::f64s,
@@ -116,7 +119,7 @@ impl<S: Simd> Doubles<S> {
         let minus_square2 = (c * inverse_g) * ((one - aa) * inverse_g) * (ratio * ratio);
         Doubles {
             column: splat(space.middle_column) + from_middle,
-            row: splat(space.middle_row) - yc * splat(space.per_row),
+            row: -(yc * splat(space.per_row)),
             offset,
             shear,
             square0,
@@ -137,8 +140,9 @@ impl<S: Simd> Doubles<S> {
 
 /// Upper bounds for a vector of spheres.
 struct Bounds<S: Simd> {
-    /// `w^2` in any row.
+    /// `w^2` in any row, and its error.
     size: S::f32s,
+    square_doubt: S::f32s,
     /// Where `w^2 = 0`: rows from the centre's to the middle of both, and from there to each.
     middle: S::f32s,
     half: S::f32s,
@@ -153,8 +157,12 @@ struct Bounds<S: Simd> {
 impl<S: Simd> Bounds<S> {
     /// All operations are rounded by less than `UP` together leaves room for. For the error of t, see
     /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
+    ///
+    /// What [`Outlines::find`](crate::render::outline::Outlines::find) says of the error of `w^2` holds here,
+    /// too. Each coefficient is the result of at most 64 roundings in none of which anything cancels, as
+    /// `a < 1/16`; then `8 k + 4 < 4.1`.
     #[inline(always)]
-    fn new(simd: S, low: &Doubles<S>, high: &Doubles<S>) -> Self {
+    fn new(simd: S, space: &CameraSpace, low: &Doubles<S>, high: &Doubles<S>) -> Self {
         let splat = |x: f32| S::f32s::splat(simd, x);
         let up = splat(UP);
         let square0 = low.square0.narrow(high.square0);
@@ -162,8 +170,14 @@ impl<S: Simd> Bounds<S> {
         let inverse2 = splat(1.0) / low.minus_square2.narrow(high.minus_square2);
         let size = (square0 + square1 * square1 * inverse2) * up;
         let widest = size.sqrt() * up;
+        let (xc, yc) = (low.xc.narrow(high.xc).abs(), low.yc.narrow(high.yc).abs());
+        let eta_by_r = (xc + yc + splat(1.0)) / low.a.narrow(high.a) + splat(1.0);
+        let share = splat(64.0 * 1.2e-16) + eta_by_r * splat((4.1 * space.doubt) as f32) * up;
+        let square_doubt = share * (splat(4.0) * size) * up;
         let middle = square1 * inverse2 * splat(0.5);
-        let half = (square0 * inverse2 + middle * middle).sqrt() * up + splat(1e-3);
+        // Sums of rows in `f32` are off by less than a thousandth, or a share that UP bounds.
+        let half =
+            ((square0 + square_doubt) * inverse2 + middle * middle).sqrt() * up + splat(1e-3);
         let rows = middle.abs() + half;
         let shear = low.shear.narrow(high.shear).abs();
         let offset = low.offset.narrow(high.offset).abs();
@@ -175,23 +189,18 @@ impl<S: Simd> Bounds<S> {
         let along_row = slope * widest;
         let error =
             splat(9.8) * of_root + splat(7.8) * of_position + splat(4.6) * along_row + splat(0.07);
-        Bounds { size, middle, half, reach, of_root, of_position, error }
+        Bounds { size, square_doubt, middle, half, reach, of_root, of_position, error }
     }
 
-    /// Finds the `w^2` below which a row is thin: what
-    /// [`Outlines::find`](crate::render::outline::Outlines::find) says of it holds here, too. Each
-    /// coefficient of `w^2` is the result of at most 64 roundings in none of which anything cancels, as
-    /// `a < 1/16`; then `8 k + 4 < 4.1`, and `h / c < 1.005 h / Z^2`.
+    /// Finds the `w^2` below which a row is thin, as
+    /// [`Outlines::find`](crate::render::outline::Outlines::find) does, with `h / c < 1.005 h / Z^2`.
     #[inline(always)]
-    fn thin(&self, simd: S, space: &CameraSpace, low: &Doubles<S>, high: &Doubles<S>) -> S::f32s {
+    fn thin(&self, simd: S, space: &CameraSpace, g: S::f32s) -> S::f32s {
         let splat = |x: f32| S::f32s::splat(simd, x);
         let up = splat(UP);
-        let (xc, yc) = (low.xc.narrow(high.xc).abs(), low.yc.narrow(high.yc).abs());
-        let eta_by_r = (xc + yc + splat(1.0)) / low.a.narrow(high.a) + splat(1.0);
-        let share = splat(64.0 * 1.2e-16) + eta_by_r * splat((4.1 * space.doubt) as f32) * up;
-        let square_doubt = share * (splat(4.0) * self.size) * up;
+        let square_doubt = self.square_doubt;
         let slope = (1.005 * space.column_slope * space.column_slope) as f32;
-        let by_b = low.g.narrow(high.g) * splat(slope) * up;
+        let by_b = g * splat(slope) * up;
         let keep = (square_doubt * splat((16.0 * KEEP) as f32) * by_b * up).max(splat(32.0));
         let root = square_doubt * keep * splat((1.0 / MARGIN) as f32);
         (root * root).max(splat(32.0) * square_doubt) * up
@@ -210,8 +219,8 @@ impl SmallOutlines {
         let (n, half) = (S::f32s::LEN, S::f64s::LEN);
         let low = Doubles::<S>::new(simd, space, low);
         let high = Doubles::<S>::new(simd, space, high);
-        let bounds = Bounds::new(simd, &low, &high);
-        let thin = bounds.thin(simd, space, &low, &high);
+        let bounds = Bounds::new(simd, space, &low, &high);
+        let thin = bounds.thin(simd, space, low.g.narrow(high.g));
         let quotient = low.quotient.narrow(high.quotient);
         let splat = |x: f32| S::f32s::splat(simd, x);
         let nearest = quotient * (splat(1.0 - 1e-5) - (bounds.of_root + bounds.of_position));
@@ -224,6 +233,7 @@ impl SmallOutlines {
             & nearest.simd_gt(splat(1e-20))
             & quotient.simd_lt(splat(1e20))
             & bounds.size.simd_gt(splat(1e-10))
+            & bounds.size.simd_lt(splat(MOST_SIZE))
             & low.column.narrow(high.column).abs().simd_lt(far)
             & low.row.narrow(high.row).abs().simd_lt(far);
         self.is_small = if space.is_plain { is_small.to_bitmask() } else { 0 };
@@ -234,9 +244,12 @@ impl SmallOutlines {
 
         // Whole numbers and fractions by themselves: `f32` holds the sums of whole ones.
         let rounding = S::f64s::splat(simd, 0.5);
-        let (low_row, high_row) = ((low.row + rounding).floor(), (high.row + rounding).floor());
-        let row = low_row.narrow(high_row);
-        let middle = (low.row - low_row).narrow(high.row - high_row) + bounds.middle;
+        self.middle_row = space.middle_row;
+        let center = S::f64s::splat(simd, space.middle_row);
+        let (low_row, high_row) = (center + low.row, center + high.row);
+        let (whole, whole_high) = ((low_row + rounding).floor(), (high_row + rounding).floor());
+        let row = whole.narrow(whole_high);
+        let middle = (low_row - whole).narrow(high_row - whole_high) + bounds.middle;
         (row + (middle - bounds.half).ceil()).store_slice(&mut self.first_row[..n]);
         (row + (middle + bounds.half).floor()).store_slice(&mut self.last_row[..n]);
         nearest.store_slice(&mut self.nearest[..n]);

@@ -5,9 +5,9 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
 
 use crate::exact::lanes::lanes_of;
-use crate::render::outline::MARGIN;
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::render::outline::small_outlines::{Halves, MOST_SPHERES, Singles, SmallOutlines};
+use crate::render::outline::small_outlines::{Halves, Singles, SmallOutlines};
+use crate::render::outline::{MARGIN, MOST_SINGLE_LANES};
 use crate::render::rows::draw_row::TIE;
 use crate::render::rows::span::{Doubt, SpanTarget};
 
@@ -24,8 +24,8 @@ struct OwnRows {
     first: Singles,
     last: Singles,
     /// The row of the target from which on steps are counted, and its first pixel.
-    row: [i32; MOST_SPHERES],
-    offset: [i32; MOST_SPHERES],
+    row: [i32; MOST_SINGLE_LANES],
+    offset: [i32; MOST_SINGLE_LANES],
     /// Number of steps.
     steps: usize,
 }
@@ -116,10 +116,10 @@ impl OwnRows {
         let (first, last) =
             (load(&outlines.first_row).max(above), load(&outlines.last_row).min(below));
         let mut own = OwnRows {
-            first: [0.0; MOST_SPHERES],
-            last: [0.0; MOST_SPHERES],
-            row: [0; MOST_SPHERES],
-            offset: [0; MOST_SPHERES],
+            first: [0.0; MOST_SINGLE_LANES],
+            last: [0.0; MOST_SINGLE_LANES],
+            row: [0; MOST_SINGLE_LANES],
+            offset: [0; MOST_SINGLE_LANES],
             steps: 0,
         };
         first.store_slice(&mut own.first[..n]);
@@ -246,10 +246,11 @@ impl Runs {
         axes: &RasterAxes,
     ) -> FoundRows {
         let half = S::f64s::LEN;
+        let middle = S::f64s::splat(simd, outlines.middle_row);
         let row =
             |half_number: usize| S::f64s::from_slice(simd, &outlines.row[half_number][..half]);
         let (low_number, high_number) = rows.number.widen();
-        let (low_j, high_j) = (low_number - row(0), high_number - row(1));
+        let (low_j, high_j) = ((low_number - middle) - row(0), (high_number - middle) - row(1));
         let low = RowEnds::<S>::new(simd, outlines, 0, low_j);
         let high = RowEnds::<S>::new(simd, outlines, 1, high_j);
         let (first, last) = (low.first.narrow(high.first), low.last.narrow(high.last));
@@ -285,15 +286,15 @@ impl Runs {
     /// `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first one on,
     /// see [`SmallOutlines`].
     ///
-    /// With `u = 2^-24`, let w be the most that `inverse S` can be, V the most that the rest of e can be in
+    /// With `u = 2^-24`, let R be the most that `inverse S` can be, V the most that the rest of e can be in
     /// either of its two terms and their sum, and v the change of e along half a row. Each factor of `S^2`
     /// is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their product by u more, the
-    /// product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of w.
+    /// product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of R.
     /// `moved` is rounded from `f64`, by u of V; what e changes by along the row, 2 v at most, is off by
-    /// 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of `w + V`. So e
-    /// is off by `(4.84 w + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The roundings of
+    /// 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of `R + V`. So e
+    /// is off by `(4.84 R + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The roundings of
     /// `Q_high e`, of the difference, of `1 + e` and of the quotient are 4 u of 1.07 |e|. Together:
-    /// `(9.8 w + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep that and `0.07 u`, which the errors of `S^2` itself
+    /// `(9.8 R + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep that and `0.07 u`, which the errors of `S^2` itself
     /// and of Q come to, below `0.5 u`: with the last rounding, t is within an ulp.
     #[inline(always)]
     fn t<S: Simd>(

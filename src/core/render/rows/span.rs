@@ -81,17 +81,19 @@ pub(crate) struct SpanTarget<'a> {
     /// True if spheres cover one another so much that each vector of a row is worth a look whether it is
     /// hidden.
     pub(crate) is_crowded: bool,
+    /// Those of the row at hand, if it is a long one of a crowded scene.
     pub(crate) bounds: VectorBounds,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
     /// True, by row of the target, if an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
+    /// True if all of them are, and none need be marked any more.
     pub(crate) is_all_reached: bool,
     /// Number of pixels that were decided.
     pub(crate) decided: u64,
 }
 
-/// A row of fewer columns is looked at as a whole.
+/// A row of so many columns, and a shorter one, is looked at as a whole.
 const SHORT: usize = 128;
 
 impl SpanTarget<'_> {
@@ -227,8 +229,8 @@ impl Span {
     #[cold]
     #[inline(never)]
     pub(crate) fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
-        let Outline { column, row: center, shear, square, .. } = self.outline;
-        let j = target.axes.row_numbers[row] - center;
+        let Outline { column, shear, square, .. } = self.outline;
+        let j = (target.axes.row_numbers[row] - self.outline.middle_row) - self.outline.row;
         let middle = column + shear * j;
         let squared = square[0] + (square[1] + square[2] * j) * j;
         let is_thin = squared < self.outline.thin;
@@ -319,10 +321,10 @@ impl SpanRows {
     #[inline(always)]
     pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
         let splat = |x: f64| S::f64s::splat(simd, x);
-        let Outline { column, row, shear, square, square_doubt, .. } = span.outline;
+        let Outline { column, middle_row, row, shear, square, square_doubt, .. } = span.outline;
         let Outline { b0, b_column, b_row, .. } = span.outline;
         let numbers = &axes.row_numbers[base..base + S::f64s::LEN];
-        let j = S::f64s::from_slice(simd, numbers) - splat(row);
+        let j = (S::f64s::from_slice(simd, numbers) - splat(middle_row)) - splat(row);
         let middle = splat(column) + splat(shear) * j;
         let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
         let ends = RowEnds::<S>::new(simd, middle, squared, splat(span.outline.thin));
