@@ -12,7 +12,7 @@ use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
 use crate::render::outline::small_outlines::SmallOutlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
-use crate::render::rows::span::{Doubt, Span, SpanTarget};
+use crate::render::rows::span::{Span, SpanTarget};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
 
 /// Results of drawing a band's part of many spheres.
@@ -199,7 +199,7 @@ impl Drawing<'_> {
                     span.doubtful_row(simd, target, row);
                 } else {
                     let (_, columns) = self.small.extent((lane, S::f64s::LEN), target.axes);
-                    note_row(target, ids[lane], row, columns);
+                    target.doubt(ids[lane], row, columns);
                 }
             }
         }
@@ -274,15 +274,6 @@ impl Drawing<'_> {
         if let Some((rows, columns)) = &reached {
             self.occlusion.touch(rows, columns);
         }
-    }
-}
-
-/// Leaves all pixels of a row that a sphere may cover to the ladder.
-#[cold]
-fn note_row(target: &mut SpanTarget, index: u32, row: usize, columns: Range<usize>) {
-    for column in columns {
-        let (row, column) = (row as u32, column as u32);
-        target.doubts.push(Doubt { index, row, column, t: None });
     }
 }
 

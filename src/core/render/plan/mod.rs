@@ -129,7 +129,7 @@ impl<'a> Plan<'a> {
     /// Of many spheres, what lies on the border of two bands is looked at twice: bands are of two
     /// slices, and of one towards the end, so that all threads are done at about the same time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
-        /// The last rows, as a share of all.
+        /// The last rows are one part of so many.
         const LAST: usize = 4;
         let rows = self.axes.height();
         let mut bands = Vec::new();

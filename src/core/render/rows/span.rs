@@ -104,6 +104,13 @@ impl SpanTarget<'_> {
         self.is_all_reached = !self.is_reached.contains(&false);
     }
 
+    /// Leaves pixels of a row of the raster that a sphere may cover to the ladder.
+    pub(crate) fn doubt(&mut self, index: u32, row: usize, columns: Range<usize>) {
+        let row = row as u32;
+        let doubt = |column| Doubt { index, row, column: column as u32, t: None };
+        self.doubts.extend(columns.map(doubt));
+    }
+
     /// Returns whether the sphere is the one that the pixel shows, given twice: then the one that
     /// is listed first is shown, and nothing is in doubt.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
@@ -272,10 +279,7 @@ impl Span {
         for (from, to) in in_doubt {
             let Some((from, to)) = target.axes.columns_between(from, to) else { continue };
             target.is_reached[row - target.rows.start] = true;
-            for column in from..=to {
-                let (row, column) = (row as u32, column as u32);
-                target.doubts.push(Doubt { index: self.index, row, column, t: None });
-            }
+            target.doubt(self.index, row, from..to + 1);
         }
     }
 }
