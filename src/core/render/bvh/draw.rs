@@ -6,7 +6,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::exact::lanes::lanes_of;
-use crate::render::bvh::occlusion::Occlusion;
+use crate::render::bvh::occlusion::{Occlusion, strips};
 use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
@@ -260,20 +260,26 @@ impl Drawing<'_> {
     ) {
         let span = Span::new(id, &outlines.one(lane));
         // Where spheres do not cover one another much, a look costs more than it saves.
-        let reached = self.visible.is_crowded.then(|| extent(target, outlines, lane));
-        if let Some((rows, columns)) = &reached {
-            if rows.is_empty() || columns.is_empty() {
-                return;
-            }
-            if self.occlusion.hides(target.t, rows, columns, span.outline.nearest as f32) {
-                self.drawn.counts.hidden += 1;
-                return;
+        if !self.visible.is_crowded {
+            let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
+            return span.draw(simd, target, rows, &columns);
+        }
+        let (rows, columns) = extent(target, outlines, lane);
+        if rows.is_empty() || columns.is_empty() {
+            return;
+        }
+        let nearest = span.outline.nearest as f32;
+        let mut is_hidden = true;
+        for strip in strips(&rows) {
+            let seen = self.occlusion.seen(target.t, &strip, &columns, nearest);
+            if !seen.is_empty() {
+                is_hidden = false;
+                let first = target.rows.start;
+                span.draw(simd, target, first + strip.start..first + strip.end, &seen);
+                self.occlusion.touch(&strip, &seen);
             }
         }
-        span.draw(simd, target);
-        if let Some((rows, columns)) = &reached {
-            self.occlusion.touch(rows, columns);
-        }
+        self.drawn.counts.hidden += u64::from(is_hidden);
     }
 }
 

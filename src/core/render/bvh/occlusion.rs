@@ -53,16 +53,43 @@ impl Occlusion {
         }
         for row in down {
             for column in across.clone() {
-                let cell = row * self.across + column;
-                if self.is_stale[cell] && self.farthest[cell] >= nearest {
-                    self.look(t, row, column);
-                }
-                if self.farthest[cell] >= nearest {
+                if !self.is_hidden(t, (row, column), nearest) {
                     return false;
                 }
             }
         }
         true
+    }
+
+    /// The columns of a strip, without the rectangles at both ends in which every pixel has a hit nearer
+    /// than `nearest`.
+    #[inline(always)]
+    pub(crate) fn seen(
+        &mut self,
+        t: &[f32],
+        strip: &Range<usize>,
+        columns: &Range<usize>,
+        nearest: f32,
+    ) -> Range<usize> {
+        let row = strip.start / ROWS;
+        let (mut first, mut end) = (columns.start / COLUMNS, columns.end.div_ceil(COLUMNS));
+        while first < end && self.is_hidden(t, (row, first), nearest) {
+            first += 1;
+        }
+        while first < end && self.is_hidden(t, (row, end - 1), nearest) {
+            end -= 1;
+        }
+        columns.start.max(first * COLUMNS)..columns.end.min(end * COLUMNS)
+    }
+
+    /// Returns whether every pixel of a rectangle has a hit nearer than `nearest`.
+    #[inline(always)]
+    fn is_hidden(&mut self, t: &[f32], (row, column): (usize, usize), nearest: f32) -> bool {
+        let cell = row * self.across + column;
+        if self.is_stale[cell] && self.farthest[cell] >= nearest {
+            self.look(t, row, column);
+        }
+        self.farthest[cell] < nearest
     }
 
     /// Finds the farthest `t` of a rectangle.
@@ -85,6 +112,12 @@ impl Occlusion {
         self.farthest[cell] = farthest.into_iter().fold(0.0, farther);
         self.is_stale[cell] = false;
     }
+}
+
+/// Splits rows of a band into strips, each of which lies in one row of rectangles.
+pub(crate) fn strips(rows: &Range<usize>) -> impl Iterator<Item = Range<usize>> + use<> {
+    let Range { start, end } = *rows;
+    (start - start % ROWS..end).step_by(ROWS).map(move |row| row.max(start)..(row + ROWS).min(end))
 }
 
 /// The larger of two numbers, neither of which is NaN.

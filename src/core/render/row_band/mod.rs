@@ -359,7 +359,8 @@ fn draw<S: Simd>(
         return draw_visible(simd, visible, from, target, drawn);
     }
     for (offset, span) in plan.spans.iter().enumerate().skip(from.0) {
-        span.draw(simd, target);
+        let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
+        span.draw(simd, target, rows, &columns);
         if target.is_full() {
             return Some((offset + 1, 0));
         }

@@ -130,17 +130,32 @@ impl SpanTarget<'_> {
 }
 
 impl Span {
-    /// Draws the rows that it has in the target.
+    /// Its rows in the target, as the raster's.
     #[inline(always)]
-    pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
+    pub(crate) fn rows_in(&self, target: &SpanTarget) -> Range<usize> {
         let own = self.rows(target.axes);
-        let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
+        own.start.max(target.rows.start)..own.end.min(target.rows.end)
+    }
+
+    /// Draws some of its rows, between two columns.
+    #[inline(always)]
+    pub(crate) fn draw<S: Simd>(
+        &self,
+        simd: S,
+        target: &mut SpanTarget,
+        rows: Range<usize>,
+        between: &Range<usize>,
+    ) {
         let mut base = rows.start;
         while base < rows.end {
             let ends = SpanRows::find::<S>(simd, self, target.axes, base);
             let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
             for lane in lanes_of(ends.is_drawn & there) {
-                let (row, columns) = (base + lane, ends.columns(lane));
+                let (row, (from, to)) = (base + lane, ends.columns(lane));
+                let columns = (from.max(between.start), to.min(between.end - 1));
+                if columns.0 > columns.1 {
+                    continue;
+                }
                 if self.draw_row(simd, target, row, &ends.row(lane), columns) {
                     self.find_doubts(simd, target, row, columns, &ends.row(lane));
                 }
