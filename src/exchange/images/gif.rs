@@ -1,0 +1,137 @@
+//! Animations as GIF, for slide programs that take no animated PNG.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+use std::mem;
+
+use color_quant::NeuQuant;
+use gif::{Encoder, EncodingError, Frame, Repeat};
+
+/// Maximum number of colours of a frame; one more index means that a pixel stays as it was.
+const COLORS: usize = 255;
+
+/// Maximum number of frames per second: players show a frame for at least two hundredths of a second.
+pub const MOST_PER_SECOND: u16 = 50;
+
+/// An animated GIF (GIF89a) in the making: opaque, with the 255 colours that suit each frame best.
+pub struct Animated<W: Write> {
+    encoder: Encoder<W>,
+    size: [u16; 2],
+    per_second: u32,
+    done: u32,
+    /// The frame before; empty at the start.
+    before: Vec<[u8; 4]>,
+}
+
+impl<W: Write> Animated<W> {
+    /// Begins an animation of frames of this size in sRGB pixels, so many a second; shown over and over,
+    /// or once.
+    ///
+    /// # Errors
+    /// Returns an error if the size or the number of frames per second is none that GIF has, or writing the
+    /// header to `out` fails.
+    pub fn new(out: W, size: [u32; 2], per_second: u16, repeats: bool) -> io::Result<Self> {
+        let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
+            return Err(io::Error::other("GIF has at most 65535 columns and rows"));
+        };
+        if !(1..=MOST_PER_SECOND).contains(&per_second) {
+            return Err(io::Error::other("GIF shows 1 to 50 frames a second"));
+        }
+        let mut encoder = Encoder::new(out, width, height, &[]).map_err(to_io)?;
+        if repeats {
+            encoder.set_repeat(Repeat::Infinite).map_err(to_io)?;
+        }
+        let per_second = u32::from(per_second);
+        Ok(Animated { encoder, size: [width, height], per_second, done: 0, before: Vec::new() })
+    }
+
+    /// The next frame; its pixels' opacity does not count.
+    ///
+    /// # Errors
+    /// Returns an error if the frame has another size, or writing it fails.
+    pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
+        let [width, height] = self.size;
+        if pixels.len() != usize::from(width) * usize::from(height) {
+            return Err(io::Error::other("a frame of another size"));
+        }
+        let before = mem::replace(&mut self.before, pixels.to_vec());
+        let is_same = |at: usize| before.get(at) == Some(&pixels[at]);
+        let changed = (0..pixels.len()).filter(|at| !is_same(*at)).map(|at| pixels[at]);
+        let Palette { mut colors, indices } = Palette::new(changed);
+        let unchanged = (colors.len() / 3) as u8;
+        colors.extend([0; 3]);
+        let index = |at| if is_same(at) { unchanged } else { indices[&rgb(pixels[at])] };
+        let frame = Frame {
+            width,
+            height,
+            delay: self.delay(),
+            transparent: Some(unchanged),
+            palette: Some(colors),
+            buffer: (0..pixels.len()).map(index).collect(),
+            ..Frame::default()
+        };
+        self.done += 1;
+        self.encoder.write_frame(&frame).map_err(to_io)
+    }
+
+    /// Time for which the next frame is shown, in hundredths of a second: all together keep the pace.
+    fn delay(&self) -> u16 {
+        let end = |frame: u32| u64::from(frame) * 100 / u64::from(self.per_second);
+        (end(self.done + 1) - end(self.done)) as u16
+    }
+
+    /// The end, after the last frame.
+    ///
+    /// # Errors
+    /// Returns an error if writing fails.
+    pub fn finish(self) -> io::Result<()> {
+        self.encoder.into_inner().map_err(to_io)?.flush()
+    }
+}
+
+/// The colours of a frame.
+struct Palette {
+    /// Red, green and blue of each.
+    colors: Vec<u8>,
+    /// The index of the colour that each of the frame's is shown as.
+    indices: HashMap<[u8; 3], u8>,
+}
+
+impl Palette {
+    /// The pixels' own colours if they are few, otherwise those that a neural net learns from them
+    /// (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
+    fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> Palette {
+        /// Share of the pixels that the net learns from: one of so many.
+        const SAMPLED: i32 = 10;
+        let mut indices = HashMap::new();
+        let mut colors = Vec::new();
+        for color in pixels.clone().map(rgb) {
+            let next = indices.len();
+            indices.entry(color).or_insert_with(|| {
+                colors.extend(color);
+                next.min(COLORS) as u8
+            });
+        }
+        if indices.len() > COLORS {
+            let opaque = |[r, g, b]: [u8; 3]| [r, g, b, 255];
+            let sampled: Vec<u8> = pixels.map(rgb).flat_map(opaque).collect();
+            let net = NeuQuant::new(SAMPLED, COLORS, &sampled);
+            colors = net.color_map_rgb();
+            indices
+                .iter_mut()
+                .for_each(|(color, index)| *index = net.index_of(&opaque(*color)) as u8);
+        }
+        Palette { colors, indices }
+    }
+}
+
+fn rgb([r, g, b, _]: [u8; 4]) -> [u8; 3] {
+    [r, g, b]
+}
+
+fn to_io(error: EncodingError) -> io::Error {
+    match error {
+        EncodingError::Io(error) => error,
+        other => io::Error::other(other),
+    }
+}
