@@ -7,6 +7,7 @@ use pinhole::cli::arguments::Arguments;
 use pinhole::{cli, platform};
 
 fn main() -> ExitCode {
+    platform::signals::watch();
     let Arguments { command, window } = Arguments::parse();
     cli::exit_code(match command {
         Some(command) => cli::run(&command),

@@ -12,7 +12,7 @@ use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
 use super::console::{named, read, to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
-use super::load::{load, pose};
+use super::load::{apart, files_of, load, pose};
 use crate::cli::arguments::CheckArguments;
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
@@ -48,6 +48,9 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     let image = resolved.image();
     let (path, bytes) = read(&arguments.answers)?;
+    let mut inputs = files_of(&arguments.scene, &document);
+    inputs.push(arguments.answers.clone());
+    apart(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;
     if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
         && asked != kind.name()
     {

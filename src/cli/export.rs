@@ -4,9 +4,9 @@ use pinhole_exchange::format::{ExportScene, Include};
 
 use super::console::{to_stdout, warn};
 use super::error::{CommandError, scene_fault};
-use super::load::{load, pose};
+use super::load::{self, apart, load, pose};
 use crate::cli::arguments::ExportArguments;
-use crate::model::files::save_written;
+use crate::model::files::{files_of, save_written};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
@@ -22,7 +22,12 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
     match &arguments.output {
         None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
-        Some(path) => save_written(&written, path)?,
+        Some(path) => {
+            let files = files_of(&written, path);
+            let outputs = files.iter().map(|(path, _)| ("-o", path.as_path()));
+            apart(&load::files_of(&arguments.scene, &document), outputs)?;
+            save_written(&written, path)?;
+        }
     }
     written.notes.iter().for_each(|note| warn(note));
     Ok(())

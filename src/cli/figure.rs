@@ -8,7 +8,7 @@ use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
 use super::error::{CommandError, scene_fault, unmade};
-use super::load::{load, pose, selection_of};
+use super::load::{apart, files_of, load, pose, selection_of};
 use super::progress::Progress;
 use super::size::{follow, size};
 use crate::cli::arguments::FigureArguments;
@@ -39,6 +39,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     check_idle(arguments, content)?;
     atomic::check(&arguments.output)?;
     let document = load(&arguments.scene)?;
+    apart(&files_of(&arguments.scene, &document), [("-o", arguments.output.as_path())])?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
     let progress = Progress::during("drawing");
@@ -70,6 +71,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         atomic::check(output)?;
     }
     let document = load(&arguments.scene)?;
+    apart(&files_of(&arguments.scene, &document), [("-o", arguments.output.as_path())])?;
     let order = order_of(arguments, document.camera.image)?;
     let mut session = session_of(arguments, &document, order.size)?;
     let start = start_of(&document, &session);

@@ -11,11 +11,17 @@ use pinhole_exchange::{FileError, atomic, scene_file};
 
 use super::console::{read, to_stdout, warn};
 use super::error::CommandError;
+use super::load::apart;
 use crate::cli::arguments::ImportArguments;
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;
     let source = read_source(path)?;
+    let inputs = match &source.pair {
+        Some((folder, _)) => PAIR.map(|name| folder.join(name)).to_vec(),
+        None => vec![path.clone()],
+    };
+    apart(&inputs, arguments.output.as_deref().map(|output| ("-o", output)))?;
     let text = Input { path, text: &source.text };
     let importer = match arguments.from {
         Some(importer) => importer,

@@ -1,8 +1,9 @@
 //! Loading what most commands begin with: the scene, its camera, and the ray that is asked for.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
+use pinhole_exchange::atomic::is_same_file;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::SceneSource;
@@ -13,6 +14,39 @@ use crate::model::session::Selection;
 /// Reads the scene that an argument means.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
     Ok(SceneSource::from_argument(scene)?.load()?)
+}
+
+/// The files that a scene is read from: its own, and that of its spheres.
+pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
+    let source = SceneSource::from_argument(scene).ok();
+    let own = source.and_then(|source| source.scene_file().map(Path::to_owned));
+    own.into_iter().chain(document.csv_spheres.as_ref().map(|csv| csv.file.clone())).collect()
+}
+
+/// Refuses to write over a file that is read. Outputs come with the option that names them.
+pub(super) fn apart<'a>(
+    inputs: &[PathBuf],
+    outputs: impl IntoIterator<Item = (&'a str, &'a Path)>,
+) -> Result<(), CommandError> {
+    for (option, output) in outputs {
+        let is_same = |input: &&PathBuf| {
+            let is_standard = input.as_os_str() == "-";
+            is_same_file(if is_standard { Path::new("/dev/stdin") } else { input }, output)
+        };
+        if let Some(input) = inputs.iter().find(is_same) {
+            let read = match input.to_str() {
+                Some("-") => ", which is standard input".to_owned(),
+                _ if input == output => ", which is read".to_owned(),
+                _ => format!(", which is read as {}", input.display()),
+            };
+            let problem = format!(
+                "{option} would write over {}{read}: choose another name",
+                output.display()
+            );
+            return Err(CommandError::Arguments(problem));
+        }
+    }
+    Ok(())
 }
 
 /// The camera of a scene, ready for its rays.

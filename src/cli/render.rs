@@ -1,10 +1,13 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
-use pinhole_exchange::{atomic, images::png};
+use std::io::BufWriter;
+
+use pinhole_exchange::atomic::{self, Batch, is_same_file};
+use pinhole_exchange::images::png;
 
 use super::console::named;
 use super::error::{CommandError, not_built, scene_fault};
-use super::load::{load, pose};
+use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use super::size::size;
@@ -19,7 +22,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             let problem = "--aov writes what the camera's rays meet: leave out --view world";
             return Err(CommandError::Arguments(problem.to_owned()));
         }
-        if *aov == arguments.output {
+        if is_same_file(aov, &arguments.output) {
             let problem = format!("--aov and -o both write {}", aov.display());
             return Err(CommandError::Arguments(problem));
         }
@@ -33,6 +36,9 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     }
     let document = load(&arguments.scene)?;
     pose(&arguments.scene, &document)?;
+    let aov = arguments.aov.as_deref().map(|aov| ("--aov", aov));
+    let outputs = [("-o", arguments.output.as_path())].into_iter().chain(aov);
+    apart(&files_of(&arguments.scene, &document), outputs)?;
     let own = document.camera.image;
     let image = size(arguments.width, arguments.height, [own.width(), own.height()])?;
     let options = RenderOptions {
@@ -52,10 +58,15 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let rendering = render_view(&document, options, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     progress.go_on("writing");
-    png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
+    let mut batch = Batch::default();
+    batch.add(&arguments.output, |file| {
+        png::encode(BufWriter::new(file), image.width(), image.height(), &rendering.pixels)
+    })?;
     #[cfg(feature = "exr")]
     if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
-        pinhole_exchange::images::exr::save(aov, frame, &rendering.certificates)?;
+        batch.add(aov, |file| {
+            pinhole_exchange::images::exr::encode(file, frame, &rendering.certificates)
+        })?;
     }
-    Ok(())
+    Ok(batch.finish()?)
 }

@@ -2,15 +2,13 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use pinhole_exchange::{atomic, scenes::builtin};
-use signal_hook::consts::{SIGINT, SIGTERM};
+use pinhole_exchange::atomic::{self, Batch, is_same_file};
+use pinhole_exchange::scenes::builtin;
 
 use super::console::{named, to_json, to_stdout};
 use super::error::{CommandError, scene_fault, unmade};
-use super::load::{load, pose};
+use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
 use crate::figures::Format;
@@ -49,16 +47,23 @@ fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     if let Some(plot) = plot {
         format_of(plot)?;
     }
-    let files = [("--json", json), ("--csv", csv.as_deref()), ("--plot", plot.as_deref())];
+    let files = files(arguments);
     for (index, (name, path)) in files.iter().enumerate() {
-        let Some(path) = path else { continue };
-        if let Some((other, _)) = files[..index].iter().find(|(_, earlier)| *earlier == Some(path))
-        {
+        let earlier = files[..index].iter().find(|(_, earlier)| is_same_file(earlier, path));
+        if let Some((other, _)) = earlier {
             return refused(format!("{other} and {name} both write {}", path.display()));
         }
         atomic::check(path)?;
     }
     Ok(())
+}
+
+/// The files to write, with the options that name them.
+fn files(arguments: &ReportArguments) -> Vec<(&'static str, &Path)> {
+    let ReportArguments { csv, plot, .. } = arguments;
+    let files =
+        [("--json", json_file(arguments)), ("--csv", csv.as_deref()), ("--plot", plot.as_deref())];
+    files.into_iter().filter_map(|(name, path)| Some((name, path?))).collect()
 }
 
 /// The runs to measure. Every scene is read before the first is measured.
@@ -69,6 +74,7 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Run>, CommandError> {
     let run_of = |path: &PathBuf| {
         let document = load(path)?;
         pose(path, &document)?;
+        apart(&files_of(path, &document), files(arguments))?;
         let scene = document.scene().map_err(|error| scene_fault(path, error))?;
         Run::of_scene(&path.display().to_string(), &scene, &document.camera)
             .map_err(|error| scene_fault(path, error))
@@ -116,7 +122,11 @@ fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandEr
             files.push((path, bytes));
         }
     }
-    write_all(files)?;
+    let mut batch = Batch::default();
+    for (path, bytes) in &files {
+        batch.add(path, |file| file.write_all(bytes))?;
+    }
+    batch.finish()?;
     to_stdout(|out| out.write_all(text.as_bytes()))
 }
 
@@ -163,19 +173,4 @@ fn format_of(plot: &Path) -> Result<Format, CommandError> {
             png.display()
         ))
     })
-}
-
-/// Writes the files, each as a whole. Ctrl-C waits until then, so that no temporary file stays behind
-/// either.
-fn write_all(files: Vec<(PathBuf, Vec<u8>)>) -> Result<(), CommandError> {
-    let over = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
-        // Where a signal cannot be held, it ends the program as ever.
-        let _ = signal_hook::flag::register_conditional_default(signal, Arc::clone(&over));
-    }
-    let written: Result<(), _> = files
-        .into_iter()
-        .try_for_each(|(path, bytes)| atomic::write(&path, |file| file.write_all(&bytes)));
-    over.store(true, Ordering::SeqCst);
-    Ok(written?)
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::console::{read, to_stdout};
 use super::error::{CommandError, scene_fault};
-use super::load::load;
+use super::load::{apart, files_of, load};
 use crate::cli::arguments::TraceArguments;
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
@@ -21,6 +21,9 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     // All rays are read before the first is traced, so that a bad row leaves no half an answer.
     let (path, bytes) = read(&arguments.rays)?;
     let rays = rays::parse(path, &bytes)?;
+    let mut inputs = files_of(&arguments.scene, &document);
+    inputs.push(arguments.rays.clone());
+    apart(&inputs, arguments.output.as_deref().map(|output| ("-o", output)))?;
     match &arguments.output {
         Some(path) => Ok(atomic::write(path, |file| {
             let mut out = io::BufWriter::new(file);

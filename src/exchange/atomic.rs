@@ -1,12 +1,14 @@
-//! Writing a file so that a crash or a full disk leaves the old one.
+//! Writing files so that a crash, a signal or a full disk leaves the old ones.
 
-use std::fs::{self, File, Metadata, Permissions};
+use std::collections::BTreeSet;
+use std::fs::{self, File, Metadata};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
 use crate::FileError;
+use crate::temporary::{Known, Temporary, builder, live};
 
 /// Writes a file as a whole or not at all.
 ///
@@ -22,7 +24,120 @@ pub fn write(
     path: &Path,
     content: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    replace(path, content).map_err(|error| FileError::unwritable(path, &error))
+    let mut batch = Batch::default();
+    batch.add(path, content)?;
+    batch.finish()
+}
+
+/// Several files that are written together: all of them as a whole, or none. Dropped before it is
+/// finished, it leaves nothing.
+#[derive(Debug, Default)]
+pub struct Batch {
+    /// Files that are complete but for their names.
+    files: Vec<Complete>,
+    /// Contents for devices and pipes, which cannot be replaced.
+    through: Vec<(PathBuf, File)>,
+}
+
+#[derive(Debug)]
+struct Complete {
+    new: Temporary,
+    target: PathBuf,
+    is_there: bool,
+    /// The path as it was given, for messages.
+    path: PathBuf,
+}
+
+impl Batch {
+    /// Writes a file's content, which gets its name when all are finished.
+    ///
+    /// # Errors
+    /// Returns the errors of [`write()`].
+    pub fn add(
+        &mut self,
+        path: &Path,
+        content: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> Result<(), FileError> {
+        self.try_add(path, content).map_err(|error| FileError::unwritable(path, &error))
+    }
+
+    fn try_add(
+        &mut self,
+        path: &Path,
+        content: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let (target, old) = target_of(path)?;
+        if old.as_ref().is_some_and(|old| !old.is_file()) {
+            let mut buffer = tempfile::tempfile()?;
+            content(&mut buffer)?;
+            self.through.push((target, buffer));
+            return Ok(());
+        }
+        let mut new = Temporary::in_folder(folder_of(&target))?;
+        content(new.file.as_file_mut())?;
+        let is_there = old.is_some();
+        if let Some(old) = old {
+            new.file.as_file().set_permissions(old.permissions())?;
+        }
+        new.file.as_file().sync_all()?;
+        self.files.push(Complete { new, target, is_there, path: path.to_owned() });
+        Ok(())
+    }
+
+    /// Gives all files their names.
+    ///
+    /// # Errors
+    /// Returns an error if one cannot get its name; then all are as they were before.
+    pub fn finish(self) -> Result<(), FileError> {
+        for (target, buffer) in self.through {
+            write_through(&target, buffer)
+                .map_err(|error| FileError::unwritable(&target, &error))?;
+        }
+        let folders: BTreeSet<PathBuf> =
+            self.files.iter().map(|file| folder_of(&file.target).to_owned()).collect();
+        place(self.files)?;
+        for folder in folders {
+            // The new names are on the disk only when the directory is; not every system lets a
+            // directory be opened, and the content is safe either way.
+            let _ = File::open(folder).and_then(|folder| folder.sync_all());
+        }
+        Ok(())
+    }
+}
+
+/// Renames the files, or takes back what was renamed. No signal comes between.
+fn place(files: Vec<Complete>) -> Result<(), FileError> {
+    let is_alone = files.len() == 1;
+    // The names are struck off the list when it is free again.
+    let (_names, files): (Vec<Known>, Vec<_>) = files
+        .into_iter()
+        .map(|Complete { new, target, is_there, path }| {
+            (new.name, (new.file, target, is_there, path))
+        })
+        .unzip();
+    let _live = live();
+    let mut placed: Vec<(PathBuf, bool, Option<NamedTempFile<()>>)> = Vec::new();
+    for (file, target, is_there, path) in files {
+        // A second name for the old file, to take it back by.
+        let link = |name: &Path| fs::hard_link(&target, name);
+        let second = (is_there && !is_alone).then(|| builder().make_in(folder_of(&target), link));
+        if let Err(error) = file.persist(&target) {
+            placed.into_iter().for_each(take_back);
+            return Err(FileError::unwritable(&path, &error.error));
+        }
+        placed.push((target, is_there, second.and_then(Result::ok)));
+    }
+    Ok(())
+}
+
+/// Puts the old file back. Where the system knows no second names, the new one stays.
+fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
+    // The reason why this is done is told already.
+    match old {
+        Some(old) => drop(old.persist(target)),
+        None if !was_there => drop(fs::remove_file(target)),
+        None => {}
+    }
 }
 
 /// Checks that [`write()`] has a place to write to, for those with long work before it. Nothing is
@@ -53,7 +168,7 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-fn folder_of(target: &Path) -> &Path {
+pub(crate) fn folder_of(target: &Path) -> &Path {
     match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -63,7 +178,7 @@ fn folder_of(target: &Path) -> &Path {
 /// A file that is written bit by bit, and takes its place only as a whole.
 #[derive(Debug)]
 pub struct Draft {
-    new: NamedTempFile,
+    new: Temporary,
     path: PathBuf,
 }
 
@@ -73,7 +188,7 @@ impl Draft {
     /// # Errors
     /// Returns an error if nothing can be written there.
     pub fn create(path: &Path) -> Result<Draft, FileError> {
-        let new = target_of(path).and_then(|(target, _)| temporary_in(folder_of(&target)));
+        let new = target_of(path).and_then(|(target, _)| Temporary::in_folder(folder_of(&target)));
         let new = new.map_err(|error| FileError::unwritable(path, &error))?;
         Ok(Draft { new, path: path.to_owned() })
     }
@@ -83,7 +198,11 @@ impl Draft {
     /// # Errors
     /// Returns an error if the system cannot open another file.
     pub fn file(&self) -> Result<File, FileError> {
-        self.new.as_file().try_clone().map_err(|error| FileError::unwritable(&self.path, &error))
+        self.new
+            .file
+            .as_file()
+            .try_clone()
+            .map_err(|error| FileError::unwritable(&self.path, &error))
     }
 
     /// Puts it in its place.
@@ -92,64 +211,18 @@ impl Draft {
     /// Returns the errors of [`write()`].
     pub fn finish(mut self) -> Result<(), FileError> {
         write(&self.path, |file| {
-            let written = self.new.as_file_mut();
+            let written = self.new.file.as_file_mut();
             written.rewind()?;
             io::copy(written, file).map(drop)
         })
     }
 }
 
-fn replace(path: &Path, content: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
-    let (target, old) = target_of(path)?;
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        return write_through(&target, content);
-    }
-    let directory = folder_of(&target);
-    let mut new = temporary_in(directory)?;
-    content(new.as_file_mut())?;
-    if let Some(old) = old {
-        new.as_file().set_permissions(old.permissions())?;
-    }
-    new.as_file().sync_all()?;
-    new.persist(&target).map_err(|error| error.error)?;
-    // The new name itself is on the disk only when the directory is; not every system lets a
-    // directory be opened, and the content is safe either way.
-    let _ = File::open(directory).and_then(|directory| directory.sync_all());
-    Ok(())
-}
-
-fn temporary_in(directory: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".pinhole-");
-    if let Some(permissions) = default_permissions() {
-        builder.permissions(permissions);
-    }
-    builder.tempfile_in(directory)
-}
-
-/// Permissions that a new file gets from the system, less the user's mask; a temporary file
-/// would be its owner's alone.
-#[cfg(unix)]
-fn default_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn default_permissions() -> Option<Permissions> {
-    None
-}
-
 /// Writes to a device or pipe, where nothing can be sought or replaced.
-fn write_through(
-    target: &Path,
-    content: impl FnOnce(&mut File) -> io::Result<()>,
-) -> io::Result<()> {
-    let mut buffer = tempfile::tempfile()?;
-    content(&mut buffer)?;
-    buffer.rewind()?;
+fn write_through(target: &Path, mut content: File) -> io::Result<()> {
+    content.rewind()?;
     let mut device = File::options().write(true).open(target)?;
-    io::copy(&mut buffer, &mut device).map(drop)
+    io::copy(&mut content, &mut device).map(drop)
 }
 
 /// The file that a path stands for, also where a link points to a file that does not exist yet.
@@ -166,4 +239,35 @@ fn follow_links(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("too many symbolic links"))
+}
+
+/// Returns true if both paths mean one file, also through links; also one that does not exist yet. A
+/// device or pipe is never a file that is both read and written.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    identity(a).is_some_and(|a| identity(b) == Some(a))
+}
+
+#[derive(PartialEq, Eq)]
+enum Identity {
+    #[cfg(unix)]
+    Inode(u64, u64),
+    Path(PathBuf),
+}
+
+fn identity(path: &Path) -> Option<Identity> {
+    let target = follow_links(path).ok()?;
+    match fs::metadata(&target) {
+        Ok(data) if !data.is_file() => None,
+        #[cfg(unix)]
+        Ok(data) => {
+            use std::os::unix::fs::MetadataExt as _;
+            Some(Identity::Inode(data.dev(), data.ino()))
+        }
+        #[cfg(not(unix))]
+        Ok(_) => target.canonicalize().ok().map(Identity::Path),
+        Err(_) => {
+            let folder = folder_of(&target).canonicalize().ok()?;
+            Some(Identity::Path(folder.join(target.file_name()?)))
+        }
+    }
 }

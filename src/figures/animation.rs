@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png::Animated;
-use tempfile::TempDir;
+use pinhole_exchange::temporary::DraftFolder;
 
 use super::figure::{Figure, Format};
 use super::order::Order;
@@ -101,7 +101,7 @@ pub struct Recorder {
 /// The unfinished files, in the folder where they will be.
 enum Sink {
     Animated(Box<Animated<BufWriter<File>>>, Draft),
-    Numbered(TempDir),
+    Numbered(DraftFolder),
 }
 
 impl Recorder {
@@ -127,9 +127,7 @@ impl Recorder {
                     return Err(format!("{} exists: choose another name", taken.display()));
                 }
                 let folder = path.parent().unwrap_or(Path::new("."));
-                let folder = tempfile::Builder::new().prefix(".pinhole-").tempdir_in(folder);
-                let why = |error| format!("{} cannot be written: {error}", path.display());
-                Sink::Numbered(folder.map_err(why)?)
+                Sink::Numbered(DraftFolder::create_in(folder).map_err(|error| error.to_string())?)
             }
         };
         Ok(Recorder { animation, done: 0, path, sink })
@@ -170,16 +168,9 @@ impl Recorder {
                 draft.finish().map_err(|error| error.to_string())
             }
             Sink::Numbered(folder) => {
-                let mut placed = Vec::new();
-                for k in 0..self.done {
-                    let to = numbered(&self.path, k);
-                    if let Err(error) = fs::rename(folder.path().join(k.to_string()), &to) {
-                        placed.iter().for_each(|path| drop(fs::remove_file(path)));
-                        return Err(format!("{} cannot be written: {error}", to.display()));
-                    }
-                    placed.push(to);
-                }
-                Ok(())
+                let name = |k: u32| (folder.path().join(k.to_string()), numbered(&self.path, k));
+                let names: Vec<_> = (0..self.done).map(name).collect();
+                folder.place(&names).map_err(|error| error.to_string())
             }
         }
     }

@@ -17,6 +17,8 @@ pub(super) enum UserEvent {
         /// The pass that requested it. A request is out of date once others have run since.
         pass: u64,
     },
+    /// A signal that ends the program.
+    End,
     /// A request of a screen reader or a similar tool.
     Accessibility(accesskit_winit::Event),
 }

@@ -22,6 +22,7 @@ mod gpu;
 mod open;
 pub mod program;
 mod repeats;
+pub mod signals;
 mod start;
 mod surface;
 mod window;

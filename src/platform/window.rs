@@ -15,7 +15,7 @@ use super::display::{UserEvent, event_loop};
 use super::error::PresentError;
 use super::frame_log::FrameLog;
 use super::open::Open;
-use super::start;
+use super::{signals, start};
 use crate::cli::arguments::Renderer;
 use crate::model::window_geometry::WindowGeometry;
 use crate::ui::app::App;
@@ -69,6 +69,8 @@ impl Handler {
             // Sending fails only at the very end, when nothing needs to be painted.
             let _ = proxy.lock().unwrap_or_else(PoisonError::into_inner).send_event(event);
         });
+        let proxy = self.proxy.clone();
+        signals::end_window_by(move || drop(proxy.send_event(UserEvent::End)));
         let mut open = Open::new(event_loop, ctx, drawn, self.proxy.clone(), app, log);
         open.maximizing = self.geometry.maximized;
         // Paint before showing the window, to avoid a flash of an empty window.
@@ -131,6 +133,8 @@ impl ApplicationHandler<UserEvent> for Handler {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: UserEvent) {
         self.with(event_loop, |open| match event {
+            // Nobody is asked: changes are written aside, and offered at the next start.
+            UserEvent::End => Ok(true),
             UserEvent::Repaint { when, pass } => {
                 open.wake(when, pass);
                 Ok(false)

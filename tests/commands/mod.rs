@@ -9,6 +9,7 @@ mod generated;
 mod inspect;
 mod install;
 mod lesson;
+mod outputs;
 mod render;
 mod report;
 mod scenes;

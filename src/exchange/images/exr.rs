@@ -1,28 +1,24 @@
 //! The hits of the camera's rays, pixel by pixel, as OpenEXR.
 
-use std::io::{self, BufWriter};
-use std::path::Path;
+use std::io::{self, BufWriter, Seek, Write};
 
 use exr::prelude::*;
 use pinhole_core::{Certificate, DVec3, Frame, Step};
 
-use crate::{FileError, atomic};
-
 /// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v`, `margin` and the uint channels `object`
-/// and `step` of a frame that was traced with normals, as a whole or not at all. There is one
-/// certificate for each of its pixels.
+/// and `step` of a frame that was traced with normals. There is one certificate for each of its pixels.
 ///
 /// (u, v) is the pixel's centre. Where nothing is hit, `t` is infinite, the normal is zero and
 /// `object` is [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the
 /// [`Certificate`]: 0 for `f64`, 1 for double-double, 2 for exact; and bits.
 ///
 /// # Errors
-/// Returns an error if the file cannot be written.
-pub fn save(
-    path: &Path,
+/// Returns an error if writing to `out` fails.
+pub fn encode(
+    out: impl Write + Seek,
     frame: &Frame<f32>,
     certificates: &[Certificate],
-) -> std::result::Result<(), FileError> {
+) -> io::Result<()> {
     let (rows, columns) = (frame.raster().rows(), frame.raster().columns());
     let camera = frame.camera();
     let floats = |name: &str, samples: Vec<f32>| AnyChannel::new(name, FlatSamples::F32(samples));
@@ -50,9 +46,7 @@ pub fn save(
         Encoding::FAST_LOSSLESS,
         channels,
     );
-    atomic::write(path, |file| {
-        Image::from_layer(layer).write().to_buffered(BufWriter::new(file)).map_err(to_io)
-    })
+    Image::from_layer(layer).write().to_buffered(BufWriter::new(out)).map_err(to_io)
 }
 
 /// The number that stands for a step.

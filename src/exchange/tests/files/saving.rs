@@ -207,6 +207,24 @@ fn a_failing_write_leaves_the_old_file() {
 }
 
 #[test]
+fn of_several_files_all_are_as_before_if_one_cannot_get_its_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("old"), "old").unwrap();
+    let mut batch = atomic::Batch::default();
+    for name in ["old", "new", "taken"] {
+        batch.add(&path(name), |file| std::io::Write::write_all(file, b"new")).unwrap();
+    }
+    fs::create_dir(path("taken")).unwrap();
+    let message = batch.finish().unwrap_err().to_string();
+    assert!(message.contains("taken: cannot be written"), "{message}");
+    assert_eq!(fs::read_to_string(path("old")).unwrap(), "old");
+    let mut left = entries(folder.path());
+    left.sort();
+    assert_eq!(left, ["old", "taken"]);
+}
+
+#[test]
 fn a_file_marked_read_only_is_not_replaced() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");

@@ -1,0 +1,57 @@
+//! The signals that end the program. The window ends in order, with its changes written aside; a command
+//! leaves no temporary file.
+
+use std::sync::{Mutex, PoisonError};
+
+/// Ends the window.
+type End = Box<dyn FnOnce() + Send>;
+
+/// The way to end the window that is open.
+static WINDOW: Mutex<Option<End>> = Mutex::new(None);
+
+/// Has the first signal end the window by this; the second ends the program as ever.
+pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
+    *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
+}
+
+/// Waits for the signals beside the program. Those that it was started to ignore, as by `nohup`, stay
+/// ignored.
+#[cfg(unix)]
+pub fn watch() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    let ignored = ignored();
+    let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_in(*signal, ignored));
+    // Where signals cannot be held, they end the program as ever.
+    let Ok(mut signals) = Signals::new(heeded) else { return };
+    std::thread::spawn(move || {
+        for signal in signals.forever() {
+            let end = WINDOW.lock().unwrap_or_else(PoisonError::into_inner).take();
+            match end {
+                Some(end) => end(),
+                None => {
+                    pinhole_exchange::temporary::abandon();
+                    // It does what the signal would have done, and so does not return.
+                    let _ = signal_hook::low_level::emulate_default_handler(signal);
+                }
+            }
+        }
+    });
+}
+
+/// Where there are no such signals, there is nothing to wait for.
+#[cfg(not(unix))]
+pub fn watch() {}
+
+#[cfg(unix)]
+fn is_in(signal: i32, set: u64) -> bool {
+    set >> (signal - 1) & 1 == 1
+}
+
+/// The set of signals that this process ignores, a bit each; none where the system does not tell.
+#[cfg(unix)]
+fn ignored() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    set.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or_default()
+}

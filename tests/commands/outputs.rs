@@ -1,0 +1,194 @@
+//! What every command promises of the files it writes: none is one that it reads, several come together,
+//! and a run that is ended leaves no others.
+
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant, SystemTime};
+
+use super::{command_in, entries, run_in};
+
+const SCENE: &str = "pinhole = 1\nspheres = \"balls.csv\"\n\n[camera]\neye = [0, 0, 0]\n\
+                     view = [0, 0, -1]\nup = [0, 1, 0]\n";
+
+/// The same scene under names with the endings of what is written.
+const SCENES: [&str; 5] = ["s.toml", "s.png", "s.exr", "s.json", "cameras.txt"];
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    SCENES.iter().for_each(|name| write(name, SCENE));
+    write("balls.csv", "x,y,z,r\n0,0,-5,1\n");
+    write("in.csv", "ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-2\n");
+    write("in.png", "a picture");
+    folder
+}
+
+fn contents(folder: &Path) -> Vec<(String, String)> {
+    let read = |name: String| (name.clone(), fs::read_to_string(folder.join(name)).unwrap());
+    entries(folder).into_iter().map(read).collect()
+}
+
+#[test]
+fn no_output_is_written_over_an_input() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    fs::hard_link(path("in.csv"), path("hard.csv")).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("in.csv", path("soft.csv")).unwrap();
+    #[cfg(not(unix))]
+    fs::hard_link(path("in.csv"), path("soft.csv")).unwrap();
+    let before = contents(folder.path());
+    let absolute = path("s.toml");
+    let absolute = absolute.display();
+    for (line, refused) in [
+        ("export s.toml --to povray -o s.toml", "-o would write over s.toml, which is read"),
+        ("export s.toml --to povray -o balls.csv", "-o would write over balls.csv, which is read"),
+        (
+            &format!("export s.toml --to povray -o {absolute}"),
+            &format!("-o would write over {absolute}, which is read as s.toml"),
+        ),
+        (
+            "export ./cameras.txt --to colmap -o .",
+            "-o would write over ./cameras.txt, which is read",
+        ),
+        ("trace s.toml --rays in.csv -o s.toml", "-o would write over s.toml, which is read"),
+        ("trace s.toml --rays in.csv -o balls.csv", "-o would write over balls.csv, which is read"),
+        ("trace s.toml --rays in.csv -o in.csv", "-o would write over in.csv, which is read"),
+        (
+            "trace s.toml --rays in.csv -o soft.csv",
+            "-o would write over soft.csv, which is read as in.csv",
+        ),
+        (
+            "trace s.toml --rays in.csv -o hard.csv",
+            "-o would write over hard.csv, which is read as in.csv",
+        ),
+        ("render ./s.png -o s.png", "-o would write over s.png, which is read"),
+        ("render ./s.exr -o new.png --aov s.exr", "--aov would write over s.exr, which is read"),
+        ("figure ./s.png --view world -o s.png", "-o would write over s.png, which is read"),
+        (
+            "figure ./s.png --view world --play orbit -o s.png",
+            "-o would write over s.png, which is read",
+        ),
+        ("import in.csv -o in.csv", "-o would write over in.csv, which is read"),
+        ("check s.toml --answers in.png --map in.png", "--map would write over in.png, which"),
+        ("report ./s.json --json s.json", "--json would write over s.json, which is read"),
+    ] {
+        let run = run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{line}: {}", run.stderr);
+        assert!(run.stderr.starts_with(&format!("pinhole: {refused}")), "{line}: {}", run.stderr);
+        assert!(run.stderr.ends_with(": choose another name\n"), "{line}: {}", run.stderr);
+        assert_eq!(contents(folder.path()), before, "{line}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn standard_input_is_not_written_over() {
+    let folder = folder();
+    let rays = folder.path().join("in.csv");
+    let before = fs::read_to_string(&rays).unwrap();
+    let output = command_in(folder.path())
+        .args(["trace", "s.toml", "--rays", "-", "-o", "in.csv"])
+        .stdin(fs::File::open(&rays).unwrap())
+        .output()
+        .unwrap();
+    let message = "-o would write over in.csv, which is standard input: choose another name";
+    super::finished(output).failed(2, message);
+    assert_eq!(fs::read_to_string(&rays).unwrap(), before);
+}
+
+/// Limits the size of a file, in blocks of 512 bytes: beyond it, writing fails as on a full disk.
+#[cfg(unix)]
+fn run_within(blocks: u32, folder: &Path, line: &str) -> super::Run {
+    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", &script, env!("CARGO_BIN_EXE_pinhole")]).args(line.split(' '));
+    super::finished(command.current_dir(folder).output().unwrap())
+}
+
+#[cfg(unix)]
+#[test]
+fn of_two_files_none_is_written_if_one_cannot_be() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("out.png"), "old").unwrap();
+    let line = "render canonical -o out.png --aov out.exr --shade object";
+    let run = run_within(100, folder.path(), line);
+    run.failed(1, "out.exr: cannot be written: file too large");
+    assert_eq!(contents(folder.path()), [("out.png".to_owned(), "old".to_owned())]);
+}
+
+#[cfg(unix)]
+#[test]
+fn of_a_folder_nothing_is_written_if_one_file_cannot_be() {
+    use std::os::unix::fs::symlink;
+
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("model");
+    fs::create_dir(&model).unwrap();
+    fs::write(model.join("cameras.txt"), "old").unwrap();
+    symlink("no/folder", model.join("images.txt")).unwrap();
+    let run = run_in(folder.path(), &["export", "canonical", "--to", "colmap", "-o", "model"]);
+    assert_eq!(run.status, 1);
+    assert!(run.stderr.contains("images.txt: cannot be written"), "{}", run.stderr);
+    assert_eq!(fs::read_to_string(model.join("cameras.txt")).unwrap(), "old");
+    assert_eq!(entries(&model), ["cameras.txt", "images.txt"]);
+}
+
+/// An animation takes a while, in a temporary file or folder.
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_ended_by_a_signal_leaves_nothing() {
+    for (signal, number, more) in
+        [("TERM", 15, &[][..]), ("HUP", 1, &["--numbered"][..]), ("INT", 2, &[][..])]
+    {
+        use std::os::unix::process::ExitStatusExt as _;
+
+        let folder = tempfile::tempdir().unwrap();
+        let line = "figure canonical --view world --play orbit --frames 9999 -o a.png";
+        let mut child = command_in(folder.path()).args(line.split(' ')).args(more).spawn().unwrap();
+        let start = Instant::now();
+        while entries(folder.path()).is_empty() && start.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        assert!(entries(folder.path())[0].starts_with(".pinhole-"));
+        let id = child.id().to_string();
+        let kill = std::process::Command::new("kill").args([&format!("-{signal}"), &id]).status();
+        assert!(kill.unwrap().success());
+        // A shell has its background jobs ignore SIGINT, and what is ignored stays so.
+        if signal == "INT" && ignores_interrupts() {
+            child.kill().unwrap();
+            child.wait().unwrap();
+            continue;
+        }
+        assert_eq!(child.wait().unwrap().signal(), Some(number), "{signal}");
+        assert_eq!(entries(folder.path()), [""; 0], "{signal}");
+    }
+}
+
+#[cfg(unix)]
+fn ignores_interrupts() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    set.is_some_and(|set| u64::from_str_radix(set.trim(), 16).unwrap() & 2 != 0)
+}
+
+#[test]
+fn what_a_killed_run_has_left_is_removed_by_a_later_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let old = SystemTime::now() - Duration::from_secs(2 * 3600);
+    let names = [".pinhole-aB3xYz", ".pinhole-my-notes", ".pinhole-a.b.cd", ".other-aB3xYz"];
+    for name in names {
+        fs::write(folder.path().join(name), "").unwrap();
+        fs::File::options()
+            .write(true)
+            .open(folder.path().join(name))
+            .and_then(|file| file.set_modified(old))
+            .unwrap();
+    }
+    // Another run may be at work on it.
+    fs::write(folder.path().join(".pinhole-123456"), "").unwrap();
+    run_in(folder.path(), &["render", "canonical", "--width", "8", "-o", "a.png"]).done();
+    let kept =
+        [".other-aB3xYz", ".pinhole-123456", ".pinhole-a.b.cd", ".pinhole-my-notes", "a.png"];
+    assert_eq!(entries(folder.path()), kept);
+}
