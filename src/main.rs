@@ -4,9 +4,10 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use pinhole::cli::arguments::Arguments;
-use pinhole::{cli, platform};
+use pinhole::{cli, model, platform};
 
 fn main() -> ExitCode {
+    model::panics::watch();
     platform::signals::watch();
     let Arguments { command, window } = Arguments::parse();
     cli::exit_code(match command {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use crate::FileError;
-use crate::temporary::{Known, Temporary, builder, live};
+use crate::temporary::{Known, Temporary, builder, folder_of, live};
 
 /// Writes a file as a whole or not at all.
 ///
@@ -166,13 +166,6 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
         return Err(io::Error::other("the file is read-only"));
     }
     Ok((target, Some(old)))
-}
-
-pub(crate) fn folder_of(target: &Path) -> &Path {
-    match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    }
 }
 
 /// A file that is written bit by bit, and takes its place only as a whole.

@@ -10,7 +10,6 @@ use std::time::{Duration, SystemTime};
 use tempfile::{NamedTempFile, TempDir};
 
 use crate::FileError;
-use crate::atomic::folder_of;
 
 /// What their names begin with, and the number of letters and digits behind that.
 const PREFIX: &str = ".pinhole-";
@@ -164,4 +163,12 @@ fn default_permissions() -> Option<Permissions> {
 #[cfg(not(unix))]
 fn default_permissions() -> Option<Permissions> {
     None
+}
+
+/// The folder that a file lies in.
+pub(crate) fn folder_of(target: &Path) -> &Path {
+    match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
 }

@@ -3,12 +3,14 @@
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
-use pinhole_exchange::atomic::Batch;
+use pinhole_exchange::atomic::{Batch, is_same_file};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Exported, Text};
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, scene_file};
+use serde::{Deserialize, Serialize};
 
 /// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
@@ -47,6 +49,21 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
+/// The time and size of a file when it was read or written, by which a later change is noticed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stamp {
+    modified: Option<SystemTime>,
+    length: u64,
+}
+
+impl Stamp {
+    /// Returns that of a file as it is now, if there is one.
+    fn of(path: &Path) -> Option<Stamp> {
+        let data = fs::metadata(path).ok()?;
+        Some(Stamp { modified: data.modified().ok(), length: data.len() })
+    }
+}
+
 /// The open document, with all that saving it and detecting changes needs.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
@@ -57,6 +74,8 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
+    /// That of the source when it was read or written here; `None` if there was no file.
+    stamp: Option<Stamp>,
     /// The document's origin.
     origin: Origin,
     /// True if changes may be lost without a question: the document comes from a lesson's step,
@@ -67,30 +86,41 @@ pub struct OpenDocument {
 impl OpenDocument {
     /// Creates the open document from one that was just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
+        let stamp = source.scene_file().and_then(Stamp::of);
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| fs::read_to_string(path).ok()),
         };
         let origin = Origin::Scene(source);
-        OpenDocument { saved: document.clone(), document, text, origin, forgiving: false }
+        OpenDocument { saved: document.clone(), document, text, stamp, origin, forgiving: false }
     }
 
     /// Creates the open document of the lesson's step with this title. While the lesson is open,
     /// its changes do not count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
         let origin = Origin::Step(title);
-        OpenDocument { saved: document.clone(), document, text: None, origin, forgiving: true }
+        let (text, stamp) = (None, None);
+        OpenDocument { saved: document.clone(), document, text, stamp, origin, forgiving: true }
     }
 
     /// Creates the open document from one with unsaved changes, which belongs to `source` if that can
-    /// still be read, and to no file otherwise.
-    pub fn changed(document: Document, source: Option<SceneSource>) -> Self {
+    /// still be read, and to no file otherwise. `stamp` is that of the source when the changes began.
+    pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
-        let open = saved.map_or_else(
-            || Self::made_up(Document::default(), UNNAMED.to_owned()),
-            |(saved, source)| Self::new(saved, source),
-        );
-        OpenDocument { document, ..open }
+        match saved {
+            Some((saved, source)) => {
+                let open = Self::new(saved, source);
+                // What the text was when the changes began, nobody knows any more.
+                let text = open.text.filter(|_| open.stamp == stamp);
+                OpenDocument { document, text, stamp, ..open }
+            }
+            None => Self::unsaved(document, UNNAMED.to_owned()),
+        }
+    }
+
+    /// Creates the open document from one with this title that is in no file, and is to be saved.
+    pub fn unsaved(document: Document, title: String) -> Self {
+        OpenDocument { document, ..Self::made_up(Document::default(), title) }
     }
 
     /// Creates the open document of a scene with this title that belongs to no file.
@@ -144,6 +174,54 @@ impl OpenDocument {
         }
     }
 
+    /// Returns that of the source when it was read or written here.
+    pub fn stamp(&self) -> Option<Stamp> {
+        self.stamp
+    }
+
+    /// Returns the stamp of the scene's file if it is another than when it was read or written here.
+    /// Asks for time and size alone.
+    pub fn touched(&self) -> Option<Stamp> {
+        let now = Stamp::of(self.scene_file()?)?;
+        (self.stamp != Some(now)).then_some(now)
+    }
+
+    /// Returns true if another program has changed the content of the scene's file since it was read or
+    /// written here.
+    pub fn was_changed_by_others(&mut self) -> bool {
+        let Some(now) = self.touched() else { return false };
+        let text = self.scene_file().and_then(|path| fs::read_to_string(path).ok());
+        let is_same = text.is_some() && text == self.text;
+        if is_same {
+            self.stamp = Some(now);
+        }
+        !is_same
+    }
+
+    /// Takes note of what another program has written: saving may replace it.
+    pub fn keep_mine(&mut self) {
+        self.stamp = self.scene_file().and_then(Stamp::of);
+    }
+
+    /// Refuses to write something else over a file that the scene is read from.
+    ///
+    /// # Errors
+    /// Returns the reason, as a sentence.
+    pub fn check_output(&self, path: &Path) -> Result<(), String> {
+        let csv = self.document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
+        let mut read = self.scene_file().into_iter().chain(csv);
+        if read.any(|read| is_same_file(read, path)) {
+            let path = path.display();
+            return Err(format!("The scene is read from {path}: choose another name."));
+        }
+        Ok(())
+    }
+
+    /// Returns true if this is the scene's own file.
+    pub fn is_own(&self, path: &Path) -> bool {
+        self.scene_file().is_some_and(|file| is_same_file(file, path))
+    }
+
     /// Returns a suitable file name for this document.
     pub fn file_name(&self) -> String {
         match &self.origin {
@@ -159,6 +237,9 @@ impl OpenDocument {
     /// # Errors
     /// Returns the reason if the file could not be written; the old file is then unchanged.
     pub fn save_to(&mut self, path: &Path) -> Result<(), String> {
+        if !self.is_own(path) {
+            self.check_output(path)?;
+        }
         let saved = match self.text_on_disk(path) {
             Some(text) => scene_file::save_over(&self.document, path, Some(&text)),
             None => scene_file::save_over(&self.document, path, self.text.as_deref()),
@@ -169,6 +250,7 @@ impl OpenDocument {
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
+        self.stamp = Stamp::of(path);
         self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
         self.forgiving = false;
         Ok(())
@@ -177,13 +259,8 @@ impl OpenDocument {
     /// Returns the present text of the file at `path` if the document came from that file: its
     /// comments may have been edited since.
     fn text_on_disk(&self, path: &Path) -> Option<String> {
-        let same = self.file().is_some_and(|file| resolved(file) == resolved(path));
-        same.then(|| fs::read_to_string(path).ok()).flatten()
+        self.is_own(path).then(|| fs::read_to_string(path).ok()).flatten()
     }
-}
-
-fn resolved(path: &Path) -> PathBuf {
-    path.canonicalize().unwrap_or_else(|_| absolute(path))
 }
 
 /// Moves a file to the front of the list of recent files.

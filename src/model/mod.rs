@@ -19,6 +19,7 @@ pub(crate) mod named_enum;
 pub mod number;
 pub mod observer;
 pub mod overlay_items;
+pub mod panics;
 pub mod play;
 pub mod practice;
 pub mod recovery;

@@ -4,14 +4,17 @@
 //! the system releases however the window ends.
 
 use std::fs::{self, File, TryLockError};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use pinhole_core::DVec3;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{atomic, scene_file};
+use serde::{Deserialize, Serialize};
 
-use super::files::{OpenDocument, argument_of, title_of};
+use super::files::{OpenDocument, Stamp, argument_of, title_of};
 
 /// Maximum number of slots; windows beyond them write nothing aside.
 const SLOTS: usize = 64;
@@ -29,8 +32,7 @@ pub struct Slot {
 #[derive(Debug)]
 pub struct Found {
     slot: Slot,
-    /// Name of the scene that was changed.
-    pub title: String,
+    source: Source,
     /// Time that has passed since the last change was written.
     pub age: Duration,
 }
@@ -39,30 +41,100 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct Unsaved {
     document: Document,
+    source: Source,
+}
+
+/// What changes were made to.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Source {
+    /// The name of the scene.
     title: String,
+    /// The scene in the command line's notation.
     argument: Option<PathBuf>,
+    /// The state of its file when the changes began.
+    stamp: Option<Stamp>,
+    /// Numbers of the document that no scene file may have.
+    faults: Faults,
+}
+
+/// Numbers at fault that somebody is about to type over, or is shown the reason for.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Faults {
+    /// Width, height and distance of the viewport.
+    viewport: Option<[f64; 3]>,
+    /// Indices of spheres, and their radii.
+    radii: Vec<(usize, f64)>,
+    /// Indices of planes whose normal is zero.
+    normals: Vec<usize>,
+}
+
+impl Faults {
+    /// Takes them out of a document; others are there instead.
+    fn take(document: &mut Document) -> Faults {
+        let mut faults = Faults::default();
+        let viewport = &mut document.camera.viewport;
+        let numbers = [viewport.width, viewport.height, viewport.distance];
+        if numbers.iter().any(|number| *number <= 0.0) {
+            faults.viewport = Some(numbers);
+            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
+        }
+        let spheres = document.spheres.iter().enumerate();
+        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
+        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
+        for (index, _) in &faults.radii {
+            document.spheres[*index].shape.radius = 1.0;
+        }
+        let planes = document.planes.iter().enumerate();
+        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
+        faults.normals = normals.map(|(index, _)| index).collect();
+        for index in &faults.normals {
+            document.planes[*index].shape.normal = DVec3::Y;
+        }
+        faults
+    }
+
+    /// Puts them back.
+    fn put_into(&self, document: &mut Document) {
+        if let Some([width, height, distance]) = self.viewport {
+            let viewport = &mut document.camera.viewport;
+            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
+        }
+        for (index, radius) in &self.radii {
+            if let Some(sphere) = document.spheres.get_mut(*index) {
+                sphere.shape.radius = *radius;
+            }
+        }
+        for index in &self.normals {
+            if let Some(plane) = document.planes.get_mut(*index) {
+                plane.shape.normal = DVec3::ZERO;
+            }
+        }
+    }
 }
 
 impl Unsaved {
     /// Takes the changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
-        Unsaved {
-            document: open.document.clone(),
+        let mut document = open.document.clone();
+        let source = Source {
             title: title_of(origin),
             argument: argument_of(origin),
-        }
+            stamp: open.stamp(),
+            faults: Faults::take(&mut document),
+        };
+        Unsaved { document, source }
     }
 
-    /// Writes the changes into a slot, completely or not at all.
+    /// Writes the changes into a slot; each of its two files completely or not at all.
     ///
     /// # Errors
     /// Returns the reason if a file could not be written, or the document could not be read back from
     /// it; what was there before then stays.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
-        let argument = self.argument.as_deref().and_then(Path::to_str).unwrap_or_default();
-        let source = format!("{}\n{argument}\n", self.title);
-        fs::write(&slot.source, source).map_err(|error| error.to_string())?;
+        let source = serde_json::to_vec(&self.source).map_err(|error| error.to_string())?;
+        atomic::write(&slot.source, |file| file.write_all(&source))
+            .map_err(|error| error.to_string())?;
         let saved = scene_file::save_over(&self.document, &slot.scene, None);
         saved.map(drop).map_err(|error| error.to_string())
     }
@@ -94,7 +166,7 @@ impl Slot {
         let options = File::options().create(true).write(true).truncate(false).open(path("lock"));
         let lock = options.ok()?;
         match lock.try_lock() {
-            Ok(()) => Some(Slot { scene: path("toml"), source: path("source"), _lock: lock }),
+            Ok(()) => Some(Slot { scene: path("toml"), source: path("json"), _lock: lock }),
             Err(TryLockError::WouldBlock | TryLockError::Error(_)) => None,
         }
     }
@@ -111,22 +183,38 @@ impl Found {
     fn of(slot: Slot) -> Option<Found> {
         let written = fs::metadata(&slot.scene).and_then(|data| data.modified()).ok()?;
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
-        let source = fs::read_to_string(&slot.source).unwrap_or_default();
-        let title = source.lines().next().filter(|title| !title.is_empty());
-        Some(Found { title: title.unwrap_or("a scene").to_owned(), age, slot })
+        let source = fs::read(&slot.source).unwrap_or_default();
+        let source = serde_json::from_slice(&source);
+        let unknown = || Source { title: "a scene".to_owned(), ..Source::default() };
+        Some(Found { source: source.unwrap_or_else(|_| unknown()), age, slot })
     }
 
-    /// Returns the document with its changes, and forgets what was written.
+    /// Returns the name of the scene that was changed.
+    pub fn title(&self) -> &str {
+        &self.source.title
+    }
+
+    /// Returns the file of the scene that was changed, if it has one.
+    pub fn file(&self) -> Option<&Path> {
+        self.source.argument.as_deref().filter(|argument| argument.is_absolute())
+    }
+
+    /// Returns the document with its changes, and the slot that holds them until they are written
+    /// elsewhere. `beside` leaves the scene that was changed alone: the document is in no file.
     ///
     /// # Errors
     /// Returns the reason if it cannot be read; it is then kept.
-    pub fn restore(self) -> Result<OpenDocument, String> {
-        let document = scene_file::load(&self.slot.scene).map_err(|error| error.to_string())?;
-        let source = fs::read_to_string(&self.slot.source).unwrap_or_default();
-        let argument = source.lines().nth(1).filter(|argument| !argument.is_empty());
-        let source = argument.and_then(|path| SceneSource::from_argument(Path::new(path)).ok());
-        self.slot.clear();
-        Ok(OpenDocument::changed(document, source))
+    pub fn restore(self, beside: bool) -> Result<(OpenDocument, Slot), String> {
+        let mut document = scene_file::load(&self.slot.scene).map_err(|error| error.to_string())?;
+        let Source { title, argument, stamp, faults } = self.source;
+        faults.put_into(&mut document);
+        let open = if beside {
+            OpenDocument::unsaved(document, format!("{title}, unsaved"))
+        } else {
+            let source = argument.and_then(|path| SceneSource::from_argument(&path).ok());
+            OpenDocument::changed(document, source, stamp)
+        };
+        Ok((open, self.slot))
     }
 
     /// Forgets what was written.
@@ -154,7 +242,7 @@ mod tests {
     use super::*;
 
     fn changed() -> Unsaved {
-        let open = OpenDocument::changed(Document::default(), None);
+        let open = OpenDocument::changed(Document::default(), None, None);
         Unsaved::of(&open)
     }
 
@@ -172,7 +260,9 @@ mod tests {
         let (_, found) = Slot::open(folder.path());
         assert_eq!(found.len(), 2);
         for found in found {
-            assert_eq!(found.restore().unwrap().document, Document::default());
+            let (open, slot) = found.restore(false).unwrap();
+            assert_eq!(open.document, Document::default());
+            slot.clear();
         }
         assert!(Slot::open(folder.path()).1.is_empty());
     }

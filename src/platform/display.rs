@@ -7,6 +7,7 @@ use egui_winit::accesskit_winit;
 use winit::event_loop::EventLoop;
 
 use super::error::PresentError;
+use crate::model::panics::text_of;
 
 /// An event, apart from the window's own events, that wakes the event loop.
 #[derive(Debug)]
@@ -61,11 +62,7 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     std::panic::set_hook(Box::new(|_| {}));
     let result = catch_unwind(AssertUnwindSafe(run));
     std::panic::set_hook(hook);
-    result.map_err(|panic| {
-        let text = panic.downcast_ref::<String>().cloned();
-        text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()))
-            .unwrap_or_else(|| "an unknown failure".to_owned())
-    })
+    result.map_err(|panic| text_of(&*panic))
 }
 
 /// Returns the error without winit's file and line: `os error at FILE.rs:LINE: TEXT`.

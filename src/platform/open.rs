@@ -44,8 +44,13 @@ pub(super) struct Open {
     /// Start of the last frame, and the minimum time between it and a frame that only animates.
     began: Instant,
     pace: Duration,
+    /// Time of the last look at the scene's file.
+    looked: Instant,
     window: Arc<Window>,
 }
+
+/// Time between two looks at the scene's file, for which alone nothing is drawn.
+const LOOK: Duration = Duration::from_secs(1);
 
 impl Open {
     /// Gives the app a window that is not shown yet.
@@ -91,6 +96,7 @@ impl Open {
             shown: None,
             began: Instant::now(),
             pace: pace(renderer, &window),
+            looked: Instant::now(),
             surface,
             window,
         }
@@ -129,15 +135,22 @@ impl Open {
 
     /// Requests a redraw that is due, or sets the timer for a later one.
     pub(super) fn schedule(&mut self, event_loop: &ActiveEventLoop) {
-        if self.repaint_at.is_some_and(|at| at <= Instant::now()) {
+        let now = Instant::now();
+        if now >= self.looked + LOOK {
+            self.looked = now;
+            if self.app.look_at_file() {
+                self.repaint_by(now);
+            }
+        }
+        if self.repaint_at.is_some_and(|at| at <= now) {
             self.repaint_at = None;
             self.asked = true;
             self.window.request_redraw();
         }
-        event_loop.set_control_flow(match self.repaint_at {
-            Some(at) => ControlFlow::WaitUntil(at),
-            None => ControlFlow::Wait,
-        });
+        let next = self.looked + LOOK;
+        event_loop.set_control_flow(ControlFlow::WaitUntil(
+            self.repaint_at.map_or(next, |at| at.min(next)),
+        ));
     }
 
     pub(super) fn window_event(
@@ -158,6 +171,8 @@ impl Open {
                 return self.frame(event_loop, false);
             }
             WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
+            // It may be hidden next, and not every display tells.
+            WindowEvent::Focused(false) => self.app.rest(),
             _ if repeats::is_idle(event, &self.ctx) => return Ok(false),
             _ => {}
         }
@@ -200,6 +215,7 @@ impl Open {
         let visible = self.info.visible().unwrap_or(true)
             || self.actions.iter().any(ActionRequested::wants_paint);
         if !visible && !closing {
+            self.app.rest();
             // The input waits until the window is visible again.
             return Ok(false);
         }

@@ -42,6 +42,12 @@ pub enum Leave {
     GoTo(StepId),
     /// Set everything as the open lesson's step says, once more.
     BackToStep,
+    /// Open the unsaved changes that were offered; `beside` in no file, so that the file that they were
+    /// made to is left alone.
+    Found {
+        /// True for no file.
+        beside: bool,
+    },
     /// Close the window.
     Quit,
 }
@@ -54,7 +60,10 @@ pub enum FileAction {
     /// Save to where the scene came from; ask where if it came from nowhere.
     Save,
     /// Ask for a path to save to.
-    AskSaveAs,
+    AskSaveAs {
+        /// The way to leave if that worked.
+        then: Option<Leave>,
+    },
     /// Save to this path.
     SaveAs {
         /// The file.
@@ -66,10 +75,22 @@ pub enum FileAction {
     SaveThen(Leave),
     /// Leave without saving.
     Discard(Leave),
-    /// Open the unsaved changes of a window that ended without being asked.
-    Restore,
-    /// Delete them.
-    DeleteFound,
+    /// Forget the unsaved changes that were offered.
+    DiscardFound,
+    /// See what another program has written into the scene's file.
+    Look,
+    /// Let saving replace what another program has written; save now if that was asked for.
+    KeepMine {
+        /// True to save now.
+        saves: bool,
+        /// The way to leave if that worked.
+        then: Option<Leave>,
+    },
+    /// Open what another program has written.
+    TakeTheirs {
+        /// The way to leave after that.
+        then: Option<Leave>,
+    },
 }
 
 /// The way through the open lesson.
@@ -363,11 +384,12 @@ impl Action {
         match self {
             Action::Leave(_) | Action::History(_) => PlayEnd::GivesBack,
             Action::File(action) => match action {
-                FileAction::AskOpen => PlayEnd::GoesOn,
-                FileAction::Discard(_) => PlayEnd::GivesBack,
-                FileAction::Restore | FileAction::DeleteFound => PlayEnd::GoesOn,
+                FileAction::AskOpen | FileAction::Look => PlayEnd::GoesOn,
+                FileAction::Discard(_) | FileAction::TakeTheirs { .. } => PlayEnd::GivesBack,
+                FileAction::DiscardFound => PlayEnd::GoesOn,
                 FileAction::Save
-                | FileAction::AskSaveAs
+                | FileAction::KeepMine { .. }
+                | FileAction::AskSaveAs { .. }
                 | FileAction::SaveAs { .. }
                 | FileAction::SaveThen(_) => PlayEnd::Keeps,
             },
@@ -426,7 +448,11 @@ impl Action {
             Action::Lesson(_) => there.lesson,
             Action::Leave(leave) => match leave {
                 Leave::BackToStep => there.lesson,
-                Leave::Open(_) | Leave::Show(_) | Leave::GoTo(_) | Leave::Quit => true,
+                Leave::Open(_)
+                | Leave::Show(_)
+                | Leave::GoTo(_)
+                | Leave::Found { .. }
+                | Leave::Quit => true,
             },
             Action::Ghost(action) => match action {
                 GhostAction::Drop | GhostAction::Swap => there.ghost,

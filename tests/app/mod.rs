@@ -3,6 +3,7 @@
 
 mod derivation;
 mod edits;
+mod failure;
 mod faults;
 mod files;
 pub(crate) mod harness;

@@ -116,13 +116,13 @@ pub struct Translator {
     pub objects: bool,
     /// True if numbers are shown to the last digit, as they are always copied and saved.
     pub every_digit: bool,
-    /// The result of the last paste.
-    pub pasted: Option<Pasted>,
+    /// What was done last, while it is shown.
+    pub notice: Option<Notice>,
 }
 
 impl Default for Translator {
     fn default() -> Translator {
-        Translator { target: "opencv", objects: false, every_digit: false, pasted: None }
+        Translator { target: "opencv", objects: false, every_digit: false, notice: None }
     }
 }
 
@@ -133,16 +133,16 @@ impl Translator {
     }
 }
 
-/// The result of a paste.
+/// What was done, to be read in passing: the result of a paste, or of a file that was read again.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pasted {
+pub struct Notice {
     /// The result in a few words.
     pub title: String,
-    /// The parts that were not taken over, or the error in the text.
+    /// More about it: the parts that were not taken over, or the error in the text.
     pub notes: Vec<String>,
-    /// True if the camera was taken over.
+    /// True if it went well.
     pub worked: bool,
-    /// The camera after the paste; the notice is outdated once the camera has changed.
+    /// The camera after that; the notice is outdated once the camera has changed.
     pub camera: Camera,
     /// Time in seconds at which this was first shown.
     pub shown_at: Option<f64>,
@@ -154,10 +154,10 @@ const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the ca
 
 /// Reads the camera in a text. Fields that the text leaves open stay as in the camera `at_hand`;
 /// objects are not taken over. Returns no camera if the text has none or an invalid one.
-pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
+pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     let failed = |title: &str, note: String| {
         let (title, notes) = (title.to_owned(), vec![note]);
-        (None, Pasted { title, notes, worked: false, camera: *at_hand, shown_at: None })
+        (None, Notice { title, notes, worked: false, camera: *at_hand, shown_at: None })
     };
     if let Some(scene) = own_scene(text) {
         return match scene {
@@ -193,12 +193,12 @@ fn taken_over(
     camera: Camera,
     mut notes: Vec<String>,
     objects: usize,
-) -> (Option<Camera>, Pasted) {
+) -> (Option<Camera>, Notice) {
     if objects > 0 {
         let noun = if objects == 1 { "object is" } else { "objects are" };
         notes.push(format!("{objects} {noun} left out: a paste sets only the camera"));
     }
-    (Some(camera), Pasted { title, notes, worked: true, camera, shown_at: None })
+    (Some(camera), Notice { title, notes, worked: true, camera, shown_at: None })
 }
 
 /// Reads a scene file of this program, if the text is one.

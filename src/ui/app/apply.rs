@@ -12,7 +12,7 @@ use super::{App, answers, exchange, look};
 use crate::figures::derivation_of;
 use crate::model::files::title_of;
 use crate::model::session::ViewLayout;
-use crate::model::translator::pasted;
+use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
     LessonAction, PlayAction,
@@ -25,6 +25,9 @@ use crate::view::derive::Deriver;
 /// clipboard.
 const SWAP: &str = "swap with the ghost";
 const PASTE: &str = "paste a camera";
+
+/// Name of the step that takes over what another program has written into the scene's file.
+const RELOAD: &str = "reload the file";
 
 /// Hint in the field of a scene's path.
 const SCENE: &str = "path of a .toml scene";
@@ -97,6 +100,7 @@ impl App {
             Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
             Leave::GoTo(id) => Ok(self.scene.go_to(id)),
             Leave::BackToStep => Ok(self.scene.back_to_step()),
+            Leave::Found { beside } => self.restore(beside),
             Leave::Quit => {
                 self.window.close(ctx);
                 Ok(Opened::default())
@@ -134,38 +138,71 @@ impl App {
                 Some(Dialog::Open(PathField::new(self.scene.open.file(), "", &["toml"], SCENE)))
             }
             FileAction::Save => self.save(ctx, None),
-            FileAction::AskSaveAs => Some(self.ask_save_as(None)),
+            FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
             FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
                 self.window.discarded = leave == Leave::Quit;
                 self.proceed(ctx, leave)
             }
-            FileAction::Restore => self.restore(ctx),
-            FileAction::DeleteFound => {
+            FileAction::DiscardFound => {
                 self.recovery.take()?.discard();
-                self.recovery.offer()
+                None
+            }
+            FileAction::Look => self.look(ctx),
+            FileAction::KeepMine { saves, then } => {
+                self.scene.open.keep_mine();
+                if saves { self.save(ctx, then) } else { None }
+            }
+            FileAction::TakeTheirs { then } => {
+                let dialog = self.take_theirs(ctx);
+                if dialog.is_some() { dialog } else { self.leave(ctx, then?) }
             }
         }
     }
 
-    /// Opens the unsaved changes that were found.
-    fn restore(&mut self, ctx: &Context) -> Option<Dialog> {
+    /// Opens the unsaved changes that were offered.
+    fn restore(&mut self, beside: bool) -> Result<Opened, Message> {
+        let Some(found) = self.recovery.take() else { return Ok(Opened::default()) };
+        let problem = |reason| Message::new("The unsaved changes cannot be restored", reason);
+        let (open, slot) = found.restore(beside).map_err(problem)?;
+        self.recovery.go_on_in(slot);
+        Ok(self.scene.restore(open))
+    }
+
+    /// Takes over what another program has written into the scene's file; asks where there are changes.
+    fn look(&mut self, ctx: &Context) -> Option<Dialog> {
+        if !self.scene.open.was_changed_by_others() {
+            return None;
+        }
         if self.scene.open.has_changes() {
-            let reason = "Save the changes to the open scene first.";
-            return Some(Dialog::message("The unsaved changes were not restored", reason));
+            return Some(self.ask_whose(false, None));
         }
+        let dialog = self.take_theirs(ctx);
+        if dialog.is_none() {
+            let file = title_of(self.scene.open.origin());
+            let title = format!("{file} was changed by another program, and read again");
+            let camera = self.scene.open.document.camera;
+            let notice = Notice { title, notes: Vec::new(), worked: true, camera, shown_at: None };
+            self.scene.session.translator.notice = Some(notice);
+        }
+        dialog
+    }
+
+    fn ask_whose(&self, saves: bool, then: Option<Leave>) -> Dialog {
+        Dialog::Theirs { title: title_of(self.scene.open.origin()), saves, then }
+    }
+
+    /// Opens what another program has written into the scene's file, as a step that can be undone.
+    fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
-        let before = self.scene.clone();
-        match self.recovery.take()?.restore() {
-            Ok(open) => {
-                let opened = self.scene.restore(open);
-                self.show_opened(opened);
-                self.history.went_elsewhere(before, &self.scene);
-                self.recovery.offer()
-            }
-            Err(reason) => Some(Dialog::message("The unsaved changes cannot be restored", reason)),
+        if let Err(error) = self.scene.reload() {
+            let title =
+                format!("{} was changed, and cannot be read", title_of(self.scene.open.origin()));
+            return Some(Dialog::message(&title, error));
         }
+        self.history.settle_as(ctx, &self.scene.open.document, Some(RELOAD));
+        None
     }
 
     /// Saves to the scene's own file, or asks for one.
@@ -177,6 +214,9 @@ impl App {
     }
 
     fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
+        if self.scene.open.is_own(path) && self.scene.open.was_changed_by_others() {
+            return Some(self.ask_whose(true, then));
+        }
         if let Err(reason) = self.scene.open.save_to(path) {
             return Some(Dialog::message("The scene was not saved", reason));
         }
@@ -253,7 +293,7 @@ impl App {
                     self.scene.replace_camera(camera);
                     self.history.settle_as(ctx, &self.scene.open.document, Some(PASTE));
                 }
-                self.scene.session.translator.pasted = Some(said);
+                self.scene.session.translator.notice = Some(said);
             }
             ExchangeAction::TranslateInto(name) => {
                 self.scene.session.translator.target = name;

@@ -4,7 +4,7 @@ use egui::{Context, Event};
 use pinhole_exchange::format::{ExportScene, Exported};
 
 use super::scene::OpenScene;
-use crate::model::files::save_written;
+use crate::model::files::{files_of, save_written};
 use crate::model::translator::with;
 use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
@@ -23,15 +23,15 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     })
 }
 
-/// Tells what became of the last paste, until the camera is another one.
-pub(super) fn paste_notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
-    let pasted = &mut scene.session.translator.pasted;
-    let was_there = pasted.is_some();
-    if pasted.as_ref().is_some_and(|said| said.camera != scene.open.document.camera) {
-        *pasted = None;
+/// Tells what was done last that nobody sees else, until the camera is another one.
+pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
+    let notice = &mut scene.session.translator.notice;
+    let was_there = notice.is_some();
+    if notice.as_ref().is_some_and(|said| said.camera != scene.open.document.camera) {
+        *notice = None;
     }
-    translator::notice(ctx, pasted);
-    Changed::SESSION.when(pasted.is_some() != was_there)
+    translator::notice(ctx, notice);
+    Changed::SESSION.when(notice.is_some() != was_there)
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {
@@ -56,6 +56,11 @@ pub(super) fn ask_where_to_save(scene: &OpenScene) -> Option<Dialog> {
 
 /// Writes the translator's text, or its files into a folder; what there is to tell if that fails.
 pub(super) fn save(scene: &OpenScene, path: &std::path::Path) -> Option<Dialog> {
-    let saved = save_written(&translated(scene)?, path);
+    let written = translated(scene)?;
+    let files = files_of(&written, path);
+    let saved = files
+        .iter()
+        .try_for_each(|(path, _)| scene.open.check_output(path))
+        .and_then(|()| save_written(&written, path).map_err(|error| error.to_string()));
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
 }

@@ -81,6 +81,7 @@ impl Screen<'_> {
     }
 
     fn exported(&self, order: &Order, path: &Path) -> Result<(), String> {
+        self.scene.open.check_output(path)?;
         let document = &self.scene.open.document;
         // What the mouse was at is nothing to keep.
         let session = Session { hovered: None, ..self.scene.session.clone() };

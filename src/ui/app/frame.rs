@@ -21,7 +21,7 @@ use crate::ui::workspaces::{Desk, Frame, Page, page};
 
 impl App {
     /// One frame.
-    pub fn ui(&mut self, ui: &mut Ui) {
+    pub(super) fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = std::mem::take(&mut self.waiting);
         let mut changed = std::mem::take(&mut self.changed);
@@ -62,6 +62,9 @@ impl App {
 
     /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        if self.over.dialog.is_none() && actions.is_empty() {
+            self.over.dialog = self.recovery.offer();
+        }
         // Not under a dialog: its answer would then be about another scene.
         if !self.over.covers() {
             self.keys(ctx, actions);
@@ -321,7 +324,7 @@ impl App {
                 (page.asked)(ui, &desk);
             }
         });
-        changed | exchange::paste_notice(ui.ctx(), &mut self.scene)
+        changed | exchange::notice(ui.ctx(), &mut self.scene)
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is

@@ -4,6 +4,7 @@
 mod answers;
 mod apply;
 mod exchange;
+mod failure;
 mod figures;
 mod frame;
 mod hand;
@@ -15,6 +16,7 @@ mod playback;
 mod recovery;
 mod scene;
 mod views;
+mod watch;
 mod window;
 
 use std::path::Path;
@@ -31,13 +33,14 @@ use self::playback::Playback;
 use self::recovery::Recovery;
 use self::scene::OpenScene;
 use self::views::Views;
+use self::watch::Watch;
 use self::window::AppWindow;
 use crate::model::files::OpenDocument;
 use crate::model::lessons::{Lesson, OpenLesson, StepId};
 use crate::model::play::Player;
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::store::{Remembered, Store};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, FileAction};
 use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::frame_times::{FrameWork, WorkTimes};
@@ -59,6 +62,9 @@ pub struct App {
     hand: InHand,
     window: AppWindow,
     recovery: Recovery,
+    watch: Watch,
+    /// A fault of the program itself in the last frame.
+    failure: Option<String>,
     /// Actions for the next pass.
     waiting: Vec<Action>,
     /// The changes since the last pass.
@@ -68,7 +74,7 @@ pub struct App {
 impl App {
     /// The program on this document, with what the last run remembered.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
-        let recovery = Recovery::new(store.as_ref());
+        let mut recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.window, remembered.recent);
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
@@ -88,6 +94,8 @@ impl App {
             hand: InHand::default(),
             window,
             recovery,
+            watch: Watch::default(),
+            failure: None,
             waiting: Vec::new(),
             // The first pass does not know yet where anything is.
             changed: Changed::SESSION,
@@ -171,6 +179,19 @@ impl App {
     /// The work of the frame presented last, if it showed a new picture and is timed.
     pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
         self.views.frame_work.as_ref()?.work()
+    }
+
+    /// Looks whether another program has changed the scene's file. Returns true if there is something to show.
+    pub fn look_at_file(&mut self) -> bool {
+        let is_free = !self.over.covers() && self.playback.player.is_none();
+        let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
+        self.waiting.extend(is_news.then(|| FileAction::Look.into()));
+        is_news
+    }
+
+    /// Takes note that there may be no frame for a long time.
+    pub fn rest(&mut self) {
+        self.recovery.write_now(&self.scene.open);
     }
 
     /// Remembers settings, window, recent files and the open scene for the next run, and changes that

@@ -180,7 +180,8 @@ impl Playback {
             order,
             frames,
         };
-        Some(match Recorder::new(animation, path) {
+        let recorder = scene.open.check_output(&path).and_then(|()| Recorder::new(animation, path));
+        Some(match recorder {
             Ok(recorder) => {
                 self.recorder = Some(recorder);
                 Dialog::Progress { done: 0, frames: frames.count }

@@ -1,6 +1,7 @@
 //! Writing unsaved changes aside while they are made, and offering those of a window that ended
 //! without being asked.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -18,11 +19,16 @@ use crate::ui::dialogs::dialog::Dialog;
 const REST: f64 = 1.0;
 const LONGEST: f64 = 4.0;
 
+/// Time after which a disk that was busy is asked again.
+const BUSY: Duration = Duration::from_millis(100);
+
 /// This window's slot, and what was found in others.
 #[derive(Default)]
 pub(super) struct Recovery {
     slot: Option<Arc<Slot>>,
     found: Vec<Found>,
+    /// Index of the next one to offer.
+    next: usize,
     /// True if changes are written, or being written.
     is_written: bool,
     /// The document as it was seen last.
@@ -41,15 +47,24 @@ impl Recovery {
         Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
 
-    /// Returns the dialog that offers what was found, if anything was.
-    pub(super) fn offer(&self) -> Option<Dialog> {
-        let found = self.found.first()?;
-        Some(Dialog::Found { title: found.title.clone(), age: in_words(found.age) })
+    /// Returns the dialog that offers what was found and not offered yet, if there is any.
+    pub(super) fn offer(&mut self) -> Option<Dialog> {
+        let found = self.found.get(self.next)?;
+        self.next += 1;
+        let (title, file) = (found.title().to_owned(), found.file().map(Path::to_owned));
+        Some(Dialog::Found { title, file, age: in_words(found.age) })
     }
 
-    /// Takes the changes that were offered.
+    /// Takes the changes that were offered last.
     pub(super) fn take(&mut self) -> Option<Found> {
-        (!self.found.is_empty()).then(|| self.found.remove(0))
+        self.next = self.next.checked_sub(1)?;
+        (self.next < self.found.len()).then(|| self.found.remove(self.next))
+    }
+
+    /// Goes on in the slot of changes that are open now, where they stay until they are saved.
+    pub(super) fn go_on_in(&mut self, slot: Slot) {
+        self.clear();
+        (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
     /// Writes changes aside, beside the frame, once the hand rests or has moved for long.
@@ -73,8 +88,20 @@ impl Recovery {
             ctx.request_repaint_after(Duration::from_secs_f64(due - now));
             return;
         }
+        if self.writing.as_ref().is_some_and(|writing| !writing.is_finished()) {
+            // A slow disk holds up no frame.
+            ctx.request_repaint_after(BUSY);
+            return;
+        }
         self.first_edit = None;
         self.write(Unsaved::of(open));
+    }
+
+    /// Writes at once what waits to be written: there may be no frame for a long time.
+    pub(super) fn write_now(&mut self, open: &OpenDocument) {
+        if self.first_edit.take().is_some() && open.has_changes() {
+            self.write(Unsaved::of(open));
+        }
     }
 
     fn write(&mut self, unsaved: Unsaved) {

@@ -1,9 +1,11 @@
 //! The open scene: the document, how it is looked at, and the lesson that it belongs to.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use egui::Context;
 use pinhole_core::Camera;
+use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 
@@ -85,6 +87,16 @@ impl OpenScene {
         let opened = self.replace(open, uv.map_or(Selection::default(), Selection::Uv));
         self.session.settings.layout = ViewLayout::Both;
         opened
+    }
+
+    /// Reads the scene's file again, looked at as before.
+    pub(super) fn reload(&mut self) -> Result<(), FileError> {
+        let Some(path) = self.open.scene_file().map(Path::to_owned) else { return Ok(()) };
+        let source = SceneSource::File(path);
+        let open = OpenDocument::new(source.load()?, source);
+        self.session.follow_camera(&self.open.document.camera, &open.document.camera);
+        self.open = open;
+        Ok(())
     }
 
     /// Opens a document with unsaved changes.

@@ -30,7 +30,10 @@ pub(crate) enum Dialog {
     /// Asks for a decision about unsaved changes before they are left.
     Unsaved { title: String, then: Leave },
     /// Offers the unsaved changes of a window that ended without being asked.
-    Found { title: String, age: String },
+    Found { title: String, file: Option<PathBuf>, age: String },
+    /// Asks whose version stays: another program has changed the scene's file. `saves` if it was about to be
+    /// saved.
+    Theirs { title: String, saves: bool, then: Option<Leave> },
     /// A message to read and close.
     Message(Message),
 }
@@ -226,7 +229,10 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
             }
             Dialog::Export(form) => form.ui(ui, &mut close),
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, &mut close),
-            Dialog::Found { title, age } => found_ui(ui, title, age, &mut close),
+            Dialog::Found { title, file, age } => {
+                found_ui(ui, title, file.as_deref(), age, &mut close)
+            }
+            Dialog::Theirs { title, saves, then } => theirs_ui(ui, title, *saves, then, &mut close),
             Dialog::Progress { done, frames } => {
                 ui.heading("Exporting the animation");
                 ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));
@@ -282,18 +288,60 @@ pub(crate) fn save_ui(
     chosen
 }
 
-fn found_ui(ui: &mut Ui, title: &str, age: &str, close: &mut bool) -> Option<Action> {
+fn found_ui(
+    ui: &mut Ui,
+    title: &str,
+    file: Option<&Path>,
+    age: &str,
+    close: &mut bool,
+) -> Option<Action> {
     ui.heading(format!("Restore the unsaved changes to {title}?"));
     ui.label(format!("Pinhole ended without saving them. The last one was made {age} ago."));
+    if let Some(file) = file {
+        ui.weak(file.display().to_string());
+    }
     ui.add_space(8.0);
     let buttons = ui.horizontal(|ui| {
-        let restore = ui.button("Restore").clicked();
-        let delete = ui.button("Delete").clicked();
+        let restore = ui.button("Restore").on_hover_text("Opens the scene with them");
+        let beside = ui.button("Open beside");
+        let beside = beside.on_hover_text("Opens them as a scene of their own, in no file");
+        let discard = ui.button("Discard").on_hover_text("Removes them");
         let later = ui.button("Not now").on_hover_text("Asks again at the next start");
         *close |= later.clicked();
-        match (restore, delete) {
-            (true, _) => Some(FileAction::Restore.into()),
-            (_, true) => Some(FileAction::DeleteFound.into()),
+        match (restore.clicked(), beside.clicked(), discard.clicked()) {
+            (true, ..) => Some(Leave::Found { beside: false }.into()),
+            (_, true, _) => Some(Leave::Found { beside: true }.into()),
+            (.., true) => Some(FileAction::DiscardFound.into()),
+            _ => None,
+        }
+    });
+    buttons.inner
+}
+
+fn theirs_ui(
+    ui: &mut Ui,
+    title: &str,
+    saves: bool,
+    then: &Option<Leave>,
+    close: &mut bool,
+) -> Option<Action> {
+    ui.heading(format!("Another program has changed {title}"));
+    ui.label(
+        "Your changes are not in the file, and those of the other program are not on the screen.",
+    );
+    ui.add_space(8.0);
+    let buttons = ui.horizontal(|ui| {
+        let when = if saves { "Saves" } else { "Lets the next save write" };
+        let mine = ui.button("Keep mine").on_hover_text(format!("{when} yours over theirs"));
+        let theirs = ui.button("Take theirs");
+        let theirs = theirs.on_hover_text("Reads the file again. Undo brings yours back");
+        let other = ui.button("Save as…").on_hover_text("Saves yours to another file");
+        *close |= ui.button("Cancel").clicked();
+        let then = || then.clone();
+        match (mine.clicked(), theirs.clicked(), other.clicked()) {
+            (true, ..) => Some(FileAction::KeepMine { saves, then: then() }.into()),
+            (_, true, _) => Some(FileAction::TakeTheirs { then: then() }.into()),
+            (.., true) => Some(FileAction::AskSaveAs { then: then() }.into()),
             _ => None,
         }
     });

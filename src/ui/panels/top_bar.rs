@@ -134,7 +134,7 @@ fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
 fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
     entry(ui, "Open…", FileAction::AskOpen, actions);
     entry(ui, "Save", FileAction::Save, actions);
-    entry(ui, "Save as…", FileAction::AskSaveAs, actions);
+    entry(ui, "Save as…", FileAction::AskSaveAs { then: None }, actions);
     ui.separator();
     entry(ui, "Check answers…", AnswersAction::Ask, actions);
     ui.separator();

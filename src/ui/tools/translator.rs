@@ -15,7 +15,7 @@ use pinhole_exchange::format::Text;
 use crate::model::letters::typeset_message;
 use crate::model::session::Selection;
 use crate::model::translator::conventions::Row;
-use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
+use crate::model::translator::{MOST_OBJECTS, Notice, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
 use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -257,10 +257,9 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// Shows the result of a paste over the window's lower edge, until the camera changes or the user
-/// closes it.
-pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
-    let Some(shown) = pasted else { return };
+/// Shows the notice over the window's lower edge, until the camera changes or the user closes it.
+pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
+    let Some(shown) = notice else { return };
     let now = ctx.input(|i| i.time);
     let left = *shown.shown_at.get_or_insert(now) + READING * (1 + shown.notes.len()) as f64 - now;
     // What went wrong stays until it was read.
@@ -268,7 +267,7 @@ pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
     if shown.worked && !close {
         ctx.request_repaint_after(Duration::from_secs_f64(left));
     }
-    let area = Area::new(Id::unique("pasted")).order(Order::Foreground);
+    let area = Area::new(Id::unique("notice")).order(Order::Foreground);
     area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -24.0)).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.set_max_width(560.0);
@@ -282,6 +281,6 @@ pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
         });
     });
     if close {
-        *pasted = None;
+        *notice = None;
     }
 }

@@ -1,5 +1,6 @@
 //! Scenes, figures and animations from files and into them.
 
+mod changed_file;
 mod export;
 mod play_export;
 mod recovery;

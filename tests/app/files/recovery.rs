@@ -14,6 +14,8 @@ use crate::harness::{assert_says, says, texts_with, type_into, unfolded, window_
 
 const OFFER: &str = "Restore the unsaved changes to ";
 
+const MINE: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
+
 fn opened(store: &Store, scene: impl AsRef<Path>) -> Harness<'static, App> {
     let remembered = Remembered { settings: unfolded(), ..Remembered::default() };
     window_with(scene, remembered, Some(store.clone()))
@@ -83,7 +85,7 @@ fn two_windows_lose_nothing_to_each_other() {
     let mut window = opened(&store, "canonical");
     for _ in 0..2 {
         assert!(!texts_with(&window, OFFER).is_empty());
-        press(&mut window, "Delete");
+        press(&mut window, "Discard");
     }
     assert!(texts_with(&window, OFFER).is_empty());
     assert_eq!(scenes_written(&store), 0);
@@ -93,11 +95,7 @@ fn two_windows_lose_nothing_to_each_other() {
 fn what_is_saved_or_given_up_is_not_offered() {
     let (folder, store) = store();
     let path = folder.path().join("mine.toml");
-    std::fs::write(
-        &path,
-        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n",
-    )
-    .unwrap();
+    std::fs::write(&path, MINE).unwrap();
     let mut saved = changed(&store, &path);
     saved.key_press_modifiers(Modifiers::COMMAND, Key::S);
     saved.run();
@@ -121,4 +119,105 @@ fn a_window_whose_display_went_away_writes_its_last_change() {
     let mut window = opened(&store, "canonical");
     press(&mut window, "Restore");
     assert_eq!(*window.state().document(), wanted);
+}
+
+#[test]
+fn what_was_restored_survives_a_window_that_is_killed_at_once() {
+    let (_folder, store) = store();
+    drop(changed(&store, "look-at"));
+    for _ in 0..3 {
+        let mut window = opened(&store, "canonical");
+        press(&mut window, "Restore");
+        assert_eq!(window.state().document().camera.eye.x, 0.375);
+    }
+}
+
+#[test]
+fn what_is_opened_beside_leaves_the_file_alone() {
+    let (folder, store) = store();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, MINE).unwrap();
+    let killed = changed(&store, &path);
+    let wanted = killed.state().document().clone();
+    drop(killed);
+    let mut window = opened(&store, "canonical");
+    assert_says(&window, &path.display().to_string());
+    press(&mut window, "Open beside");
+    assert_eq!(*window.state().document(), wanted);
+    assert_says(&window, "mine.toml, unsaved*");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    window.run();
+    assert_says(&window, "Save the scene as");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), MINE);
+}
+
+#[test]
+fn each_window_s_changes_are_offered_whatever_else_there_is_to_tell() {
+    let (_folder, store) = store();
+    drop((changed(&store, "look-at"), changed(&store, "planet")));
+    let mut window = opened(&store, "canonical");
+    let first = texts_with(&window, OFFER);
+    press(&mut window, "Not now");
+    let second = texts_with(&window, OFFER);
+    assert!(!first.is_empty() && !second.is_empty() && first != second, "{first:?} {second:?}");
+    drop(window);
+    let mut window = opened(&store, "canonical");
+    window.state_mut().tell("The last scene cannot be opened again", "It is gone.".to_owned());
+    window.run();
+    assert_says(&window, "It is gone.");
+    press(&mut window, "Close");
+    assert!(!texts_with(&window, OFFER).is_empty());
+}
+
+#[test]
+fn a_window_that_is_hidden_writes_at_once_what_waits() {
+    let (_folder, store) = store();
+    let mut window = opened(&store, "look-at");
+    type_into(&mut window, "eye x", "0.375");
+    assert_eq!(scenes_written(&store), 0);
+    window.state_mut().rest();
+    let start = Instant::now();
+    while scenes_written(&store) == 0 && start.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert_eq!(scenes_written(&store), 1);
+}
+
+#[test]
+fn numbers_that_no_file_may_have_are_no_reason_to_lose_the_others() {
+    let (folder, store) = store();
+    let path = folder.path().join("mine.toml");
+    let objects = "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n\
+                   [[plane]]\npoint = [0, 0, -6]\nnormal = [0, 0, 1]\n";
+    std::fs::write(&path, format!("{MINE}{objects}")).unwrap();
+    let mut window = opened(&store, &path);
+    type_into(&mut window, "eye x", "0.375");
+    type_into(&mut window, "distance", "-2");
+    crate::harness::choose_object(&mut window, "sphere 0");
+    type_into(&mut window, "radius", "0");
+    crate::harness::choose_object(&mut window, "plane 1");
+    type_into(&mut window, "normal z", "0");
+    let wanted = window.state().document().clone();
+    assert_eq!((wanted.camera.viewport.distance, wanted.spheres[0].shape.radius), (-2.0, 0.0));
+    window.state_mut().on_exit();
+    drop(window);
+    let mut window = opened(&store, "canonical");
+    press(&mut window, "Restore");
+    assert_eq!(*window.state().document(), wanted);
+}
+
+#[test]
+fn a_file_that_was_changed_since_is_not_written_over_without_a_question() {
+    let (folder, store) = store();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, MINE).unwrap();
+    drop(changed(&store, &path));
+    let theirs = MINE.replace("eye = [0", "eye = [12.5");
+    std::fs::write(&path, &theirs).unwrap();
+    let mut window = opened(&store, "canonical");
+    press(&mut window, "Restore");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    window.run();
+    assert_says(&window, "Another program has changed mine.toml");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
 }

@@ -108,7 +108,7 @@ fn program() -> Vec<UiCommand> {
         File, "Open…", "Asks which scene or lesson to open.",
             [key(Anywhere, CTRL, Key::O)], FileAction::AskOpen;
         File, "Save as…", "Asks which file to save the scene to.",
-            [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs;
+            [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs { then: None };
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], FileAction::Save;
         File, "Check answers…", "Asks which file of a student's answers to grade.",

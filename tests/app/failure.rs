@@ -1,0 +1,96 @@
+//! A fault of the program itself in the middle of a frame.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use egui::OutputCommand;
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::model::files::OpenDocument;
+use pinhole::model::store::{Remembered, Store};
+use pinhole::ui::app::App;
+use pinhole_exchange::scenes::{SceneSource, builtin};
+
+use super::harness::{assert_says, says, texts_with, type_into, unfolded};
+use crate::support::{self, whole_window};
+
+const HEADING: &str = "Pinhole met a fault of its own";
+
+/// A window in which the next frame that asks for another one panics, once it is told to.
+fn window(store: &Store, panics: &Arc<AtomicBool>) -> Harness<'static, App> {
+    let source = SceneSource::Builtin(builtin::find("look-at").unwrap());
+    let settings = unfolded();
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let open = OpenDocument::new(source.load().unwrap(), source);
+    let app = App::new(open, remembered, Some(store.clone()));
+    let is_frame = Arc::new(AtomicBool::new(false));
+    let (panics, is_inside) = (Arc::clone(panics), Arc::clone(&is_frame));
+    let mut window = support::harness()
+        .with_size(super::harness::SIZE)
+        .with_max_steps(30)
+        .with_context_setup(move |ctx| {
+            App::set_up(ctx, &settings);
+            ctx.set_request_repaint_callback(move |_| {
+                if is_inside.load(Ordering::SeqCst) && panics.swap(false, Ordering::SeqCst) {
+                    panic!("a planted fault");
+                }
+            });
+        })
+        .build_ui_state(
+            move |ui, app| {
+                is_frame.store(true, Ordering::SeqCst);
+                whole_window::show(ui, app);
+                is_frame.store(false, Ordering::SeqCst);
+            },
+            app,
+        );
+    window.run();
+    window
+}
+
+fn press(window: &mut Harness<'_, App>, button: &str) {
+    window.get_by_role_and_label(Role::Button, button).click();
+    window.run();
+}
+
+#[test]
+fn the_scene_is_kept_the_reason_is_shown_and_the_window_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let panics = Arc::new(AtomicBool::new(false));
+    let mut window = window(&store, &panics);
+    type_into(&mut window, "eye x", "0.375");
+    let spheres = window.state().document().spheres.len();
+    panics.store(true, Ordering::SeqCst);
+    press(&mut window, "+ Sphere");
+    assert_says(&window, HEADING);
+    assert!(!texts_with(&window, "a planted fault").is_empty());
+    assert!(!says(&window, "eye x"));
+    let kept = window.state().document().clone();
+    assert_eq!((kept.camera.eye.x, kept.spheres.len()), (0.375, spheres + 1));
+
+    window.get_by_role_and_label(Role::Button, "Copy a report").click();
+    let mut copied = String::new();
+    for _ in 0..4 {
+        window.step();
+        for command in &window.output().platform_output.commands {
+            if let OutputCommand::CopyText(text) = command {
+                copied.clone_from(text);
+            }
+        }
+    }
+    assert!(copied.contains("a planted fault") && copied.contains("eye = [0.375"), "{copied}");
+
+    press(&mut window, "Go on");
+    assert!(!says(&window, HEADING));
+    assert_eq!(*window.state().document(), kept);
+    type_into(&mut window, "eye y", "2");
+    assert_eq!(window.state().document().camera.eye.y, 2.0);
+
+    panics.store(true, Ordering::SeqCst);
+    press(&mut window, "+ Sphere");
+    press(&mut window, "Undo and go on");
+    assert_eq!(window.state().document().spheres.len(), spheres + 1);
+    assert_eq!(window.state().document().camera.eye.y, 2.0);
+}
