@@ -17,6 +17,7 @@ use super::frame_log::FrameLog;
 use super::open::Open;
 use super::{signals, start};
 use crate::cli::arguments::Renderer;
+use crate::model::panics::caught;
 use crate::model::window_geometry::WindowGeometry;
 use crate::ui::app::App;
 
@@ -38,11 +39,11 @@ pub(super) fn run(
         open: None,
         failure: None,
     };
-    let ended = event_loop.run_app(&mut handler);
+    let ended = caught(|| event_loop.run_app(&mut handler).map_err(|error| error.to_string()));
     handler.finish();
     match handler.failure {
         Some(failure) => Err(failure),
-        None => ended.map_err(|error| PresentError::Lost(error.to_string())),
+        None => ended.flatten().map_err(PresentError::Lost),
     }
 }
 

@@ -8,6 +8,7 @@
 #![allow(clippy::print_stdout, reason = "says what it ran on, and how fast")]
 
 mod bus;
+mod dying;
 mod fields;
 mod hands;
 mod hearing;
@@ -87,6 +88,12 @@ fn the_pen_draws_and_escape_wipes_it_off() {
 #[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
 fn a_vote_is_given_and_told_by_a_key() {
     vote::guess_which();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
+fn unsaved_changes_are_offered_however_the_window_ended() {
+    dying::in_every_way();
 }
 
 #[test]

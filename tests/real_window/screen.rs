@@ -27,13 +27,19 @@ impl Drop for Running {
     }
 }
 
+/// Sends a process a signal, by the name that `kill` knows.
+pub(crate) fn signal(to: &Running, name: &str) {
+    let kill = Command::new("kill").args(["-s", name, &to.0.id().to_string()]).status();
+    assert!(kill.unwrap().success());
+}
+
 /// A screen that nobody sees, with a window manager.
 pub(crate) struct Screen {
     pub(crate) display: String,
     /// Where its programs meet.
     pub(crate) bus: Bus,
     _manager: Running,
-    _server: Running,
+    server: Running,
     folder: TempDir,
 }
 
@@ -66,8 +72,8 @@ impl Screen {
             .spawn()
             .expect("openbox is installed: .ci/run does it");
         let bus = Bus::start(&display, folder.path());
-        let (_server, _manager) = (Running(server), Running(manager));
-        let screen = Screen { display, bus, _manager, _server, folder };
+        let (server, _manager) = (Running(server), Running(manager));
+        let screen = Screen { display, bus, _manager, server, folder };
         // Only a window manager knows of desktops.
         wait_for("the window manager", || screen.try_say(&["get_num_desktops"]));
         screen
@@ -94,6 +100,11 @@ impl Screen {
     pub(crate) fn try_say(&self, arguments: &[&str]) -> Option<String> {
         let output = self.xdotool(arguments);
         output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    }
+
+    /// Ends the server as if it had crashed.
+    pub(crate) fn kill_server(&self) {
+        signal(&self.server, "KILL");
     }
 
     /// Moves the mouse to a position of a window.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use egui::{Pos2, Vec2, vec2};
 use pinhole_exchange::scenes::builtin;
 
-use crate::screen::{Running, Screen, wait_for};
+use crate::screen::{Running, Screen, signal, wait_for};
 
 /// One way to start the program.
 pub(crate) struct Setting {
@@ -130,6 +130,30 @@ impl<'a> Window<'a> {
     pub(crate) fn write(&self, text: &str) {
         assert!(self.screen.xdotool(&["type", "--delay", "30", text]).status.success());
         sleep(Duration::from_millis(500));
+    }
+
+    /// Its title.
+    pub(crate) fn title(&self) -> Option<String> {
+        self.screen.try_say(&["getwindowname", &self.id])
+    }
+
+    pub(crate) fn minimise(&self) {
+        self.screen.press("windowminimize", &self.id);
+    }
+
+    /// Sends its process a signal, by the name that `kill` knows.
+    pub(crate) fn signal(&self, name: &str) {
+        signal(&self.process, name);
+    }
+
+    /// Has the X server end its connection.
+    pub(crate) fn kill_client(&self) {
+        self.screen.press("windowkill", &self.id);
+    }
+
+    /// Waits until its process has ended, however.
+    pub(crate) fn wait(&mut self) {
+        wait_for("the program to end", || self.process.0.try_wait().unwrap());
     }
 
     /// Closes it by its key.
