@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 
-use pinhole_exchange::FileError;
+use pinhole_exchange::{FileError, legible};
 
 /// The reason why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +52,7 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     };
     if let Err(error) = result {
         // Where standard error is closed too, the status has to do.
-        let _ = writeln!(io::stderr(), "pinhole: {error}");
+        let _ = writeln!(io::stderr(), "pinhole: {}", legible(&error.to_string()));
     }
     ExitCode::from(status)
 }

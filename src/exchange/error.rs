@@ -44,9 +44,10 @@ impl Location {
 }
 
 impl FileError {
-    /// About the file as a whole.
+    /// About the file as a whole. The problem is made [`legible()`].
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
-        FileError { file: path.display().to_string(), location: None, problem: problem.into() }
+        let problem = legible(&problem.into());
+        FileError { file: path.display().to_string(), location: None, problem }
     }
 
     /// About a position in the file.
@@ -74,6 +75,7 @@ fn reason(error: &io::Error) -> String {
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let FileError { file, location, problem } = self;
+        let file = legible(file);
         match location {
             Some(Location { line, column }) => write!(f, "{file}:{line}:{column}: {problem}"),
             None => write!(f, "{file}: {problem}"),
@@ -83,12 +85,44 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// A text on one line, and no longer than a message may be.
+/// A value on one line, and no longer than a message has room for.
 pub(crate) fn one_line(text: &str) -> String {
     const LONGEST: usize = 60;
-    let line = text.split_whitespace().take(LONGEST).collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &line[..end]),
-        None => line,
+    let words = text.split_whitespace().take(LONGEST);
+    let mut chars = words.flat_map(|word| word.chars().chain([' ']));
+    let line: String = chars.by_ref().take(LONGEST).collect();
+    match chars.next() {
+        Some(next) if next != ' ' || chars.next().is_some() => format!("{line}..."),
+        _ => line.trim_end().to_owned(),
     }
+}
+
+/// Returns true for what a terminal or a window would obey and not show: control characters, and the
+/// marks that change the direction of writing (Unicode Standard Annex 9), by which a text can look like
+/// another one.
+pub(crate) fn is_hidden(c: char) -> bool {
+    let is_of_direction = matches!(
+        c,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+    );
+    let ends_a_line = matches!(c, '\u{2028}' | '\u{2029}');
+    c.is_control() || is_of_direction || ends_a_line
+}
+
+/// A message with what is hidden in it escaped, as `\u{202e}`, and its middle left out where it is longer
+/// than 1000 characters: it begins with the field and ends with what would be right.
+pub fn legible(message: &str) -> String {
+    const LONGEST: usize = 1000;
+    const GAP: &str = " ... ";
+    let mut shown = String::with_capacity(message.len());
+    for c in message.chars() {
+        if is_hidden(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+    }
+    let count = shown.chars().count();
+    if count <= LONGEST {
+        return shown;
+    }
+    let end = (LONGEST - GAP.len()) / 2;
+    let begin = shown.chars().take(end).collect::<String>();
+    begin + GAP + &shown.chars().skip(count - end).collect::<String>()
 }

@@ -55,7 +55,8 @@ impl<'a> Section<'a> {
 
     /// Returns a field's name in messages, its table's before it.
     pub fn path_of(&self, key: &str) -> String {
-        if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
+        let key = one_line(key);
+        if self.name.is_empty() { key } else { format!("{}.{key}", self.name) }
     }
 
     /// Refuses the first field that is none of the `known`; `top` are those of the file itself.

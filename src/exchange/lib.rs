@@ -13,7 +13,8 @@
 //! - [`code`]: the camera at hand as a short program in six languages.
 //!
 //! Whatever is wrong with a file is a [`FileError`], which says where and what would be right. A file is
-//! written as a whole or not at all ([`atomic`]), by way of [`temporary`] ones. Nothing here knows a window.
+//! written as a whole or not at all ([`atomic`]), by way of [`temporary`] ones, and read up to a size
+//! ([`limits`]). Nothing here knows a window.
 
 pub mod answers;
 pub mod atomic;
@@ -24,10 +25,11 @@ mod error;
 pub mod fields;
 pub mod format;
 pub mod images;
+pub mod limits;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;
 mod suggest;
 pub mod temporary;
 
-pub use error::{FileError, Location};
+pub use error::{FileError, Location, legible};

@@ -2,6 +2,11 @@
 
 /// The names that are a slip of the finger away, nearest first.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    // No name is as long.
+    const LONGEST: usize = 100;
+    if word.len() > LONGEST {
+        return Vec::new();
+    }
     let word = word.to_lowercase();
     let mut near: Vec<(usize, &str)> =
         known.into_iter().map(|name| (distance(&word, name), name)).collect();

@@ -5,6 +5,7 @@ use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
 use super::opencv::{off_centre, pose_of, translation, viewport_of};
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, flipped, n};
 use crate::format::{
@@ -178,7 +179,7 @@ fn intrinsics(
     let model = camera.cells[1];
     let Some((_, two, distortions)) = MODELS.iter().find(|known| known.0 == model) else {
         let known: Vec<&str> = MODELS.iter().map(|known| known.0).collect();
-        let right = known.join(", ");
+        let (model, right) = (one_line(model), known.join(", "));
         return Err(error(camera.at, format!("MODEL is {model}: it must be one of {right}")));
     };
     let numbers: Result<Vec<f64>, FileError> = camera.cells[2..]
@@ -186,7 +187,10 @@ fn intrinsics(
         .map(|cell| {
             let number = cell.parse::<f64>().ok().filter(|x| x.is_finite());
             number.ok_or_else(|| {
-                error(camera.at, format!("PARAMS has {cell}: it must be a finite number"))
+                error(
+                    camera.at,
+                    format!("PARAMS has {}: it must be a finite number", one_line(cell)),
+                )
             })
         })
         .collect();
@@ -233,8 +237,8 @@ fn camera_of<'l, 't>(
             let more = if cameras.len() > 5 { ", ..." } else { "" };
             let problem = format!(
                 "CAMERA_ID of {} is {id}: it must be that of a camera in cameras.txt, {}{more}",
-                image.name,
-                ids.join(", ")
+                one_line(image.name),
+                one_line(&ids.join(", "))
             );
             error(image.at, problem)
         }
@@ -256,10 +260,11 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let mut notes = Vec::new();
     let more = lines.images.len() - 1;
     if more > 0 {
-        notes.push(format!("{} is taken; {more} more images are left out", image.name));
+        let name = one_line(image.name);
+        notes.push(format!("{name} is taken; {more} more images are left out"));
     }
     if let Some(first) = lines.others.first() {
-        let first: String = first.chars().take(40).collect();
+        let first = one_line(first);
         let count = lines.others.len();
         notes.push(format!(
             "{count} lines are left out, the first is \"{first}\": they are none of a camera, an image \

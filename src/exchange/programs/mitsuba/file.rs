@@ -6,6 +6,7 @@ use pinhole_core::DVec3;
 use roxmltree::{Document as Xml, Node};
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::Input;
 use crate::format::affine::Affine;
 
@@ -63,14 +64,13 @@ impl<'a, 'x> File<'a, 'x> {
     }
 
     pub(super) fn fault(&self, node: Node, field: &str, value: &str, right: &str) -> FileError {
-        let problem = format!("{field} is {value}: {right}");
+        let problem = format!("{} is {}: {right}", one_line(field), one_line(value));
         self.text.error_at(node.range().start, problem)
     }
 
     fn quoted(&self, node: Node, attribute: &str, field: &str, right: &str) -> FileError {
         let value = node.attribute(attribute).unwrap_or_default();
-        let shown: String = value.chars().take(60).collect();
-        self.fault(node, field, &format!("{shown:?}"), right)
+        self.fault(node, field, &format!("{:?}", one_line(value)), right)
     }
 
     fn numbers(&self, node: Node<'x, 'x>, attribute: &str) -> Result<Vec<f64>, FileError> {

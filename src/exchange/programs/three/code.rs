@@ -3,6 +3,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::viewport::viewport_of_angle;
 use crate::format::{Imported, Input};
@@ -83,7 +84,8 @@ impl Given {
         let owner = &path[..path.len() - step.len()];
         if self.lens.is_none() || self.name.as_ref().is_some_and(|name| name != owner) {
             let right = format!(
-                "{owner} must be the camera, made by new THREE.PerspectiveCamera before it"
+                "{} must be the camera, made by new THREE.PerspectiveCamera before it",
+                one_line(owner)
             );
             return Err(source.refused(statement, &right));
         }

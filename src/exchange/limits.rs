@@ -1,0 +1,80 @@
+//! What is read at most. Whatever has more is refused, and the message says how much is read.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::FileError;
+
+/// Maximum bytes of a text: a scene, a lesson, another program's file.
+pub const TEXT: u64 = 64 << 20;
+
+/// Maximum bytes of a table, or of a picture that is graded.
+pub const TABLE: u64 = 1 << 30;
+
+/// Maximum bytes of a text that is pasted.
+pub const PASTE: usize = 1 << 20;
+
+/// Maximum bytes of a table's row.
+pub const ROW: usize = 64 << 10;
+
+/// Maximum number of spheres in a table, and of its other rows.
+pub const ROWS: usize = 10_000_000;
+
+/// Maximum number of brackets or elements in each other. What is written by a program or a person has
+/// few.
+pub const NESTING: usize = 64;
+
+/// Maximum number of an XML element's attributes: its parser holds each against all others.
+pub const ATTRIBUTES: usize = 64;
+
+/// Files that a shell has opened for the program. They may be pipes.
+const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
+
+/// Reads a file of at most so many bytes.
+///
+/// # Errors
+/// Returns an error if the system does not let us read it, it is larger, or it is a device or a pipe that
+/// nobody has opened for the program: it may never end, or never begin.
+pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
+    let kind = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
+    if !(kind.is_file() || kind.is_dir() || is_inherited) {
+        let problem = "cannot be read: it is a device or a pipe, and must be a file";
+        return Err(FileError::of_file(path, problem));
+    }
+    if kind.is_file() && kind.len() > most {
+        return Err(too_large(path, most));
+    }
+    let file = File::open(path).map_err(|error| FileError::unreadable(path, &error))?;
+    read_from(file, path, most)
+}
+
+/// Reads a text file of at most [`TEXT`] bytes.
+///
+/// # Errors
+/// Returns the errors of [`read`], or an error if it is no UTF-8.
+pub fn read_text(path: &Path) -> Result<String, FileError> {
+    String::from_utf8(read(path, TEXT)?).map_err(|error| {
+        let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
+        FileError::unreadable(path, &error)
+    })
+}
+
+/// Reads at most so many bytes of what is called `path` in messages.
+///
+/// # Errors
+/// Returns an error if reading fails, or there is more.
+pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let mut bytes = Vec::new();
+    let read = source.take(most + 1).read_to_end(&mut bytes);
+    read.map_err(|error| FileError::unreadable(path, &error))?;
+    if bytes.len() as u64 > most {
+        return Err(too_large(path, most));
+    }
+    Ok(bytes)
+}
+
+fn too_large(path: &Path, most: u64) -> FileError {
+    FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
+}
