@@ -9,9 +9,11 @@ use pinhole::{cli, model, platform};
 fn main() -> ExitCode {
     model::panics::watch();
     platform::signals::watch();
-    let Arguments { command, window } = Arguments::parse();
-    cli::exit_code(match command {
-        Some(command) => cli::run(&command),
-        None => platform::program::run(&window),
+    cli::exit_code(match Arguments::try_parse() {
+        Ok(Arguments { command: Some(command), .. }) => cli::run(&command),
+        Ok(Arguments { command: None, window }) => platform::program::run(&window),
+        // What was asked for: the help, or the version.
+        Err(asked) if !asked.use_stderr() => cli::print(&asked),
+        Err(wrong) => wrong.exit(),
     })
 }

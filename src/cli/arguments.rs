@@ -344,7 +344,11 @@ fn target(to: Target) -> PossibleValue {
 }
 
 fn image_measure() -> impl TypedValueParser<Value = u32> {
-    clap::value_parser!(u32).range(1..=i64::from(ImageSize::MAX))
+    const MOST: u32 = ImageSize::MAX;
+    |text: &str| match text.parse() {
+        Ok(pixels @ 1..=MOST) => Ok(pixels),
+        _ => Err(format!("it must be a whole number of pixels, 1 to {MOST}")),
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pinhole_core::ImageSize;
 use pinhole_exchange::images::png;
-use pinhole_exchange::{FileError, answers, atomic};
+use pinhole_exchange::{FileError, answers, atomic, limits};
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
 use super::console::{named, read, to_json, to_stdout};
@@ -47,7 +47,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let resolved = pose(&arguments.scene, &document)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     let image = resolved.image();
-    let (path, bytes) = read(&arguments.answers)?;
+    let (path, bytes) = read(&arguments.answers, limits::TABLE)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.answers.clone());
     apart(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;

@@ -1,24 +1,21 @@
 //! Standard input, output and error, and the names of files to write.
 
-use std::fs;
-use std::io::{self, BufWriter, Read as _, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use pinhole_exchange::FileError;
+use pinhole_exchange::{FileError, legible, limits};
 use serde::Serialize;
 
 use super::error::CommandError;
 
-/// Reads a file, or standard input for `-`. Returns the name of the file in messages, too.
-pub(super) fn read(path: &Path) -> Result<(&Path, Vec<u8>), FileError> {
-    let (path, bytes) = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut bytes);
-        (Path::new("standard input"), read.map(|_| bytes))
-    } else {
-        (path, fs::read(path))
-    };
-    Ok((path, bytes.map_err(|error| FileError::unreadable(path, &error))?))
+/// Reads a file of at most so many bytes, or standard input for `-`. Returns the name of the file in
+/// messages, too.
+pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
+    if path == Path::new("-") {
+        let path = Path::new("standard input");
+        return Ok((path, limits::read_from(io::stdin().lock(), path, most)?));
+    }
+    Ok((path, limits::read(path, most)?))
 }
 
 /// Returns a value as one JSON object and a line break. Numbers read back to the same `f64`.
@@ -27,21 +24,33 @@ pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
     Ok(text.map_err(|error| CommandError::Input(error.to_string()))? + "\n")
 }
 
+/// Prints the help or the version.
+///
+/// # Errors
+/// Returns an error if it cannot be written.
+pub fn print(asked: &clap::Error) -> Result<(), CommandError> {
+    told(asked.print().and_then(|()| io::stdout().flush()))
+}
+
 /// Writes to standard output, with care for a reader who has seen enough.
 pub(super) fn to_stdout(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), CommandError> {
     let mut out = BufWriter::new(io::stdout().lock());
-    write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+    told(write(&mut out).and_then(|()| out.flush()))
+}
+
+fn told(written: io::Result<()>) -> Result<(), CommandError> {
+    written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => CommandError::ReaderGone,
-        _ => CommandError::Input(format!("standard output cannot be written: {error}")),
+        _ => FileError::unwritable(Path::new("standard output"), &error).into(),
     })
 }
 
 /// Says on standard error what was done otherwise than one may think.
 pub(super) fn warn(note: &str) {
     // Where standard error is closed, there is nobody to tell.
-    let _ = writeln!(io::stderr(), "pinhole: note: {note}");
+    let _ = writeln!(io::stderr(), "pinhole: note: {}", legible(note));
 }
 
 /// Refuses the name of another format: what it promises is not what would be in the file.

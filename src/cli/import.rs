@@ -7,7 +7,7 @@ use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::importer_of_file;
-use pinhole_exchange::{FileError, atomic, scene_file};
+use pinhole_exchange::{FileError, atomic, limits, scene_file};
 
 use super::console::{read, to_stdout, warn};
 use super::error::CommandError;
@@ -91,7 +91,7 @@ fn read_source(path: &Path) -> Result<Source, FileError> {
 }
 
 fn read_text(path: &Path) -> Result<String, FileError> {
-    let (path, bytes) = read(path)?;
+    let (path, bytes) = read(path, limits::TEXT)?;
     if bytes.starts_with(b"glTF") {
         return Err(FileError::of_file(path, "binary glTF: save it as .gltf, which is text"));
     }

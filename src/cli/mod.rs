@@ -20,6 +20,7 @@ mod scenes;
 mod size;
 mod trace;
 
+pub use self::console::print;
 pub use self::error::{CommandError, exit_code};
 use crate::cli::arguments::Command;
 

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use pinhole_core::{Ray, Root, Scene};
-use pinhole_exchange::atomic;
 use pinhole_exchange::csv::rays;
+use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
 use super::console::{read, to_stdout};
@@ -19,7 +19,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     // All rays are read before the first is traced, so that a bad row leaves no half an answer.
-    let (path, bytes) = read(&arguments.rays)?;
+    let (path, bytes) = read(&arguments.rays, limits::TABLE)?;
     let rays = rays::parse(path, &bytes)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());

@@ -267,7 +267,8 @@ fn what_does_not_fit_is_refused() {
         .failed(2, "--play shows a view: --view world or --view camera");
     at("canonical --view world -o a.svg --play orbit")
         .failed(2, "-o writes animations as PNG: end the name with .png");
-    at("canonical --view world -o a.svg --width 0").refused("0 is not in 1..=16384");
+    at("canonical --view world -o a.svg --width 0")
+        .refused("it must be a whole number of pixels, 1 to 16384");
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");
     at("canonical --view world -o out.jpg")
         .failed(2, "-o writes SVG, PDF or PNG: not out.jpg but out.svg, out.pdf or out.png");

@@ -93,6 +93,18 @@ fn every_command_is_offered_and_has_a_help() {
     }
 }
 
+/// The help and the version are output like any other.
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_written_is_an_error() {
+    for line in ["--help", "--version", "render --help", "scenes"] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut command = command_in(&std::env::temp_dir());
+        let output = command.args(line.split(' ')).stdout(full).output().unwrap();
+        finished(output).failed(1, "standard output: cannot be written: no space left on device");
+    }
+}
+
 #[test]
 fn wrong_arguments_are_status_2() {
     run("inspect").refused("required arguments were not provided");
@@ -109,8 +121,10 @@ fn wrong_arguments_are_status_2() {
         .refused("\"-1\" is no row or column: whole numbers from 0, such as 99,199");
     run("inspect canonical --pixel 1.5,2").refused("\"1.5\" is no row or column");
     run("render canonical").refused("--output <OUT.png>");
-    run("render canonical -o a.png --width 0").refused("0 is not in 1..=16384");
-    run("render canonical -o a.png --height 16385").refused("16385 is not in 1..=16384");
+    for wrong in ["--width 0", "--height 16385", "--width abc"] {
+        run(&format!("render canonical -o a.png {wrong}"))
+            .refused("it must be a whole number of pixels, 1 to 16384");
+    }
     run("render canonical -o a.png --shade phong").refused("lambert, normal, t, object");
     run("render canonical -o a.png --view side").refused("camera, world");
     run("check canonical").refused("--answers <IN.csv|IN.png>");

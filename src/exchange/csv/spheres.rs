@@ -1,14 +1,13 @@
 //! Many spheres from a CSV file: header `x,y,z,r`, and `color`, `name` where wanted, in any order.
 
-use std::fs;
 use std::path::Path;
 
 use pinhole_core::{DVec3, Sphere};
 
 use super::table::CsvTable;
-use crate::FileError;
 use crate::document::Item;
 use crate::images::color;
+use crate::{FileError, limits};
 
 const COLUMNS: &[&str] = &["x", "y", "z", "r", "color", "name"];
 const REQUIRED: usize = 4;
@@ -25,8 +24,7 @@ const NAME: usize = 5;
 /// Returns an error if the file cannot be read, or the first row at fault with its line, column and
 /// value.
 pub fn load(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
-    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
-    parse(path, &bytes)
+    parse(path, &limits::read(path, limits::TABLE)?)
 }
 
 /// Reads the spheres of a file's content; `path` is for the messages.

@@ -1,13 +1,12 @@
 //! The position in a scene file of numbers that make no camera.
 
-use std::fs;
 use std::path::Path;
 
 use pinhole_core::{BasisError, CameraError};
-use toml_edit::Document as Toml;
 
-use crate::FileError;
+use super::toml;
 use crate::fields::{Section, Source};
+use crate::{FileError, limits};
 
 /// The error of a file's camera at the position of the field at fault, as
 /// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.
@@ -15,9 +14,9 @@ use crate::fields::{Section, Source};
 /// The file is read again: a document, which is edited, knows nothing of places. `None` where the
 /// field is not there, be it that the file has changed or that it has the value by default.
 pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
-    let text = fs::read_to_string(path).ok()?;
+    let text = limits::read_text(path).ok()?;
     let source = Source { text: &text, path };
-    let toml = Toml::parse(text.as_str()).ok()?;
+    let toml = toml(&source).ok()?;
     let field = field_at_fault(error)?;
     let (tables, key) = field.rsplit_once('.')?;
     let mut section = Section::root(&source, toml.as_table());

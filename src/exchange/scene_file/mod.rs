@@ -48,14 +48,13 @@ mod note;
 mod read;
 mod write;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::document::Document;
-use crate::{FileError, Location, atomic};
+use crate::{FileError, Location, atomic, limits};
 
 pub use fault::camera_fault;
-pub use read::{TABLES, not_toml, tables};
+pub use read::{TABLES, tables, toml};
 pub use write::to_text;
 
 /// The format version that this program reads and writes.
@@ -66,7 +65,7 @@ pub const VERSION: i64 = 1;
 /// # Errors
 /// Returns the first error in it, or in the CSV file that it names.
 pub fn load(path: &Path) -> Result<Document, FileError> {
-    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
+    let bytes = limits::read(path, limits::TEXT)?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         let location = Location::of_byte(&bytes, error.valid_up_to());
         FileError::at(path, location, "not UTF-8 text: a scene file is text in UTF-8")
@@ -81,6 +80,14 @@ pub fn load(path: &Path) -> Result<Document, FileError> {
 /// Returns the errors of [`load`].
 pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError> {
     read::document(text, path, Some(base))
+}
+
+/// Reads a scene file's text by itself: a CSV file is named in the document, and not read.
+///
+/// # Errors
+/// Returns the first error in the text.
+pub fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
+    read::document(text, path, None)
 }
 
 /// A document as [`save`] wrote it.
@@ -98,7 +105,7 @@ pub struct Saved {
 /// # Errors
 /// Returns the errors of [`save_over`].
 pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
-    save_over(document, path, fs::read_to_string(path).ok().as_deref())
+    save_over(document, path, limits::read_text(path).ok().as_deref())
 }
 
 /// Writes a scene file, as a whole or not at all.

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
 use toml_edit::Document as Toml;
+use toml_parser::lexer::TokenKind;
 
 use super::{VERSION, note};
-use crate::FileError;
 use crate::csv::spheres;
 use crate::document::{CsvSpheres, Document, Item};
+use crate::error::one_line;
 use crate::fields::{Field, Section, Source};
 use crate::images::color;
+use crate::{FileError, limits};
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
@@ -26,7 +28,7 @@ pub(super) fn document(
     base: Option<&Path>,
 ) -> Result<Document, FileError> {
     let source = Source { text, path };
-    let toml = Toml::parse(text).map_err(|error| not_toml(&source, &error))?;
+    let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
     root.only(TOP, &[])?;
@@ -62,10 +64,47 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
+/// Parses a text whose brackets are no deeper in each other than [`limits::NESTING`]: the parser calls itself for
+/// each, and goes on behind a fault, so that its own limit does not hold.
+///
+/// # Errors
+/// Returns the first bracket that is too deep, or the first syntax error.
+pub fn toml<'t>(source: &Source<'t>) -> Result<Toml<&'t str>, FileError> {
+    if let Some(at) = too_deep(source.text) {
+        let problem =
+            format!("brackets stand in each other more than {} deep here", limits::NESTING);
+        return Err(source.error(&(at..at), problem));
+    }
+    Toml::parse(source.text).map_err(|error| not_toml(source, &error))
+}
+
+/// The byte of the first bracket that is too deep.
+fn too_deep(text: &str) -> Option<usize> {
+    let mut open = Vec::new();
+    for token in toml_parser::Source::new(text).lex() {
+        match token.kind() {
+            kind @ (TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket) => {
+                open.push(kind);
+                if open.len() > limits::NESTING {
+                    return Some(token.span().start());
+                }
+            }
+            TokenKind::RightSquareBracket => {
+                open.pop_if(|kind| *kind == TokenKind::LeftSquareBracket);
+            }
+            TokenKind::RightCurlyBracket => {
+                open.pop_if(|kind| *kind == TokenKind::LeftCurlyBracket);
+            }
+            _ => (),
+        }
+    }
+    None
+}
+
 /// Says a syntax error in the words of someone who does not know the grammar, where that is common.
-pub fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
+fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
-    let found = source.text.get(span.clone()).unwrap_or_default();
+    let found = &*one_line(source.text.get(span.clone()).unwrap_or_default());
     let message = match error.message() {
         "duplicate key" => format!("{found} is given twice"),
         message if message.starts_with("string values must be quoted") => match found {

@@ -1,18 +1,16 @@
 //! Reads the text of a lesson file.
 
-use std::fs;
 use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
-use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::fields::{Field, Section, Source};
-use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
+use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::{FileError, limits};
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::mistakes::Mistake;
-use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Question, Step, StepView};
 use crate::model::concept::Concept;
@@ -68,14 +66,14 @@ const RENAMED: [(&str, &str); 2] = [LEDGER, ("lit", "highlight")];
 /// # Errors
 /// Returns the first error in the file, or in a scene that it names.
 pub fn load(path: &Path) -> Result<Lesson, FileError> {
-    let text = fs::read_to_string(path).map_err(|error| FileError::unreadable(path, &error))?;
+    let text = limits::read_text(path)?;
     parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))
 }
 
 /// Returns true if a file claims to be a lesson, valid or not.
 pub fn is_lesson(path: &Path) -> bool {
-    let text = fs::read_to_string(path).unwrap_or_default();
-    Toml::parse(&text).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
+    let text = limits::read_text(path).unwrap_or_default();
+    toml(&Source { text: &text, path }).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
 }
 
 /// Parses a lesson file's text. `path` is for error messages. The paths of scenes are relative to
@@ -85,7 +83,7 @@ pub fn is_lesson(path: &Path) -> bool {
 /// Returns the same errors as [`load`].
 pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, FileError> {
     let source = Source { text, path };
-    let toml = Toml::parse(text).map_err(|error| not_toml(&source, &error))?;
+    let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
     root.only(&TOP, &[])?;

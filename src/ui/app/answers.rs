@@ -1,12 +1,12 @@
 //! A student's answers in the window: read, told from scenes, and put away.
 
 use std::fs::{self, File};
-use std::io::Read as _;
+use std::io::{ErrorKind, Read as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, answers};
+use pinhole_exchange::{answers, limits};
 
 use super::scene::OpenScene;
 use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
@@ -21,7 +21,10 @@ const MOST_BYTES: u64 = 100_000_000;
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
-    let read = File::open(&path).and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
+    // A pipe may never be written to.
+    let file =
+        || if path.is_file() { File::open(&path) } else { Err(ErrorKind::InvalidInput.into()) };
+    let read = file().and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
     match read {
         Ok(_) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
         _ => Leave::Open(SceneSource::File(path)).into(),
@@ -62,10 +65,8 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
         );
         return Err(Message::new("Too many answers", problem));
     }
-    let bytes = fs::read(path).map_err(|error| {
-        let error = FileError::unreadable(path, &error);
-        Message::new("These answers cannot be read", error)
-    })?;
+    let bytes = limits::read(path, limits::TABLE)
+        .map_err(|error| Message::new("These answers cannot be read", error))?;
     let known = session.answers.as_ref().filter(|known| known.file.path == path);
     let count_from = known.map_or(0, |known| known.count_from);
     let kind = answers::kind_of(&bytes);

@@ -274,6 +274,47 @@ fn whole_files() {
     check("", WHOLE_FILES);
 }
 
+/// The parser calls itself for every bracket, and goes on behind a fault: it ended the program here.
+#[test]
+fn brackets_too_deep_in_each_other_are_told_before_they_are_parsed() {
+    let unclosed = "up = [0, 1, 0]\nbasis = {0]\n".repeat(7200);
+    let cases = [
+        (format!("pinhole = 1\n{unclosed}"), "130:6"),
+        (format!("pinhole = 1\nup = {}", "[".repeat(100_000)), "2:70"),
+        (format!("pinhole = 1\nup = {}", "{a=".repeat(100_000)), "2:198"),
+    ];
+    for (text, place) in cases {
+        let message = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")).unwrap_err();
+        let expected =
+            format!("scene.toml:{place}: brackets stand in each other more than 64 deep here");
+        assert_eq!(message.to_string(), expected);
+    }
+    // Brackets in text are none.
+    let text = format!("{CAMERA}[[sphere]]\nname = \"{}\"\n", "[".repeat(100));
+    let message = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")).unwrap_err();
+    assert!(message.to_string().contains("center is missing"), "{message}");
+}
+
+#[test]
+fn a_long_value_makes_no_long_message_and_what_is_hidden_is_escaped() {
+    let long = "a".repeat(100_000);
+    for text in [
+        format!("pinhole = 1\n{long} = 1\n"),
+        format!("pinhole = {long}\n"),
+        format!("pinhole = \"{long}\"\n"),
+    ] {
+        let message = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")).unwrap_err();
+        let message = message.to_string();
+        assert!(message.len() < 200 && message.contains("aaaa..."), "{message}");
+    }
+    let text = "pinhole = \"\u{202e}gnp\u{1b}\"\n".replace('\u{1b}', "\u{200f}");
+    let path = Path::new("a\u{1b}[2J\u{202e}.toml");
+    let message = scene_file::parse(&text, path, Path::new("")).unwrap_err().to_string();
+    let expected = "a\\u{1b}[2J\\u{202e}.toml:1:11: pinhole is \"\\u{202e}gnp\\u{200f}\": the format version \
+                    must be 1";
+    assert_eq!(message, expected);
+}
+
 #[test]
 fn cameras() {
     check(CAMERA_START, CAMERAS);

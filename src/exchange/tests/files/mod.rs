@@ -5,5 +5,6 @@ mod code;
 mod csv;
 mod good_scenes;
 mod images;
+mod limits;
 mod round_trip;
 mod saving;

@@ -1,0 +1,45 @@
+//! What is too large to read, or may never end.
+
+use std::fs::{self, File};
+use std::path::Path;
+
+use pinhole_exchange::{limits, scene_file};
+
+#[test]
+fn a_file_is_read_up_to_its_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.toml");
+    fs::write(&path, "four").unwrap();
+    assert_eq!(limits::read(&path, 4).unwrap(), b"four");
+    assert_eq!(limits::read_from(&b"four"[..], &path, 4).unwrap(), b"four");
+    let refused = format!("{}: it is too large: at most 64 MiB are read", path.display());
+    // It has no blocks on the disk.
+    File::create(&path).unwrap().set_len(limits::TEXT + 1).unwrap();
+    assert_eq!(scene_file::load(&path).unwrap_err().to_string(), refused);
+    let more = std::io::repeat(b'#');
+    let error = limits::read_from(more, &path, limits::TEXT).unwrap_err();
+    assert_eq!(error.to_string(), refused);
+}
+
+#[cfg(unix)]
+#[test]
+fn devices_and_pipes_are_refused() {
+    use std::process::Command;
+
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    for path in [Path::new("/dev/zero"), &pipe] {
+        let said = "cannot be read: it is a device or a pipe, and must be a file";
+        let told = format!("{}: {said}", path.display());
+        assert_eq!(scene_file::load(path).unwrap_err().to_string(), told);
+        let scene = folder.path().join("scene.toml");
+        let text = format!(
+            "pinhole = 1\nspheres = \"{}\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, 1]\nup = [0, 1, 0]\n",
+            path.display()
+        );
+        fs::write(&scene, text).unwrap();
+        let error = scene_file::load(&scene).unwrap_err().to_string();
+        assert!(error.ends_with(&told), "{error}");
+    }
+}
