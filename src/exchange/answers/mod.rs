@@ -19,7 +19,7 @@ use pinhole_lecture::grading::{
 };
 
 use self::pixels::Pixels;
-use crate::csv::table::{CsvTable, Row};
+use crate::csv::table::{CsvTable, Row, separated_by};
 use crate::images::png;
 use crate::{FileError, Location};
 
@@ -108,10 +108,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
     let separator = [(';', "semicolons"), ('\t', "tabs")];
     let separator = separator.iter().find(|(c, _)| names.iter().any(|name| name.contains(*c)));
     if let Some((_, separator)) = separator {
-        let problem = format!(
-            "the first line has {separator}: commas must stand between cells, and a point in a number"
-        );
-        return FileError::at(path, Location::START, problem);
+        return FileError::at(path, Location::START, separated_by(separator));
     }
     if bytes.trim_ascii().is_empty() {
         return FileError::of_file(

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::{FileError, Location, suggest};
+use crate::error::one_line;
+use crate::{FileError, Location, limits, suggest};
 
 /// A CSV file in memory, with its header understood.
 pub(crate) struct CsvTable<'a> {
@@ -30,6 +31,9 @@ impl<'a> CsvTable<'a> {
         names: &'static [&'static str],
         required: usize,
     ) -> Result<CsvTable<'a>, FileError> {
+        if let Some((at, problem)) = no_row(bytes) {
+            return Err(FileError::at(file, Location::of_byte(bytes, at), problem));
+        }
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes);
         let header = match reader.byte_headers() {
             Ok(header) => header.clone(),
@@ -38,6 +42,9 @@ impl<'a> CsvTable<'a> {
         let mut table =
             CsvTable { file, bytes, reader, fields: vec![None; names.len()], names, width: 0 };
         table.width = header.len();
+        if let Some(problem) = no_header(&header, names) {
+            return Err(table.error(Some(Location::START), problem));
+        }
         for (field, cell) in header.iter().enumerate() {
             let location = table.location_of(&header, field);
             let name = String::from_utf8_lossy(plain(cell));
@@ -66,11 +73,15 @@ impl<'a> CsvTable<'a> {
         mut each: impl FnMut(&Row) -> Result<(), FileError>,
     ) -> Result<(), FileError> {
         let mut record = csv::ByteRecord::new();
-        loop {
+        for count in 0_usize.. {
             match self.reader.read_byte_record(&mut record) {
                 Ok(true) => {}
                 Ok(false) => return Ok(()),
                 Err(error) => return Err(self.error(None, error.to_string())),
+            }
+            if count == limits::ROWS {
+                let problem = format!("there are too many rows: at most {} are read", limits::ROWS);
+                return Err(self.error(Some(self.location_of(&record, 0)), problem));
             }
             if record.len() != self.width {
                 let problem = format!(
@@ -82,10 +93,11 @@ impl<'a> CsvTable<'a> {
             }
             each(&Row { table: &self, record: &record })?;
         }
+        Ok(())
     }
 
     fn error(&self, location: Option<Location>, problem: String) -> FileError {
-        FileError { file: self.file.display().to_string(), location, problem }
+        FileError { location, ..FileError::of_file(self.file, problem) }
     }
 
     /// The position of a field: its row is searched again, which costs nothing where nothing is wrong.
@@ -105,6 +117,60 @@ impl<'a> CsvTable<'a> {
         }
         Location::of_byte(self.bytes, byte)
     }
+}
+
+/// Finds where a table has no rows any more, and says why: a quote that is not closed, or too much without an
+/// end of line. A reader would keep all that follows in memory.
+fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
+    let (mut row, mut quote, mut passed) = (0, None, 0);
+    let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
+    for at in marks.chain([bytes.len()]) {
+        if at - row > limits::ROW {
+            let problem = format!("the row is too long: at most {} kB are read", limits::ROW >> 10);
+            return Some(quote.map(unclosed).unwrap_or((row, problem)));
+        }
+        match (bytes.get(at), quote) {
+            // The second of two, which stand for one.
+            _ if at < passed => (),
+            (Some(b'"'), None) if at == row || bytes[at - 1] == b',' => quote = Some(at),
+            (Some(b'"'), Some(_)) if bytes.get(at + 1) == Some(&b'"') => passed = at + 2,
+            (Some(b'"'), Some(_)) => quote = None,
+            (Some(b'\r' | b'\n'), None) => row = at + 1,
+            _ => (),
+        }
+    }
+    quote.map(unclosed)
+}
+
+/// What is wrong with a first line that names no column at all. It is not shown: a scene may name any file
+/// as its table.
+fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String> {
+    let is_known = |cell: &[u8]| {
+        let cell = String::from_utf8_lossy(plain(cell));
+        names.iter().any(|known| known.eq_ignore_ascii_case(&cell))
+    };
+    let has_known =
+        |separator: u8| header.iter().any(|cell| cell.split(|b| *b == separator).any(is_known));
+    if header.is_empty() || has_known(b',') {
+        return None;
+    }
+    let other =
+        [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find(|(sign, _)| has_known(*sign));
+    Some(match other {
+        Some((_, separators)) => separated_by(separators),
+        None => format!("the first line must name columns out of {}", names.join(",")),
+    })
+}
+
+fn unclosed(quote: usize) -> (usize, String) {
+    (quote, "this quote is not closed: a second one must end its cell".to_owned())
+}
+
+/// The message on a table with other signs between its cells.
+pub(crate) fn separated_by(separators: &str) -> String {
+    format!(
+        "the first line has {separators}: commas must stand between cells, and a point in a number"
+    )
 }
 
 /// A cell without the blanks around it, and without quotes that a blank before them has kept.
@@ -144,13 +210,14 @@ impl Row<'_, '_> {
     /// `column r is "-1": ` and what would be right.
     pub(crate) fn error(&self, column: usize, right: &str) -> FileError {
         let location = self.table.fields[column].map(|f| self.table.location_of(self.record, f));
-        let value = String::from_utf8_lossy(self.cell(column));
+        let value = one_line(&String::from_utf8_lossy(self.cell(column)));
         let problem = format!("column {} is {value:?}: {right}", self.table.names[column]);
         self.table.error(location, problem)
     }
 }
 
 fn unknown_column(name: &str, names: &[&'static str]) -> String {
+    let name = &*one_line(name);
     let hint = match suggest::nearest(name, names.iter().copied()).first() {
         Some(near) => format!("did you mean {near}?"),
         None => format!("the first line must name columns out of {}", names.join(",")),

@@ -42,9 +42,14 @@ fn bad_files_are_told_line_column_and_value() {
         ),
         ("x,y,z,r,colour\n", "1:9: column \"colour\" is unknown: did you mean color?"),
         ("x,y,z,r,x\n", "1:9: column x is there twice"),
+        ("1,2,3,4\n", "1:1: the first line must name columns out of x,y,z,r,color,name"),
         (
-            "1,2,3,4\n",
-            "1:1: column \"1\" is unknown: the first line must name columns out of x,y,z,r,color,name",
+            "x;y;z;r\n1;2;3;4\n",
+            "1:1: the first line has semicolons: commas must stand between cells, and a point in a number",
+        ),
+        (
+            "x,y,z,r,name\n1,2,3,4,\"5\"\" ball\"\n1,2,3,4,\"open\n5,6,7,8,b\n",
+            "3:9: this quote is not closed: a second one must end its cell",
         ),
         ("x,y,z,r\n1,2,3\n", "2:1: the row has 3 cells: it must have 4, as the first line has"),
         ("x,y,z,r\n1,2,3,4,5\n", "2:1: the row has 5 cells: it must have 4, as the first line has"),
@@ -72,6 +77,32 @@ fn bad_files_are_told_line_column_and_value() {
         message.to_string(),
         "b.csv:2:9: column name is \"\u{fffd}\": it must be UTF-8 text"
     );
+}
+
+/// A scene may name any file of the machine as its table, and whoever opens it sees the message.
+#[test]
+fn what_is_no_table_is_not_shown() {
+    for text in ["root:$6$secret:20228:0:::\n", "secret\n", "secret,more\n1,2\n", "a;secret\n"] {
+        let message = parse(text).unwrap_err().to_string();
+        let expected = "balls.csv:1:1: the first line must name columns out of x,y,z,r,color,name";
+        assert_eq!(message, expected, "{text}");
+    }
+}
+
+#[test]
+fn a_row_without_an_end_is_refused_and_a_long_value_shortened() {
+    let zeros = "0".repeat(70_000);
+    let message = parse(&format!("x,y,z,r\n1,2,3,4\n1,2,3,{zeros}\n")).unwrap_err().to_string();
+    assert_eq!(message, "balls.csv:3:1: the row is too long: at most 64 kB are read");
+    let message = parse(&format!("x,y,z,r,name\n1,2,3,4,\"{}", "a\n".repeat(40_000))).unwrap_err();
+    assert_eq!(
+        message.to_string(),
+        "balls.csv:2:9: this quote is not closed: a second one must end its cell"
+    );
+    let message =
+        parse(&format!("x,y,z,r\n1,2,3,x{}\n", &zeros[..50_000])).unwrap_err().to_string();
+    let shown = format!("x{}...", &zeros[..59]);
+    assert_eq!(message, format!("balls.csv:2:7: column r is \"{shown}\": it must be a number"));
 }
 
 #[test]
