@@ -20,7 +20,13 @@ pub(crate) struct Node<'a> {
 pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
     serde_json::from_str(text.text).map_err(|error| {
         let said = error.to_string();
-        let problem = said.split(" at line ").next().unwrap_or_default();
+        let problem = match (error.is_eof(), said.split(" at line ").next().unwrap_or_default()) {
+            (true, said) => match said.strip_prefix("EOF while parsing ") {
+                Some(inside) => format!("the text ends inside {inside}: is all of the file there?"),
+                None => said.to_owned(),
+            },
+            (false, said) => said.to_owned(),
+        };
         FileError::at(text.path, location(text.text, &error), format!("no JSON: {problem}"))
     })
 }

@@ -3,6 +3,7 @@
 mod file;
 mod read;
 mod shapes;
+mod tags;
 
 use pinhole_core::{DVec3, Sphere};
 

@@ -5,7 +5,9 @@ use roxmltree::{Document as Xml, Node};
 
 use super::file::File;
 use super::shapes::{Shapes, shapes};
+use super::tags;
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::image_size::image_of;
 use crate::format::pose::Pose;
 use crate::format::text::n;
@@ -13,12 +15,10 @@ use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
 
 pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
-    let xml = Xml::parse(text.text).map_err(|error| {
-        let pos = error.pos();
-        let location = crate::Location { line: pos.row as usize, column: pos.col as usize };
-        let problem = format!("no XML: {error}");
-        FileError::at(text.path, location, problem)
-    })?;
+    if let Some((at, problem)) = tags::too_much(text.text) {
+        return Err(text.error_at(at, problem));
+    }
+    let xml = Xml::parse(text.text).map_err(|error| no_xml(text, &error))?;
     let file = File::new(text, &xml);
     let mut notes = Vec::new();
     let mut sensors = xml.descendants().filter(|node| node.has_tag_name("sensor"));
@@ -49,6 +49,21 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     let Shapes { spheres, planes, .. } = shapes(&file, &xml, &mut notes);
     let camera = Camera { eye, orientation, viewport, image };
     Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
+}
+
+/// A fault of the syntax; what is not closed is told where it begins.
+fn no_xml(text: &Input, error: &roxmltree::Error) -> FileError {
+    use roxmltree::Error::{UnclosedRootNode, UnexpectedEndOfStream};
+    if let (UnclosedRootNode | UnexpectedEndOfStream, Some((at, name))) =
+        (error, tags::unclosed(text.text))
+    {
+        let problem =
+            format!("no XML: <{}> is not closed: is all of the file there?", one_line(name));
+        return text.error_at(at, problem);
+    }
+    let pos = error.pos();
+    let location = crate::Location { line: pos.row as usize, column: pos.col as usize };
+    FileError::at(text.path, location, format!("no XML: {error}"))
 }
 
 /// The film's size; a part of it that is rendered alone is told in a note.

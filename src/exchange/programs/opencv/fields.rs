@@ -1,6 +1,8 @@
 //! Names and their numbers in JSON, in a YAML file of `cv::FileStorage`, or in statements such as
 //! `K = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]`.
 
+use std::collections::HashMap;
+
 use serde_json::Value;
 
 use crate::FileError;
@@ -33,7 +35,8 @@ pub(super) fn fields(
 ) -> Result<Vec<Field>, FileError> {
     let mut found = Vec::new();
     if text.text.trim_start().starts_with(['{', '[']) {
-        collect(text, &json::parse(text)?, &is_known, &mut found);
+        let value = json::parse(text)?;
+        collect(&mut Places { text: text.text, of: HashMap::new() }, &value, &is_known, &mut found);
     } else if is_yaml(text.text) {
         found = yaml(text.text);
         found.retain(|field| is_known(&field.name));
@@ -57,20 +60,38 @@ pub(super) fn fields(
     Ok(found)
 }
 
+/// The bytes at which names stand first in a text, each looked for once.
+struct Places<'t> {
+    text: &'t str,
+    of: HashMap<String, usize>,
+}
+
+impl Places<'_> {
+    fn of(&mut self, name: &str) -> usize {
+        let find = || self.text.find(&format!("\"{name}\"")).unwrap_or_default();
+        *self.of.entry(name.to_owned()).or_insert_with(find)
+    }
+}
+
 /// Every object's fields, however deep. JSON that is read has no more than 128 brackets in each other.
-fn collect(text: &Input, value: &Value, is_known: &impl Fn(&str) -> bool, into: &mut Vec<Field>) {
+fn collect(
+    places: &mut Places,
+    value: &Value,
+    is_known: &impl Fn(&str) -> bool,
+    into: &mut Vec<Field>,
+) {
     match value {
         Value::Object(map) => {
             for (name, value) in map {
                 if !is_known(name) {
-                    collect(text, value, is_known, into);
+                    collect(places, value, is_known, into);
                     continue;
                 }
                 // As cv::FileStorage writes a matrix.
                 let value = value.get("data").unwrap_or(value);
                 let mut numbers = Vec::new();
                 let is_of_numbers = flatten(value, &mut numbers);
-                let at = text.text.find(&format!("\"{name}\"")).unwrap_or_default();
+                let at = places.of(name);
                 into.push(Field {
                     name: name.clone(),
                     at,
@@ -79,7 +100,7 @@ fn collect(text: &Input, value: &Value, is_known: &impl Fn(&str) -> bool, into: 
                 });
             }
         }
-        Value::Array(items) => items.iter().for_each(|item| collect(text, item, is_known, into)),
+        Value::Array(items) => items.iter().for_each(|item| collect(places, item, is_known, into)),
         _ => (),
     }
 }

@@ -7,6 +7,7 @@ use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Viewport};
 use super::shapes::{Paint, Shapes};
 use super::tokens::{Parameters, Reader, Token};
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::affine::Affine;
 use crate::format::image_size::image_of;
 use crate::format::pose::{MIRRORED, Pose, mirrored};
@@ -187,7 +188,7 @@ impl<'t> Found<'t> {
                 self.systems.insert("world", Affine::IDENTITY);
             }
             "ActiveTransform" => {
-                let given = reader.name(word, at)?;
+                let given = one_line(reader.name(word, at)?);
                 if given != "All" {
                     let right = "it must be All: nothing must move while the shutter is open";
                     return Err(reader.error(at, format!("{word} is {given}: {right}")));
@@ -211,7 +212,7 @@ impl<'t> Found<'t> {
             _ if WITH_PARAMETERS.contains(&word) => {
                 self.with_parameters(reader, word, at, state)?;
             }
-            _ => return Err(reader.error(at, format!("{word}: no directive of pbrt"))),
+            _ => return Err(reader.error(at, format!("{}: no directive of pbrt", one_line(word)))),
         }
         Ok(())
     }
@@ -227,7 +228,7 @@ impl<'t> Found<'t> {
         match word {
             "Camera" => {
                 if parameters.kind != Some("perspective") {
-                    let kind = parameters.kind.unwrap_or_default();
+                    let kind = one_line(parameters.kind.unwrap_or_default());
                     return Err(
                         reader.error(at, format!("Camera is {kind}: it must be perspective"))
                     );

@@ -11,7 +11,7 @@ use crate::format::image_size::{image_of, image_of_ratio, size_note};
 use crate::format::pose::Pose;
 use crate::format::viewport::settled;
 use crate::format::{Imported, Input};
-use crate::programs::pieces::Piece;
+use crate::programs::pieces::{Piece, is_of_word};
 
 /// Words of a pinhole camera.
 const OWN: [&str; 8] =
@@ -120,8 +120,21 @@ fn by_ratio<'t>(
 fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
-    let next = camera_words().flat_map(|word| words(rest, word)).min();
-    Some(rest.until(next.unwrap_or(rest.text.len())).trimmed())
+    let next = next_word(rest).map_or(rest.text.len(), |next| next.at - rest.at);
+    Some(rest.until(next).trimmed())
+}
+
+/// The first word of a camera in a piece.
+fn next_word(mut rest: Piece) -> Option<Piece> {
+    while !rest.text.is_empty() {
+        let word = rest.word();
+        if camera_words().any(|known| known == word.text) {
+            return Some(word);
+        }
+        let behind = rest.from(word.text.len());
+        rest = behind.from(behind.text.find(is_of_word).unwrap_or(behind.text.len()));
+    }
+    None
 }
 
 /// Values of a camera.

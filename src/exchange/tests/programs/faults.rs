@@ -1,6 +1,7 @@
 //! Messages on faults of a text: file, line, field, value, what would be right.
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use pinhole_core::Camera;
 use pinhole_exchange::format::{Importer, Input};
@@ -118,6 +119,62 @@ fn faults_name_place_field_and_what_would_be_right() {
     for (format, text, message) in cases {
         let error = read(format, text).map(|taken| taken.camera).unwrap_err();
         assert_eq!(error.to_string(), message, "{format}");
+    }
+}
+
+/// Texts for which a reader took a minute, as it held everything in them against everything else.
+#[test]
+fn a_text_of_many_parts_is_read_or_refused_in_no_time() {
+    let attributes: String = (0..40_000).map(|k| format!(" a{k}=\"1\"")).collect();
+    let spaces: String = (0..100).map(|k| format!("<a xmlns:a{k}=\"u{k}\"/>")).collect();
+    let rotations = "{\"R\": 0}, ".repeat(20_000);
+    let k = "{\"K\": [0]}, ".repeat(20_000);
+    let escaped = "{\"\\u0052\": 0}, ".repeat(20_000);
+    let cases = [
+        (
+            "mitsuba",
+            format!("<scene>\n<sensor{attributes}/></scene>"),
+            "in:2:1: there are too many attributes: at most 64 are read",
+        ),
+        (
+            "mitsuba",
+            format!("<scene><sensor/>{spaces}</scene>"),
+            "in:1:1277: there are too many namespaces: at most 64 are read",
+        ),
+        (
+            "mitsuba",
+            format!("<scene><sensor/>{}", "<a>".repeat(100_000)),
+            "in:1:206: there are too many elements in each other: at most 64 are read",
+        ),
+        ("opencv", format!("[{rotations}{k}0]"), "in:1:200003: K is [0]: it must be 3 × 3 numbers"),
+        ("opencv", format!("[{escaped}0]"), "in: K is missing: it must be nine numbers"),
+    ];
+    for (format, text, message) in cases {
+        let begun = Instant::now();
+        let error = read(format, &text).map(|taken| taken.camera).unwrap_err();
+        assert_eq!(error.to_string(), message, "{format}");
+        assert!(begun.elapsed() < Duration::from_secs(3), "{format}: {:?}", begun.elapsed());
+    }
+}
+
+#[test]
+fn a_text_that_is_cut_is_told_where_it_is_open() {
+    let head = "<scene>\n<!-- <b> -->\n<sensor type=\"per>\"/>\n  <film><a></a>";
+    let said = "is not closed: is all of the file there?";
+    let cases = [
+        ("mitsuba", head.to_owned(), format!("in:4:3: no XML: <film> {said}")),
+        ("mitsuba", format!("{head}</film>"), format!("in:1:1: no XML: <scene> {said}")),
+        ("mitsuba", format!("{head}<b c="), format!("in:4:3: no XML: <film> {said}")),
+        (
+            "gltf",
+            "{\"asset\": {\n\"version\": 2".to_owned(),
+            "in:2:12: no JSON: the text ends inside an object: is all of the file there?"
+                .to_owned(),
+        ),
+    ];
+    for (format, text, message) in cases {
+        let error = read(format, &text).map(|taken| taken.camera).unwrap_err();
+        assert_eq!(error.to_string(), message);
     }
 }
 

@@ -120,7 +120,7 @@ fn long_chains_and_rings_end() {
 #[test]
 fn places_in_json_are_characters_counted_from_one() {
     for (text, message) in [
-        ("", "in:1:1: no JSON: EOF while parsing a value"),
+        ("", "in:1:1: no JSON: the text ends inside a value: is all of the file there?"),
         ("{\"é\": 1, x}", "in:1:10: no JSON: key must be a string"),
         ("{\n  \"a\": 1,\n  é\n}", "in:3:3: no JSON: key must be a string"),
     ] {
