@@ -3,6 +3,7 @@
 use pinhole_core::DVec3;
 
 use super::export_scene::ExportScene;
+use super::text::BEYOND;
 
 /// Direction of an axis of a format's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +81,6 @@ impl Conventions {
 
     /// The number of the field of view for a camera, or several.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
-        (self.field)(subject)
+        (self.field)(subject).replace(BEYOND, "inf")
     }
 }

@@ -173,10 +173,9 @@ impl<'a> ExportScene<'a> {
     pub(crate) fn clip(&self) -> (f64, f64) {
         let eye = self.resolved.eye();
         let spheres = self.spheres();
-        let reach = |s: &ExportObject<Sphere>| (s.shape.center - eye).length() + s.shape.radius;
+        let reach = |s: &ExportObject<Sphere>| length(s.shape.center - eye) + s.shape.radius;
         let far = spheres.iter().map(reach).fold(1e4, f64::max);
-        let gap =
-            |s: &ExportObject<Sphere>| ((s.shape.center - eye).length() - s.shape.radius).abs();
+        let gap = |s: &ExportObject<Sphere>| (length(s.shape.center - eye) - s.shape.radius).abs();
         let gaps = spheres.iter().map(gap).filter(|gap| *gap > 0.0);
         let near = gaps.map(|gap| 0.25 * gap).fold(0.01, f64::min).max(1e-6 * far.min(1e4));
         (near, if far > 1e4 { 2.0 * far } else { far })
@@ -185,14 +184,25 @@ impl<'a> ExportScene<'a> {
     /// A square in the plane's place, for programs without infinite ones: its middle, half its side,
     /// and two unit vectors along its sides.
     pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
-        let normal = plane.normal.normalize();
+        let normal = unit(plane.normal);
         let height = (self.resolved.eye() - plane.point).dot(normal);
         let middle = self.resolved.eye() - height * normal;
         let basis = normal.any_orthonormal_pair();
-        let reach = (self.resolved.eye() - plane.point).length().max(1.0);
+        let reach = length(self.resolved.eye() - plane.point).max(1.0);
         // A thousand times as far as anything that matters, and round.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
+}
+
+/// The length of a vector whose squares may be beyond the range of numbers.
+fn length(v: DVec3) -> f64 {
+    let length = v.length();
+    if length.is_finite() { length } else { v.x.hypot(v.y).hypot(v.z) }
+}
+
+/// A vector of length 1, of one that is not zero, however long or short.
+pub(crate) fn unit(v: DVec3) -> DVec3 {
+    v.try_normalize().unwrap_or_else(|| (v / v.abs().max_element()).normalize())
 }
 
 /// Returns the note on a square that stands for a plane.

@@ -15,12 +15,14 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, Pixel, Plane, Sphere};
 
 use self::pose::mirrored;
+use self::text::BEYOND;
 use crate::document::Item;
-use crate::{FileError, Location};
+use crate::error::one_line;
+use crate::{FileError, Location, legible};
 
 pub use conventions::{Axis, Conventions, PixelConvention};
-pub(crate) use export_scene::square_note;
 pub use export_scene::{ExportScene, Include, Unsupported};
+pub(crate) use export_scene::{square_note, unit};
 pub use pose::MIRRORED;
 pub use text::Text;
 
@@ -91,14 +93,19 @@ impl Format {
     /// differ, if by more than a billionth, as those of a field of view near 180 degrees may.
     ///
     /// # Errors
-    /// Returns the first quantity that the format cannot express.
+    /// Returns the first quantity that the format cannot express, as one that is not finite, or why the
+    /// numbers make no camera any more when they are read again.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         let mut written = (self.write)(subject)?;
+        for (_, text) in &written.files {
+            finite(&text.text)?;
+        }
         let alone = match subject.include {
             Include::CameraAlone => written.clone(),
             _ => (self.write)(&subject.camera_alone())?,
         };
-        written.notes.extend(difference(self, &alone, subject));
+        written.notes.extend(difference(self, &alone, subject)?);
+        written.notes.iter_mut().for_each(|note| *note = legible(note));
         Ok(written)
     }
 }
@@ -111,6 +118,7 @@ impl Importer {
     /// Returns the first error in the text, with its line and column.
     pub fn read(&self, text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let mut taken = (self.read)(text, at_hand)?;
+        taken.notes.iter_mut().for_each(|note| *note = legible(note));
         // No negative zeros.
         taken.camera.eye += DVec3::ZERO;
         match taken.camera.resolve() {
@@ -167,17 +175,37 @@ impl Input<'_> {
     }
 }
 
+/// Refuses a text with a number that is not finite, by the line that it stands in.
+fn finite(text: &str) -> Result<(), Unsupported> {
+    let Some(line) = text.lines().find(|line| line.contains(BEYOND)) else { return Ok(()) };
+    let line = line.replace(BEYOND, "infinite");
+    Err(Unsupported(format!(
+        "a number would not be finite, in {}: bring the eye and the objects nearer to each other",
+        one_line(&line)
+    )))
+}
+
 /// Returns a note where what was written, read again, makes a camera with other rays, and by how much.
-fn difference(format: &Format, written: &Exported, subject: &ExportScene) -> Option<String> {
+///
+/// # Errors
+/// Returns why it makes no camera any more.
+fn difference(
+    format: &Format,
+    written: &Exported,
+    subject: &ExportScene,
+) -> Result<Option<String>, Unsupported> {
     const ENOUGH: f64 = 1e-9;
+    let Some(importer) = format.importer else { return Ok(None) };
     let resolved = subject.resolve();
     let text = written.joined().text;
     let at_hand =
         Camera { viewport: *resolved.viewport(), image: resolved.image(), ..Camera::CANONICAL };
-    let read = (format.importer?.read)(&Input { path: Path::new(""), text: &text }, &at_hand);
-    let Some(back) = read.ok().and_then(|imported| imported.camera.resolve().ok()) else {
-        return Some("its numbers make no camera any more when they are read again".to_owned());
+    let lost = |why: &str| {
+        Unsupported(format!("{} would read no camera from its numbers: {why}", format.short))
     };
+    let read = (importer.read)(&Input { path: Path::new(""), text: &text }, &at_hand);
+    let back = read.map_err(|error| lost(&error.problem))?.camera.resolve();
+    let back = back.map_err(|error| lost(&error.to_string()))?;
     let [height, width] = [resolved.image().height(), resolved.image().width()].map(|n| n - 1);
     let corners = [(0, 0), (0, width), (height, 0), (height, width)];
     let off = corners.map(|(row, column)| {
@@ -189,7 +217,7 @@ fn difference(format: &Format, written: &Exported, subject: &ExportScene) -> Opt
         if a.dot(b) > 0.0 { turned } else { 2.0 }
     });
     let off = off.into_iter().fold(0.0, f64::max);
-    (off > ENOUGH).then(|| {
+    Ok((off > ENOUGH).then(|| {
         format!("its numbers keep this camera's rays to {off:.0e} of a right angle's sine only")
-    })
+    }))
 }

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-pub(crate) use pinhole_core::shortest as n;
-use pinhole_core::{DVec3, Rgb, shortest};
+use pinhole_core::{DVec3, Rgb};
+
+use crate::error::is_hidden;
 
 /// A text, and which parts of it have another sign than here.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,6 +19,14 @@ pub struct Text {
 /// number has in it.
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
+
+/// In the place of a number that is not finite, which no text may have.
+pub(super) const BEYOND: char = '\u{e002}';
+
+/// A number in the fewest digits that read back to it.
+pub(crate) fn n(x: f64) -> String {
+    if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
+}
 
 impl Text {
     /// The text of parts some of which went through [`flipped`].
@@ -46,9 +55,9 @@ pub(crate) fn flipped(text: impl AsRef<str>) -> String {
     format!("{OPEN}{}{CLOSE}", text.as_ref())
 }
 
-/// A text that came from outside, such as a name, without what would end a line or mark a part.
+/// A text that came from outside, such as a name, without what would end a line, hide or mark a part.
 pub(crate) fn one_line(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control() && ![OPEN, CLOSE].contains(c)).collect()
+    text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
 }
 
 /// A name as it can stand in quotes in every format.
@@ -58,23 +67,23 @@ pub(crate) fn quotable(name: &str) -> String {
 
 /// Writes a number with a point or an exponent, where `1` would be a whole number and divided as one.
 pub(crate) fn real(x: f64) -> String {
-    let text = shortest(x);
+    let text = n(x);
     if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
 }
 
 /// `1, 2, 3`
 pub(crate) fn commas(v: DVec3) -> String {
-    v.to_array().map(shortest).join(", ")
+    v.to_array().map(n).join(", ")
 }
 
 /// `1 2 3`
 pub(crate) fn spaces(v: DVec3) -> String {
-    v.to_array().map(shortest).join(" ")
+    v.to_array().map(n).join(" ")
 }
 
 /// Writes a vector's numbers, each of them marked.
 pub(crate) fn flipped_all(v: DVec3, between: &str) -> String {
-    v.to_array().map(|x| flipped(shortest(x))).join(between)
+    v.to_array().map(|x| flipped(n(x))).join(between)
 }
 
 /// A colour of the screen as light (the sRGB curve of IEC 61966-2-1), to six digits.
@@ -82,7 +91,7 @@ pub(crate) fn light(color: Rgb) -> [String; 3] {
     color.map(|byte| {
         let s = f64::from(byte) / 255.0;
         let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
-        shortest((light * 1e6).round() / 1e6)
+        n((light * 1e6).round() / 1e6)
     })
 }
 

@@ -7,7 +7,7 @@ use super::file::{File, cells, number};
 use crate::FileError;
 use crate::document::Item;
 use crate::format::left_out::{LeftOut, readable};
-use crate::format::text::{byte_of_light, n};
+use crate::format::text::byte_of_light;
 use crate::images::color;
 
 #[derive(Default)]
@@ -87,7 +87,12 @@ impl Shapes {
         let center = to_world.point(center);
         let radius = radius.unwrap_or(1.0) * scale;
         if !(radius > 0.0 && radius.is_finite()) {
-            return Err(file.fault(shape, "radius", &n(radius), "it must be greater than 0"));
+            return Err(file.fault(
+                shape,
+                "radius",
+                &radius.to_string(),
+                "it must be finite and greater than 0",
+            ));
         }
         if !center.is_finite() {
             return Err(file.fault(shape, "center", &center.to_string(), "it must be finite"));

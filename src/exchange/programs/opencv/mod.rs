@@ -8,7 +8,7 @@
 mod fields;
 mod read;
 
-use pinhole_core::{DVec3, Intrinsics, Viewport};
+use pinhole_core::{DVec3, Intrinsics, Viewport, shortest};
 
 use crate::format::pose::Pose;
 use crate::format::text::{flipped, flipped_all, n};
@@ -93,8 +93,8 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
         notes.push(format!(
             "the principal point is {} pixels right of the image's middle and {} below it: taken as \
              the middle, which every camera here has there",
-            n((right * 1e6).round() / 1e6),
-            n((down * 1e6).round() / 1e6)
+            shortest((right * 1e6).round() / 1e6),
+            shortest((down * 1e6).round() / 1e6)
         ));
     }
 }

@@ -9,7 +9,7 @@ use crate::document::Item;
 use crate::format::Input;
 use crate::format::affine::Affine;
 use crate::format::left_out::{LeftOut, readable};
-use crate::format::text::{byte_of_light, n};
+use crate::format::text::byte_of_light;
 
 /// A material's colour, as far as it gives one.
 #[derive(Clone, Copy, PartialEq)]
@@ -78,7 +78,7 @@ impl<'t> Shapes<'t> {
         if !(radius > 0.0 && radius.is_finite() && transform.at.is_finite()) {
             let problem = match radius > 0.0 {
                 true => "its numbers must be finite".to_owned(),
-                false => format!("radius is {}: it must be greater than 0", n(radius)),
+                false => format!("radius is {radius}: it must be greater than 0"),
             };
             return self.faults.push((at, problem));
         }

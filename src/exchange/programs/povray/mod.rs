@@ -16,7 +16,7 @@ use pinhole_core::{BACKGROUND, Sphere};
 use self::read::read;
 use crate::format::text::{commas, flipped_all, light, n, one_line};
 use crate::format::{
-    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported, unit,
 };
 
 pub(super) const FORMAT: Format = Format {
@@ -86,7 +86,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         ));
     }
     for plane in planes {
-        let normal = plane.shape.normal.normalize();
+        let normal = unit(plane.shape.normal);
         let color = light(plane.color).join(", ");
         text.push_str(&format!(
             "plane {{ <{}>, {} pigment {{ color rgb <{color}> }} }} // {}\n",

@@ -194,8 +194,48 @@ fn a_field_of_view_near_180_degrees_is_told() {
     let image = ImageSize::new(2, 2).unwrap();
     let document = scene_of(Camera { viewport, image, ..Camera::CANONICAL });
     let subject = ExportScene::new(&document, Include::CameraAlone).unwrap();
-    let notes = super::format("three").write(&subject).unwrap().notes;
-    assert!(notes[0].contains("read again"), "{notes:?}");
+    let refused = super::format("three").write(&subject).unwrap_err().to_string();
+    assert_eq!(
+        refused,
+        "three.js would read no camera from its numbers: object.children[0].fov is 180: it must be \
+         between 0 and 180 degrees"
+    );
+}
+
+/// No number that is not finite leaves the program: an eye so far out that squares overflow is written with
+/// finite ones, and read again, or refused by the line at fault.
+#[test]
+fn an_eye_beyond_all_is_written_in_finite_numbers_or_refused() {
+    for far in [1e155, 1e200, 1e306, 1.7e308] {
+        let mut document = scene_of(Camera { eye: DVec3::new(far, 0.0, 0.0), ..Camera::CANONICAL });
+        document.spheres = marker().into();
+        document.planes =
+            vec![Item::plain(Plane { point: DVec3::ZERO, normal: DVec3::X * 1e-200 })].into();
+        let subject = ExportScene::new(&document, Include::Meshes).unwrap();
+        let mut count = 0;
+        for format in &FORMATS {
+            match format.write(&subject) {
+                Ok(written) => {
+                    count += 1;
+                    let text = written.joined().text;
+                    let words = text.split(|c: char| !c.is_alphanumeric());
+                    let is_none = |word: &&str| ["inf", "NaN", "infinity"].contains(word);
+                    assert_eq!(words.filter(is_none).count(), 0, "{} {far}: {text}", format.name);
+                    assert!(!text.contains('\u{e002}'), "{}", format.name);
+                }
+                Err(refused) => {
+                    let refused = refused.to_string();
+                    let said = [
+                        "a number would not be finite, in ",
+                        "eye is so far out",
+                        " would read no camera",
+                    ];
+                    assert!(said.iter().any(|said| refused.contains(said)), "{refused}");
+                }
+            }
+        }
+        assert!(count > 6 || far > 1e200, "{far}: {count}");
+    }
 }
 
 #[test]
