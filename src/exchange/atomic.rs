@@ -153,6 +153,11 @@ pub fn check(path: &Path) -> Result<(), FileError> {
 
 /// The file that is to be written, and what is there now, which may be replaced.
 fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
+    // The link of a pipe, as /dev/stdout, leads to a name that is none of a file.
+    let is_device = |data: &Metadata| !data.is_file() && !data.is_dir();
+    if let Some(device) = fs::metadata(path).ok().filter(is_device) {
+        return Ok((path.to_owned(), Some(device)));
+    }
     let target = follow_links(path)?;
     let old = match fs::metadata(&target) {
         Ok(metadata) => metadata,

@@ -339,6 +339,31 @@ fn a_full_disk_leaves_the_old_files() {
     assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
 }
 
+/// A tile's place in the file does not depend on which thread is done with it first.
+#[test]
+fn openexr_is_the_same_bytes_whatever_the_number_of_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    let bytes = ["1", "4", "4", "7"].map(|threads| {
+        let line = "render planet -o out.png --aov out.exr --width 700";
+        let mut command = super::command_in(folder.path());
+        let output = command.args(line.split(' ')).env("RAYON_NUM_THREADS", threads).output();
+        super::finished(output.unwrap()).done();
+        fs::read(folder.path().join("out.exr")).unwrap()
+    });
+    assert!(bytes.iter().all(|other| *other == bytes[0]));
+}
+
+/// Standard output by its name, which is a link to no file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_pipe_is_written_to_by_its_name() {
+    let mut command = super::command_in(&std::env::temp_dir());
+    let output = command.args("render canonical -o /dev/stdout --width 8".split(' ')).output();
+    let output = output.unwrap();
+    assert_eq!((output.status.code(), &output.stderr[..]), (Some(0), &b""[..]));
+    assert!(output.stdout.starts_with(b"\x89PNG\r\n"), "{:?}", output.stdout);
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_device_is_written_to_and_stays() {

@@ -43,7 +43,8 @@ pub fn encode(
     let layer = Layer::new(
         (columns.len(), rows.len()),
         LayerAttributes::default(),
-        Encoding::FAST_LOSSLESS,
+        // In this order whichever thread is done first: the same frame is the same file.
+        Encoding { line_order: LineOrder::Increasing, ..Encoding::FAST_LOSSLESS },
         channels,
     );
     Image::from_layer(layer).write().to_buffered(BufWriter::new(out)).map_err(to_io)
