@@ -89,7 +89,8 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let mut recorder = Recorder::new(animation, output.clone()).map_err(CommandError::Input)?;
     let progress = Progress::counting("frame", frames.count as usize);
     for _ in 0..frames.count {
-        recorder.step().map_err(why)?;
+        let figure = recorder.figure().map_err(why)?;
+        recorder.push(&figure).map_err(CommandError::Input)?;
         progress.add(1);
     }
     recorder.finish().map_err(CommandError::Input)

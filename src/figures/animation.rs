@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use pinhole_exchange::FileError;
 use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png::Animated;
@@ -119,7 +120,8 @@ impl Recorder {
                 let frames = (count, per_second);
                 let out = BufWriter::new(file);
                 let animated = Animated::new(out, size, frames, animation.loops, transparent);
-                Sink::Animated(Box::new(animated.map_err(|error| error.to_string())?), draft)
+                let why = |error| FileError::unwritable(&path, &error).to_string();
+                Sink::Animated(Box::new(animated.map_err(why)?), draft)
             }
             Reel::Numbered => {
                 let taken = (0..count).map(|k| numbered(&path, k)).find(|path| path.exists());
@@ -143,18 +145,32 @@ impl Recorder {
     /// # Errors
     /// Returns the reason, as a sentence, if there is no such figure or it cannot be written.
     pub fn step(&mut self) -> Result<(), String> {
-        let figure = self.animation.figure(self.done)?;
-        match &mut self.sink {
-            Sink::Animated(animated, _) => {
-                animated.push(&figure.to_srgba()).map_err(|error| error.to_string())?;
-            }
+        let figure = self.figure()?;
+        self.push(&figure)
+    }
+
+    /// Returns the next frame's figure.
+    ///
+    /// # Errors
+    /// Returns the reason, as a sentence, if there is none.
+    pub fn figure(&self) -> Result<Figure, String> {
+        self.animation.figure(self.done)
+    }
+
+    /// Writes the next frame.
+    ///
+    /// # Errors
+    /// Returns the reason, as a sentence, if it cannot be written.
+    pub fn push(&mut self, figure: &Figure) -> Result<(), String> {
+        let written = match &mut self.sink {
+            Sink::Animated(animated, _) => animated.push(&figure.to_srgba()),
             Sink::Numbered(folder) => {
                 let path = folder.path().join(self.done.to_string());
-                fs::write(path, figure.to_file(Format::Png)?).map_err(|error| error.to_string())?;
+                fs::write(path, figure.to_file(Format::Png)?)
             }
-        }
+        };
         self.done += 1;
-        Ok(())
+        written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())
     }
 
     /// Puts everything in its place, after the last frame.
@@ -164,7 +180,8 @@ impl Recorder {
     pub fn finish(self) -> Result<(), String> {
         match self.sink {
             Sink::Animated(animated, draft) => {
-                animated.finish().map_err(|error| error.to_string())?;
+                let written = animated.finish();
+                written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
                 draft.finish().map_err(|error| error.to_string())
             }
             Sink::Numbered(folder) => {

@@ -76,3 +76,23 @@ fn a_camera_that_cannot_be_moved_leaves_no_file() {
     );
     assert_eq!(entries(folder.path()), ["s.toml"]);
 }
+
+/// The disk is at fault, not the scene.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_by_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+    for more in ["", " --numbered"] {
+        let line = format!(
+            "figure canonical --view world -o a.png --play orbit --frames 3 --width 300{more}"
+        );
+        let output = std::process::Command::new("sh")
+            .args(["-c", script, env!("CARGO_BIN_EXE_pinhole")])
+            .args(line.split(' '))
+            .current_dir(folder.path())
+            .output();
+        super::finished(output.unwrap()).failed(1, "a.png: cannot be written: file too large");
+        assert!(entries(folder.path()).is_empty());
+    }
+}

@@ -255,10 +255,20 @@ fn a_picture_is_graded_in_its_own_shading() {
         2,
         "in.png: the picture has 80 x 60 pixels: it must have 40 x 30, as the scene's image has",
     );
-    fs::write(folder.path().join("in.png"), b"\x89PNG\r\n\x1a\nno more").unwrap();
-    let run = run_in(folder.path(), &["check", "s.toml", "--answers", "in.png"]);
-    assert_eq!(run.status, 2);
-    assert!(run.stderr.starts_with("pinhole: in.png: cannot be read as PNG: "), "{}", run.stderr);
+    let picture = fs::read(folder.path().join("in.png")).unwrap();
+    let mut damaged = picture.clone();
+    damaged[60..80].fill(0xff);
+    for (bytes, message) in [
+        (&picture[..picture.len() / 2], "the picture ends too early: is all of the file there?"),
+        (&b"\x89PNG\r\n\x1a\nno more"[..], "the picture ends too early: is all of the file there?"),
+        (&damaged, "the picture is damaged ("),
+    ] {
+        fs::write(folder.path().join("in.png"), bytes).unwrap();
+        let run = run_in(folder.path(), &["check", "s.toml", "--answers", "in.png"]);
+        assert_eq!(run.status, 2);
+        let message = format!("pinhole: in.png: cannot be read as PNG: {message}");
+        assert!(run.stderr.starts_with(&message), "{}", run.stderr);
+    }
 }
 
 #[test]

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use pinhole_core::{ImageSize, Rgb};
 use png::{
-    BitDepth, ColorType, Decoder, Encoder, EncodingError, SrgbRenderingIntent, Transformations,
-    Writer,
+    BitDepth, ColorType, Decoder, DecodingError, Encoder, EncodingError, SrgbRenderingIntent,
+    Transformations, Writer,
 };
 
 use crate::{FileError, atomic};
@@ -153,14 +153,23 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
     let at_fault = |error: &dyn std::fmt::Display| {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))
     };
+    let damaged = |error: &DecodingError| match error {
+        DecodingError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+            at_fault(&"the picture ends too early: is all of the file there?")
+        }
+        DecodingError::Format(error) => {
+            at_fault(&format!("the picture is damaged ({error}): it must be written again"))
+        }
+        error => at_fault(error),
+    };
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
-    let mut reader = decoder.read_info().map_err(|error| at_fault(&error))?;
+    let mut reader = decoder.read_info().map_err(|error| damaged(&error))?;
     let size = [reader.info().width, reader.info().height];
     ImageSize::new(size[0], size[1]).map_err(|error| at_fault(&error))?;
     let length = reader.output_buffer_size().ok_or_else(|| at_fault(&"it is too large"))?;
     let mut buffer = vec![0; length];
-    let info = reader.next_frame(&mut buffer).map_err(|error| at_fault(&error))?;
+    let info = reader.next_frame(&mut buffer).map_err(|error| damaged(&error))?;
     let bytes = &buffer[..info.buffer_size()];
     let pixels = match info.color_type {
         ColorType::Rgba => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect(),
