@@ -2,6 +2,8 @@
 
 use std::f64::consts::{E, PI, TAU};
 
+use pinhole_exchange::legible;
+
 /// A function of one number, with its name.
 type NamedFunction = (&'static str, fn(f64) -> f64);
 
@@ -41,6 +43,9 @@ const CONSTANTS: [(&str, f64); 7] =
 /// Maximum nesting of brackets and signs; nobody types more.
 const DEEPEST: usize = 64;
 
+/// Maximum number of characters; nobody types more.
+const LONGEST: usize = 1000;
+
 /// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,
 /// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Accepts the signs that people paste
 /// (`−`, `×`, `·`, `√`, `π`) too.
@@ -50,6 +55,10 @@ const DEEPEST: usize = 64;
 /// number.
 pub fn evaluate(text: &str) -> Result<f64, String> {
     let typed = text.trim();
+    if typed.chars().nth(LONGEST).is_some() {
+        let shown = shown(typed);
+        return Err(format!("“{shown}” is too long: at most {LONGEST} characters are read"));
+    }
     let plain: String = typed
         .chars()
         .map(|c| match c {
@@ -66,9 +75,17 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
     }
     // A plain number first: this keeps every digit and accepts exponents such as `1e-300`.
     let value = plain.parse::<f64>().ok().or_else(|| Parser { rest: &plain }.whole());
+    let shown = shown(typed);
     let value =
-        value.ok_or_else(|| format!("“{typed}” is not a number: try 0.5, 1/3 or sqrt(2)/2"))?;
-    if value.is_finite() { Ok(value) } else { Err(format!("“{typed}” is not a finite number")) }
+        value.ok_or_else(|| format!("“{shown}” is not a number: try 0.5, 1/3 or sqrt(2)/2"))?;
+    if value.is_finite() { Ok(value) } else { Err(format!("“{shown}” is not a finite number")) }
+}
+
+/// A text as it stands in a message.
+fn shown(typed: &str) -> String {
+    const ROOM: usize = 60;
+    let begin: String = typed.chars().take(ROOM).collect();
+    legible(&if begin.len() < typed.len() { begin + "..." } else { begin })
 }
 
 /// A parser by recursive descent; `None` is a syntax error.
@@ -251,8 +268,11 @@ mod tests {
             "sinus(1)",
             &"(".repeat(100_000),
             &"-".repeat(100_000),
+            &"1+".repeat(40_000),
+            &format!("1+{}", "x".repeat(900)),
         ] {
-            assert!(evaluate(text).is_err(), "{text}: {:?}", evaluate(text));
+            let said = evaluate(text).expect_err(text);
+            assert!(said.len() < 200, "{said}");
         }
     }
 }

@@ -12,7 +12,7 @@ use pinhole_exchange::format::{
     ExportScene, Exported, Format, Include, Input, MIRRORED, Text, Unsupported,
 };
 use pinhole_exchange::programs::{FORMATS, importer_of, unknown_form};
-use pinhole_exchange::{FileError, scene_file};
+use pinhole_exchange::{FileError, limits, scene_file};
 
 use crate::model::translator::conventions::{FIELD_OF_VIEW, Row, rows};
 
@@ -159,6 +159,10 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
         let (title, notes) = (title.to_owned(), vec![note]);
         (None, Notice { title, notes, worked: false, camera: *at_hand, shown_at: None })
     };
+    if text.len() > limits::PASTE {
+        let problem = format!("it is too large: at most {} MiB are read", limits::PASTE >> 20);
+        return failed("This text was not pasted: nothing was changed", problem);
+    }
     if let Some(scene) = own_scene(text) {
         return match scene {
             Ok(document) => {
@@ -204,7 +208,7 @@ fn taken_over(
 /// Reads a scene file of this program, if the text is one.
 fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
     let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
-    is_one.then(|| scene_file::parse(text, Path::new("pasted"), Path::new("")))
+    is_one.then(|| scene_file::parse_alone(text, Path::new("pasted")))
 }
 
 /// Returns what is written with the camera: the objects if they are wanted and not too many.
@@ -295,6 +299,43 @@ fn cut(value: f64, digits: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Clipboards have what pages and editors put there.
+    #[test]
+    fn a_paste_with_characters_of_more_bytes_is_read_or_told() {
+        let text = "glm::mat4\u{a0}view =\u{a0}glm::lookAt(glm::vec3(4, 3, 3),\u{a0}glm::vec3(0), \
+                    glm::vec3(0, 1, 0)); // it\u{2019}s\n\
+                    auto p = glm::perspective(glm::radians(45.0f), 1.5f, 0.1f, 9.0f);\n";
+        assert_eq!(pasted(text, &Camera::CANONICAL).1.notes.len(), 1);
+        for (at, _) in text.char_indices() {
+            for strange in ["\u{a0}", "\u{2019}", "\u{201c}", "\r", "\r\u{1d54f}"] {
+                let (head, tail) = text.split_at(at);
+                let (camera, said) = pasted(&format!("{head}{strange}{tail}"), &Camera::CANONICAL);
+                assert_eq!((camera.is_some(), !said.notes.is_empty()), (said.worked, true));
+            }
+        }
+    }
+
+    #[test]
+    fn a_large_paste_is_refused_and_one_of_many_calculations_is_told_at_once() {
+        let sum = |terms: usize| format!("gluLookAt({}1)", "1 + ".repeat(terms));
+        let told = |text: &str| {
+            let (camera, said) = pasted(text, &Camera::CANONICAL);
+            assert_eq!(camera, None);
+            said.notes.join(" ")
+        };
+        let begun = std::time::Instant::now();
+        assert!(told(&sum(50_000)).len() < 300);
+        assert!(begun.elapsed().as_secs() < 3);
+        assert_eq!(told(&sum(300_000)), "it is too large: at most 1 MiB are read");
+    }
+
+    #[test]
+    fn a_pasted_scene_reads_no_file() {
+        let text = "pinhole = 1\nspheres = \"/dev/zero\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\n\
+                    up = [0, 1, 0]\n";
+        assert!(pasted(text, &Camera::CANONICAL).1.worked);
+    }
 
     #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
