@@ -3,6 +3,7 @@
 mod bad_scenes;
 mod code;
 mod csv;
+mod fuzz;
 mod good_scenes;
 mod images;
 mod limits;
