@@ -179,7 +179,8 @@ pub struct FigureArguments {
         value_parser = one_of(Style::ALL, |style| style.name().into())
     )]
     pub style: Style,
-    /// Write an animation of the world or the camera view: an animated PNG, like the window's Play
+    /// Write an animation of the world or the camera view: an animated PNG or GIF, like the window's
+    /// Play
     #[arg(long, value_name = "KIND")]
     #[arg(value_parser = one_of(Kind::ALL, |kind| kind.name().into()))]
     pub play: Option<Kind>,
@@ -189,7 +190,7 @@ pub struct FigureArguments {
     /// Frames per second
     #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u16).range(1..=120))]
     pub per_second: Option<u16>,
-    /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG
+    /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated file
     #[arg(long, requires = "play")]
     pub numbered: bool,
     /// The ray that is shown.

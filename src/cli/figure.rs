@@ -12,9 +12,7 @@ use super::load::{apart, files_of, load, pose, selection_of};
 use super::progress::Progress;
 use super::size::{follow, size};
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{
-    self, Animation, Content, Frames, Order, Recorder, Reel, Subject, check_name,
-};
+use crate::figures::{self, Animation, Content, Frames, Order, Recorder, Reel, Subject};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
@@ -66,7 +64,9 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         return refused("--play shows a view: --view world or --view camera");
     }
     let output = &arguments.output;
-    check_name(output).map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
+    let frames = frames_of(arguments, kind);
+    let checked = frames.check(output, arguments.transparent);
+    checked.map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
     if !arguments.numbered {
         atomic::check(output)?;
     }
@@ -79,7 +79,6 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     session.observer = session
         .observer
         .map(|from| from.following(&document.camera, &start.cameras(kind), width / height));
-    let frames = frames_of(arguments, kind);
     let scene = (document, session);
     let loops = kind.moves_camera();
     let animation = Animation { kind, start, loops, scene, order, frames };

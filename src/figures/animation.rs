@@ -1,4 +1,4 @@
-//! Animations as files: a figure for each phase, in one animated PNG or in numbered ones.
+//! Animations as files: a figure for each phase, in one animated PNG or GIF, or in numbered PNGs.
 
 use std::fs::{self, File};
 use std::io::BufWriter;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use pinhole_exchange::FileError;
 use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::images::png::Animated;
+use pinhole_exchange::images::{gif, png};
 use pinhole_exchange::temporary::DraftFolder;
 
 use super::figure::{Figure, Format};
@@ -18,7 +18,7 @@ use crate::model::session::Session;
 /// The files that frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reel {
-    /// One animated PNG.
+    /// One animated PNG or GIF, by the ending of its name.
     Animated,
     /// `name-0001.png`, `name-0002.png`, ...
     Numbered,
@@ -48,16 +48,31 @@ impl Frames {
     }
 }
 
-/// Checks that an animation can be written to a file of this name.
-///
-/// # Errors
-/// Returns an error, as a sentence with a name that would do, if the name does not fit.
-pub fn check_name(path: &Path) -> Result<(), String> {
-    let is = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
-    if is("png") || is("apng") {
-        return Ok(());
+impl Frames {
+    /// Checks that they can be written to a file of this name, with a background or without.
+    ///
+    /// # Errors
+    /// Returns an error, as a sentence with what would do, if they cannot.
+    pub fn check(&self, path: &Path, transparent: bool) -> Result<(), String> {
+        let is = |ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        if is("png") || is("apng") {
+            return Ok(());
+        }
+        if !is("gif") {
+            return Err(
+                "writes animations as PNG or GIF: end the name with .png or .gif".to_owned()
+            );
+        }
+        let fault = match (self.reel, transparent) {
+            (Reel::Numbered, _) => "writes numbered pictures as PNG",
+            (_, true) => "writes what is transparent as PNG, as GIF has no half-transparent dots",
+            _ if self.per_second > gif::MOST_PER_SECOND => {
+                return Err("writes at most 50 frames a second as GIF".to_owned());
+            }
+            _ => return Ok(()),
+        };
+        Err(format!("{fault}: end the name with .png"))
     }
-    Err("writes animations as PNG: end the name with .png".to_owned())
 }
 
 /// An animation as a sequence of figures.
@@ -101,7 +116,8 @@ pub struct Recorder {
 
 /// The unfinished files, in the folder where they will be.
 enum Sink {
-    Animated(Box<Animated<BufWriter<File>>>, Draft),
+    Png(Box<png::Animated<BufWriter<File>>>, Draft),
+    Gif(Box<gif::Animated<BufWriter<File>>>, Draft),
     Numbered(DraftFolder),
 }
 
@@ -115,13 +131,18 @@ impl Recorder {
         let sink = match reel {
             Reel::Animated => {
                 let draft = Draft::create(&path).map_err(|error| error.to_string())?;
-                let file = draft.file().map_err(|error| error.to_string())?;
+                let out = BufWriter::new(draft.file().map_err(|error| error.to_string())?);
                 let Order { size, transparent, .. } = animation.order;
-                let frames = (count, per_second);
-                let out = BufWriter::new(file);
-                let animated = Animated::new(out, size, frames, animation.loops, transparent);
+                let loops = animation.loops;
                 let why = |error| FileError::unwritable(&path, &error).to_string();
-                Sink::Animated(Box::new(animated.map_err(why)?), draft)
+                if path.extension().is_some_and(|own| own.eq_ignore_ascii_case("gif")) {
+                    let animated = gif::Animated::new(out, size, per_second, loops);
+                    Sink::Gif(Box::new(animated.map_err(why)?), draft)
+                } else {
+                    let frames = (count, per_second);
+                    let animated = png::Animated::new(out, size, frames, loops, transparent);
+                    Sink::Png(Box::new(animated.map_err(why)?), draft)
+                }
             }
             Reel::Numbered => {
                 let taken = (0..count).map(|k| numbered(&path, k)).find(|path| path.exists());
@@ -163,7 +184,8 @@ impl Recorder {
     /// Returns the reason, as a sentence, if it cannot be written.
     pub fn push(&mut self, figure: &Figure) -> Result<(), String> {
         let written = match &mut self.sink {
-            Sink::Animated(animated, _) => animated.push(&figure.to_srgba()),
+            Sink::Png(animated, _) => animated.push(&figure.to_srgba()),
+            Sink::Gif(animated, _) => animated.push(&figure.to_srgba()),
             Sink::Numbered(folder) => {
                 let path = folder.path().join(self.done.to_string());
                 fs::write(path, figure.to_file(Format::Png)?)
@@ -178,18 +200,17 @@ impl Recorder {
     /// # Errors
     /// Returns the reason, as a sentence, if it cannot be written; no file is left then.
     pub fn finish(self) -> Result<(), String> {
-        match self.sink {
-            Sink::Animated(animated, draft) => {
-                let written = animated.finish();
-                written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
-                draft.finish().map_err(|error| error.to_string())
-            }
+        let (written, draft) = match self.sink {
+            Sink::Png(animated, draft) => (animated.finish(), draft),
+            Sink::Gif(animated, draft) => (animated.finish(), draft),
             Sink::Numbered(folder) => {
                 let name = |k: u32| (folder.path().join(k.to_string()), numbered(&self.path, k));
                 let names: Vec<_> = (0..self.done).map(name).collect();
-                folder.place(&names).map_err(|error| error.to_string())
+                return folder.place(&names).map_err(|error| error.to_string());
             }
-        }
+        };
+        written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
+        draft.finish().map_err(|error| error.to_string())
     }
 }
 

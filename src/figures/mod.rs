@@ -22,7 +22,7 @@ mod panes;
 mod vector;
 mod views;
 
-pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
+pub use self::animation::{Animation, Frames, Recorder, Reel};
 pub use self::figure::{Figure, Format, Look};
 pub use self::order::{Content, Order, Subject, derivation_of};
 pub use self::panes::MARGIN;

@@ -138,6 +138,8 @@ pub enum FigureAction {
         /// The file.
         path: PathBuf,
     },
+    /// Put a figure of what the layout is about on the clipboard.
+    Copy,
     /// Put the derivation on the clipboard.
     CopyDerivation(Markup),
 }

@@ -53,6 +53,35 @@ fn a_ray_is_walked_and_pixels_are_scanned_in_the_world_view() {
 }
 
 #[test]
+fn a_gif_has_the_frames_for_slide_programs() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "canonical --view camera --width 60 --play orbit --frames 3";
+    figure(folder.path(), &format!("{line} --per-second 25 -o turn.gif")).done();
+    let options = gif::DecodeOptions::new();
+    let file = File::open(folder.path().join("turn.gif")).unwrap();
+    let mut decoder = options.read_info(BufReader::new(file)).unwrap();
+    assert_eq!((decoder.width(), decoder.height()), (60, 60));
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+    let mut delays = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        delays.push(frame.delay);
+    }
+    assert_eq!(delays, [4, 4, 4]);
+    for (more, problem) in [
+        ("--numbered", "-o writes numbered pictures as PNG: end the name with .png"),
+        (
+            "--transparent",
+            "-o writes what is transparent as PNG, as GIF has no half-transparent dots: end the name \
+             with .png",
+        ),
+        ("--per-second 60", "-o writes at most 50 frames a second as GIF"),
+    ] {
+        figure(folder.path(), &format!("{line} {more} -o other.gif")).failed(2, problem);
+    }
+    assert_eq!(entries(folder.path()), ["turn.gif"]);
+}
+
+#[test]
 fn numbered_ones_are_files_of_their_own_and_written_once() {
     let folder = tempfile::tempdir().unwrap();
     let line = "canonical --view world --width 90 -o turn.png --play orbit --frames 2 --numbered";

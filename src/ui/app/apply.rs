@@ -273,6 +273,7 @@ impl App {
             FigureAction::ExportAnimation { order, frames, path } => {
                 self.playback.export(order, frames, path, scene)
             }
+            FigureAction::Copy => screen.copy(),
             FigureAction::CopyDerivation(markup) => {
                 let derivation = derivation_of(&scene.open.document, &scene.session);
                 ctx.copy_text(derivation.written_in(markup));

@@ -3,11 +3,11 @@
 use std::io::Write as _;
 use std::path::Path;
 
-use egui::Context;
+use egui::{ColorImage, Context};
 use pinhole_exchange::atomic;
 
 use super::scene::OpenScene;
-use crate::figures::{Content, MARGIN, Order, Subject, derivation_of};
+use crate::figures::{Content, Figure, MARGIN, Order, Subject, derivation_of};
 use crate::model::play::Kind;
 use crate::model::session::Session;
 use crate::ui::derivation::DerivationPanel;
@@ -34,12 +34,46 @@ pub(super) struct Screen<'a> {
 impl Screen<'_> {
     /// The dialog with what the layout is about chosen.
     pub(super) fn ask_export(&self) -> Dialog {
-        let settings = &self.scene.session.settings;
-        let first = page(settings.layout).figure;
+        let first = self.layout_subject();
         let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
         subjects.sort_by_key(|shown| shown.subject != first);
-        let style = Style::new(settings.scheme, self.is_dark());
-        Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, style))
+        Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, self.style()))
+    }
+
+    /// The subject of the layout.
+    fn layout_subject(&self) -> Subject {
+        page(self.scene.session.settings.layout).figure
+    }
+
+    fn style(&self) -> Style {
+        Style::new(self.scene.session.settings.scheme, self.is_dark())
+    }
+
+    /// Puts a figure of what the layout is about on the clipboard, as large as it is on the screen; what
+    /// there is to tell if that fails.
+    pub(super) fn copy(&self) -> Option<Dialog> {
+        let shown = self.on_screen(self.layout_subject());
+        let (size, style) = (shown.dots(), self.style());
+        let OnScreen { subject, points, .. } = shown;
+        let order = Order { subject, size, points, style, transparent: false };
+        match self.figure(&order) {
+            Ok(figure) => {
+                let size = size.map(|dots| dots as usize);
+                self.ctx.copy_image(ColorImage::new(size, figure.to_pixels()));
+                None
+            }
+            Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
+        }
+    }
+
+    fn figure(&self, order: &Order) -> Result<Figure, String> {
+        let is_folded = |section: &_| self.derivation.is_folded(section);
+        order.figure(&self.scene.open.document, &self.session(), is_folded)
+    }
+
+    /// The session without what the mouse is at, which is nothing to keep.
+    fn session(&self) -> Session {
+        Session { hovered: None, ..self.scene.session.clone() }
     }
 
     /// The dialog of an animation, with the world view chosen.
@@ -82,17 +116,12 @@ impl Screen<'_> {
 
     fn exported(&self, order: &Order, path: &Path) -> Result<(), String> {
         self.scene.open.check_output(path)?;
-        let document = &self.scene.open.document;
-        // What the mouse was at is nothing to keep.
-        let session = Session { hovered: None, ..self.scene.session.clone() };
         let bytes = match Content::for_path(order.subject, path)? {
             Content::Text(markup) => {
-                derivation_of(document, &session).written_in(markup).into_bytes()
+                let document = &self.scene.open.document;
+                derivation_of(document, &self.session()).written_in(markup).into_bytes()
             }
-            Content::Figure(format) => {
-                let is_folded = |section: &_| self.derivation.is_folded(section);
-                order.figure(document, &session, is_folded)?.to_file(format)?
-            }
+            Content::Figure(format) => self.figure(order)?.to_file(format)?,
         };
         atomic::write(path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 
-use crate::figures::{Content, Frames, Order, Reel, Subject, check_name};
+use crate::figures::{Content, Frames, Order, Reel, Subject};
 use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
@@ -30,7 +30,7 @@ pub(crate) struct OnScreen {
 }
 
 impl OnScreen {
-    fn dots(self) -> [u32; 2] {
+    pub(crate) fn dots(self) -> [u32; 2] {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
 }
@@ -51,7 +51,7 @@ pub(crate) struct ExportForm {
 }
 
 /// The extensions of figure files.
-const ENDINGS: [&str; 5] = ["svg", "pdf", "png", "tex", "md"];
+const ENDINGS: [&str; 6] = ["svg", "pdf", "png", "gif", "tex", "md"];
 
 impl ExportForm {
     /// Creates the form with a path near the scene's file. The first subject is chosen.
@@ -102,7 +102,7 @@ impl ExportForm {
         }
         if let Some(path) = path {
             let content = match self.animation {
-                Some(_) => check_name(&path),
+                Some((_, frames)) => frames.check(&path, self.transparent),
                 None => Content::for_path(shown.subject, &path).map(drop),
             };
             match content {
@@ -202,7 +202,7 @@ fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
     number(ui, "per second", "frames per second", rate);
     ui.label("as");
     ui.horizontal(|ui| {
-        ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG");
+        ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG or GIF");
         ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
     });
     ui.end_row();

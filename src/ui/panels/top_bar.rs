@@ -139,6 +139,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Check answers…", AnswersAction::Ask, actions);
     ui.separator();
     entry(ui, "Export a figure…", FigureAction::Ask, actions);
+    entry(ui, "Copy the figure", FigureAction::Copy, actions);
     entry(ui, "Copy the derivation as LaTeX", FigureAction::CopyDerivation(Markup::Latex), actions);
     entry(
         ui,

@@ -1,9 +1,10 @@
 //! Exporting a figure from the window, and the derivation to the clipboard.
 
+use std::collections::HashSet;
 use std::fs;
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, OutputCommand};
+use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::figures::{Format, Look, View, of_view};
@@ -126,6 +127,28 @@ fn a_folder_that_is_not_there_is_told() {
     export_to(&mut window, &folder.path().join("no").join("world.svg"));
     window.run();
     assert_says(&window, "The figure was not exported");
+}
+
+#[test]
+fn the_layouts_figure_is_copied_as_a_picture() {
+    let mut window = window("look-at");
+    let shown = window.get_by_role_and_label(Role::Image, "World view").rect().size();
+    window.get_by_label("File").click();
+    window.run();
+    window.get_by_label_contains("Copy the figure").click();
+    let mut copied = None;
+    for _ in 0..6 {
+        window.step();
+        for command in &window.output().platform_output.commands {
+            if let OutputCommand::CopyImage(image) = command {
+                copied = Some(image.clone());
+            }
+        }
+    }
+    let image = copied.expect("a picture on the clipboard");
+    assert_eq!(image.size, [shown.x, shown.y].map(|points| points.round() as usize));
+    let colors: HashSet<Color32> = image.pixels.iter().copied().collect();
+    assert!(colors.len() > 100 && colors.iter().all(|color| color.is_opaque()), "{}", colors.len());
 }
 
 #[test]

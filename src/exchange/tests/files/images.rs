@@ -66,7 +66,7 @@ fn a_gif_of_many_colours_is_close_to_each_of_them() {
     let [width, height] = [160_u32, 120];
     let pixel = |k: u32| [(k % width) as u8, (2 * (k / width)) as u8, 128, 255];
     let frame: Vec<[u8; 4]> = (0..width * height).map(pixel).collect();
-    let (shown, _) = shown(&animated(&[frame.clone()], [width, height], 10));
+    let (shown, _) = shown(&animated(std::slice::from_ref(&frame), [width, height], 10));
     let off = |(a, b): (&[u8; 3], &[u8; 4])| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap();
     let largest = shown[0].iter().zip(&frame).map(off).max().unwrap();
     assert!(largest <= 24, "{largest}");

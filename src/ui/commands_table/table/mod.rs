@@ -115,6 +115,8 @@ fn program() -> Vec<UiCommand> {
             [], AnswersAction::Ask;
         File, "Export a figure…", "Asks which figure to write to which file.",
             [key(Anywhere, CTRL, Key::E)], FigureAction::Ask;
+        File, "Copy the figure", "Puts what is shown, as a picture, on the clipboard.",
+            [], FigureAction::Copy;
         File, "Copy the derivation as LaTeX", "Puts the derivation on the clipboard as LaTeX.",
             [], FigureAction::CopyDerivation(Markup::Latex);
         File, "Copy the derivation as Markdown", "Puts the derivation on the clipboard as Markdown.",
