@@ -18,6 +18,9 @@ const RANDOM: usize = 6;
 /// Age from which a temporary file has no run any more that would finish it.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
+/// Number of times that a folder is removed which is written to.
+const TRIES: usize = 16;
+
 /// A temporary file, known to [`abandon`].
 #[derive(Debug)]
 pub(crate) struct Temporary {
@@ -108,8 +111,9 @@ impl Drop for Known {
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
-        // What cannot be removed now, a later run removes.
-        let _ = remove(path);
+        // Into a folder, somebody may write at the same time. What cannot be removed now, a later run
+        // removes.
+        let _ = (0..TRIES).find(|_| remove(path).is_ok() || !path.exists());
     }
     std::mem::forget(live);
 }

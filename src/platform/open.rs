@@ -147,10 +147,9 @@ impl Open {
             self.asked = true;
             self.window.request_redraw();
         }
-        let next = self.looked + LOOK;
-        event_loop.set_control_flow(ControlFlow::WaitUntil(
-            self.repaint_at.map_or(next, |at| at.min(next)),
-        ));
+        let look = self.app.watches_file().then(|| self.looked + LOOK);
+        let next = self.repaint_at.into_iter().chain(look).min();
+        event_loop.set_control_flow(next.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 
     pub(super) fn window_event(

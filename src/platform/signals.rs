@@ -1,6 +1,7 @@
 //! The signals that end the program. The window ends in order, with its changes written aside; a command
 //! leaves no temporary file.
 
+use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Ends the window.
@@ -8,6 +9,9 @@ type End = Box<dyn FnOnce() + Send>;
 
 /// The way to end the window that is open.
 static WINDOW: Mutex<Option<End>> = Mutex::new(None);
+
+/// The signal that ended the window, 0 for none.
+static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
 /// Has the first signal end the window by this; the second ends the program as ever.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
@@ -28,7 +32,10 @@ pub fn watch() {
         for signal in signals.forever() {
             let end = WINDOW.lock().unwrap_or_else(PoisonError::into_inner).take();
             match end {
-                Some(end) => end(),
+                Some(end) => {
+                    ENDED_BY.store(signal, Ordering::SeqCst);
+                    end();
+                }
                 None => {
                     pinhole_exchange::temporary::abandon();
                     // It does what the signal would have done, and so does not return.
@@ -39,9 +46,23 @@ pub fn watch() {
     });
 }
 
+/// Ends the program as the signal would have that ended its window, for those who ask how it ended.
+#[cfg(unix)]
+pub fn pass_on() {
+    match ENDED_BY.load(Ordering::SeqCst) {
+        0 => {}
+        // It does not return.
+        signal => drop(signal_hook::low_level::emulate_default_handler(signal)),
+    }
+}
+
 /// Where there are no such signals, there is nothing to wait for.
 #[cfg(not(unix))]
 pub fn watch() {}
+
+/// Nor to pass on.
+#[cfg(not(unix))]
+pub fn pass_on() {}
 
 #[cfg(unix)]
 fn is_in(signal: i32, set: u64) -> bool {

@@ -1,5 +1,6 @@
 //! Every way in which a window ends without being asked: its unsaved changes are offered at the next start.
 
+use std::os::unix::process::ExitStatusExt as _;
 use std::path::Path;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -72,7 +73,10 @@ fn die(screen: &Screen, way: Way) {
         Way::XKillClient => window.kill_client(),
         Way::XServerGone => screen.kill_server(),
     }
-    window.wait();
+    let status = window.wait();
+    if let Way::AtOnce(signal) = way {
+        assert_eq!(status.signal(), Some(if signal == "HUP" { 1 } else { 15 }), "as by {signal}");
+    }
     let document = scene_file::load(&scene).unwrap();
     let mut next = next_start(folder.path(), &scene);
     next.get_by_label("Restore the unsaved changes to scene.toml?");

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus};
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -152,8 +152,8 @@ impl<'a> Window<'a> {
     }
 
     /// Waits until its process has ended, however.
-    pub(crate) fn wait(&mut self) {
-        wait_for("the program to end", || self.process.0.try_wait().unwrap());
+    pub(crate) fn wait(&mut self) -> ExitStatus {
+        wait_for("the program to end", || self.process.0.try_wait().unwrap())
     }
 
     /// Closes it by its key.

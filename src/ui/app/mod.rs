@@ -181,6 +181,11 @@ impl App {
         self.views.frame_work.as_ref()?.work()
     }
 
+    /// Returns true if the scene has a file, which another program may change.
+    pub fn watches_file(&self) -> bool {
+        self.scene.open.scene_file().is_some()
+    }
+
     /// Looks whether another program has changed the scene's file. Returns true if there is something to show.
     pub fn look_at_file(&mut self) -> bool {
         let is_free = !self.over.covers() && self.playback.player.is_none();
