@@ -97,16 +97,17 @@ pub(crate) fn one_line(text: &str) -> String {
     }
 }
 
-/// Returns true for what a terminal or a window would obey and not show: control characters, and the
-/// marks that change the direction of writing (Unicode Standard Annex 9), by which a text can look like
-/// another one.
-pub(crate) fn is_hidden(c: char) -> bool {
+/// Returns true for what a terminal or a window would obey and not show: control characters, the marks
+/// that change the direction of writing (Unicode Standard Annex 9), by which a text can look like another
+/// one, and what is no character at all and may stand in no XML.
+pub fn is_hidden(c: char) -> bool {
     let is_of_direction = matches!(
         c,
         '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
     );
     let ends_a_line = matches!(c, '\u{2028}' | '\u{2029}');
-    c.is_control() || is_of_direction || ends_a_line
+    let is_none = matches!(c, '\u{fffe}' | '\u{ffff}');
+    c.is_control() || is_of_direction || ends_a_line || is_none
 }
 
 /// A message with what is hidden in it escaped, as `\u{202e}`, and its middle left out where it is longer

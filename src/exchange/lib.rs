@@ -32,4 +32,4 @@ pub mod scenes;
 mod suggest;
 pub mod temporary;
 
-pub use error::{FileError, Location, legible};
+pub use error::{FileError, Location, is_hidden, legible};

@@ -20,6 +20,7 @@ use pinhole_lecture::grading::{
 
 use self::pixels::Pixels;
 use crate::csv::table::{CsvTable, Row, separated_by};
+use crate::error::is_hidden;
 use crate::images::png;
 use crate::{FileError, Location};
 
@@ -116,7 +117,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
             "the file is empty: did the program that writes it end well?",
         );
     }
-    let first: String = names.join(",").chars().filter(|c| !c.is_control()).take(40).collect();
+    let first: String = names.join(",").chars().filter(|c| !is_hidden(*c)).take(40).collect();
     let problem = format!(
         "the first line is {first:?}: it must name the columns {}, or {}, or row,column with t or x,y,z or object; or \
          the file must be a picture in PNG",

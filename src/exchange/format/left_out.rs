@@ -1,6 +1,7 @@
 //! Elements of a text that an import leaves out, counted by kind.
 
 use crate::FileError;
+use crate::error::is_hidden;
 
 /// Kinds of elements that are left out, with how often, in the order of the text.
 #[derive(Debug, Default)]
@@ -16,7 +17,7 @@ const MOST_KINDS: usize = 20;
 impl LeftOut {
     /// Counts one more of this kind, which is `said`, as "left out: Pinhole has spheres and planes".
     pub(crate) fn add(&mut self, kind: &str, said: &str) {
-        let kind: String = kind.chars().filter(|c| !c.is_control()).take(40).collect();
+        let kind: String = kind.chars().filter(|c| !is_hidden(*c)).take(40).collect();
         let note = format!("{kind} {said}");
         if let Some((_, count)) = self.counts.iter_mut().find(|(told, _)| *told == note) {
             *count += 1;

@@ -6,6 +6,7 @@ use pinhole_core::{Basis, Camera, DVec3, Orientation, Plane, Sphere};
 
 use super::{VERSION, edit, note, read};
 use crate::document::{Document, Item};
+use crate::error::is_hidden;
 use crate::images::color;
 
 /// The text of a scene file; where there is a previous one, its comments and layout stay as far as
@@ -103,7 +104,7 @@ fn string(text: &str) -> String {
             '\n' => quoted.push_str("\\n"),
             '\r' => quoted.push_str("\\r"),
             '\t' => quoted.push_str("\\t"),
-            c if c.is_control() => quoted.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c if is_hidden(c) => quoted.push_str(&format!("\\u{:04x}", u32::from(c))),
             c => quoted.push(c),
         }
     }

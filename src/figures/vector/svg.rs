@@ -7,6 +7,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::Color32;
 use pinhole_exchange::images::png;
+use pinhole_exchange::is_hidden;
 
 use super::primitive::{Page, Picture, Primitive, Run, Text};
 use super::subset::subset;
@@ -172,8 +173,8 @@ fn chain(points: &[[f32; 2]]) -> String {
     out
 }
 
-/// Text that XML may hold: what marks it up is spelled out, and control characters, which it may
-/// not hold at all, are left out.
+/// Text that XML may hold: what marks it up is spelled out, and what is hidden, which it may mostly not
+/// hold at all, is left out.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -182,7 +183,7 @@ fn escaped(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            c if c.is_control() => {}
+            c if is_hidden(c) => {}
             c => out.push(c),
         }
     }
@@ -195,6 +196,9 @@ mod tests {
 
     #[test]
     fn text_is_escaped() {
-        assert_eq!(escaped("a < b & c > \"d\"\u{0}\n"), "a &lt; b &amp; c &gt; &quot;d&quot;");
+        assert_eq!(
+            escaped("a < b & c > \"d\"\u{0}\n\u{202e}\u{fffe}"),
+            "a &lt; b &amp; c &gt; &quot;d&quot;"
+        );
     }
 }

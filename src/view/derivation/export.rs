@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use pinhole_exchange::is_hidden;
+
 use super::{Derivation, Line, left_out};
 use crate::view::formula::latex;
 
@@ -77,7 +79,7 @@ fn markdown(text: &str) -> String {
         if r"\`*_[]<>#$|~".contains(c) {
             out.push('\\');
         }
-        if !c.is_control() {
+        if !is_hidden(c) {
             out.push(c);
         }
     }

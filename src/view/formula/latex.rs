@@ -1,5 +1,7 @@
 //! Formulas as LaTeX with amsmath, which Markdown's `$...$` also accepts.
 
+use pinhole_exchange::is_hidden;
+
 use super::{Direction, Formula, Operator};
 
 /// Writes a formula for math mode.
@@ -73,7 +75,7 @@ fn letter(c: char) -> String {
         '²' => "$^{2}$".to_owned(),
         '\u{1d41a}'..='\u{1d433}' => format!(r"$\mathbf{{{}}}$", plain(0x1d41a, 'a')),
         '\u{1d44e}'..='\u{1d467}' => format!("${}$", plain(0x1d44e, 'a')),
-        c if c.is_control() => String::new(),
+        c if is_hidden(c) => String::new(),
         c => c.to_string(),
     }
 }
