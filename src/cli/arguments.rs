@@ -219,6 +219,8 @@ pub struct TraceArguments {
     #[arg(long, value_name = "IN.csv")]
     pub rays: PathBuf,
     /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
+    ///
+    /// A miss leaves every cell empty, and a number beyond f64 its own.
     #[arg(short, long, value_name = "OUT.csv")]
     pub output: Option<PathBuf>,
 }

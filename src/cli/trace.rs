@@ -47,11 +47,15 @@ fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()
     Ok(())
 }
 
-/// Numbers in the shortest form that reads back to the same `f64`; nothing in any cell for a miss.
+/// Numbers in the shortest form that reads back to the same `f64`; nothing in any cell for a miss, and in
+/// that of a number beyond `f64`.
 fn write_hit(out: &mut dyn Write, hit: Option<Root>) -> io::Result<()> {
     let Some(Root { object, t, point: p, normal: n }) = hit else {
         return writeln!(out, ",,,,,,,");
     };
-    let [px, py, pz, nx, ny, nz] = [p.x, p.y, p.z, n.x, n.y, n.z];
-    writeln!(out, "{object},{t:?},{px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?}")
+    write!(out, "{object}")?;
+    for x in [t, p.x, p.y, p.z, n.x, n.y, n.z] {
+        if x.is_finite() { write!(out, ",{x:?}")? } else { write!(out, ",")? }
+    }
+    writeln!(out)
 }

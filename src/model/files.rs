@@ -9,7 +9,7 @@ use pinhole_exchange::atomic::{Batch, is_same_file};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Exported, Text};
 use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, scene_file};
+use pinhole_exchange::{FileError, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
 /// Maximum number of files in the list of recent files.
@@ -89,7 +89,7 @@ impl OpenDocument {
         let stamp = source.scene_file().and_then(Stamp::of);
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
-            file => file.scene_file().and_then(|path| fs::read_to_string(path).ok()),
+            file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
         };
         let origin = Origin::Scene(source);
         OpenDocument { saved: document.clone(), document, text, stamp, origin, forgiving: false }
@@ -259,7 +259,7 @@ impl OpenDocument {
     /// Returns the present text of the file at `path` if the document came from that file: its
     /// comments may have been edited since.
     fn text_on_disk(&self, path: &Path) -> Option<String> {
-        self.is_own(path).then(|| fs::read_to_string(path).ok()).flatten()
+        self.is_own(path).then(|| limits::read_text(path).ok()).flatten()
     }
 }
 

@@ -69,6 +69,15 @@ fn many_rays_keep_their_order() {
     }
 }
 
+/// The ray meets the wall, at a t that no number can hold.
+#[test]
+fn a_number_beyond_f64_leaves_its_cell_empty() {
+    let folder = folder(&format!("{HEADER}0,0,0,0,0,-1e-320\n"));
+    let answer = trace(folder.path(), &[]).done();
+    let row = answer.lines().nth(1).unwrap();
+    assert!(row.starts_with("0,,0.0,0.0,") && !answer.contains("inf"), "{answer}");
+}
+
 #[test]
 fn a_bad_row_is_named_and_nothing_is_written() {
     let cases = [
