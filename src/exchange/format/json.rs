@@ -25,6 +25,9 @@ pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
                 Some(inside) => format!("the text ends inside {inside}: is all of the file there?"),
                 None => said.to_owned(),
             },
+            (false, "recursion limit exceeded") => {
+                "brackets stand in each other more than 127 deep here".to_owned()
+            }
             (false, said) => said.to_owned(),
         };
         FileError::at(text.path, location(text.text, &error), format!("no JSON: {problem}"))
