@@ -11,6 +11,8 @@ mod doors;
 mod files;
 mod layout;
 mod licences;
+#[path = "../src/exchange/tests/common/mutants.rs"]
+mod mutants;
 mod painter;
 mod report;
 mod support;

@@ -1,0 +1,3 @@
+//! What several tests of readers need.
+
+pub(crate) mod mutants;

@@ -1,0 +1,157 @@
+//! Texts that nobody would write, made of those that people do: no reader panics, stalls, or says more than
+//! a message should.
+//!
+//! A run takes two seconds with a fixed seed and two with a fresh one; with `PINHOLE_FUZZ_SECONDS=3600` the
+//! second takes an hour. A text that fails is printed with its seed.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+/// A reader by its name; it returns its messages.
+pub(crate) type Reader = (&'static str, fn(&[u8]) -> Vec<String>);
+
+/// Reads mutants of the samples with every reader.
+pub(crate) fn fuzz(samples: &[Vec<u8>], readers: &[Reader]) {
+    run(samples, readers, 20, Duration::from_secs(2));
+    let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").ok().and_then(|given| given.parse().ok());
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
+    run(samples, readers, now.as_nanos() as u64, Duration::from_secs(seconds.unwrap_or(2)));
+}
+
+/// What stands where something else should.
+const STRANGE: [&str; 44] = [
+    "\u{a0}",
+    "\u{2019}",
+    "\u{201c}",
+    "\u{202e}",
+    "\u{feff}",
+    "\u{1d54f}",
+    "\r",
+    "\r\n",
+    "\0",
+    "\u{1b}[2J",
+    "\t",
+    "\n",
+    "(",
+    "[",
+    "{",
+    "<",
+    ")",
+    "]",
+    "}",
+    ">",
+    "\"",
+    "'",
+    "/*",
+    "*/",
+    "//",
+    "#",
+    ",",
+    ";",
+    ":",
+    "=",
+    "-",
+    ".",
+    "nan",
+    "inf",
+    "-inf",
+    "1e308",
+    "-1e308",
+    "1e999",
+    "5e-324",
+    "-0",
+    "99999999999999999999",
+    "0",
+    "1e155",
+    "$x",
+];
+
+/// Numbers from a seed (splitmix64: G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom
+/// number generators*, OOPSLA 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() % count.max(1) as u64) as usize
+    }
+}
+
+/// Where the words, numbers and signs of a text begin, and where it ends.
+fn tokens(bytes: &[u8]) -> Vec<usize> {
+    let is_of_word =
+        |byte: u8| byte.is_ascii_alphanumeric() || b"_.".contains(&byte) || byte >= 0x80;
+    let goes_on = |pair: &[u8]| is_of_word(pair[0]) && is_of_word(pair[1]);
+    let starts =
+        bytes.windows(2).enumerate().filter(|(_, pair)| !goes_on(pair)).map(|(at, _)| at + 1);
+    [0].into_iter().chain(starts).chain([bytes.len()]).collect()
+}
+
+/// A sample with some of its tokens gone, doubled, exchanged, or others in their places.
+fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
+    let mut text = samples[random.below(samples.len())].clone();
+    for _ in 0..=random.below(4) {
+        let marks = tokens(&text);
+        let first = random.below(marks.len() - 1);
+        let last = (first + 1 + random.below(8)).min(marks.len() - 1);
+        let (from, end) = (marks[first], marks[last]);
+        let piece = text[from..end].to_vec();
+        let strange = STRANGE[random.below(STRANGE.len())].as_bytes();
+        let new: Vec<u8> = match random.below(8) {
+            0 => Vec::new(),
+            1 => strange.to_vec(),
+            2 => [strange, &piece].concat(),
+            3 => [&piece, strange].concat(),
+            4 => piece.repeat(2 + random.below(200)),
+            5 => [piece, strange.repeat(1 + random.below(3000))].concat(),
+            6 => {
+                let other = &samples[random.below(samples.len())];
+                let marks = tokens(other);
+                let from = random.below(marks.len() - 1);
+                let end = (from + random.below(60)).min(marks.len() - 1);
+                other[marks[from]..marks[end]].to_vec()
+            }
+            _ => {
+                text.truncate(end);
+                continue;
+            }
+        };
+        text.splice(from..end, new);
+    }
+    text
+}
+
+/// Maximum time for a text of some 100 kB, unoptimised on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// Maximum length of a message in characters, its file and place among them.
+const MESSAGE: usize = 1100;
+
+fn run(samples: &[Vec<u8>], readers: &[Reader], seed: u64, time: Duration) {
+    let mut random = Random(seed);
+    let (since, mut count) = (Instant::now(), 0);
+    while since.elapsed() < time {
+        let text = mutant(samples, &mut random);
+        for (name, read) in readers {
+            let begun = Instant::now();
+            let is_bad = |message: &String| {
+                message.chars().count() > MESSAGE || message.chars().any(char::is_control)
+            };
+            let fault = match catch_unwind(AssertUnwindSafe(|| read(&text))) {
+                Err(_) => Some("panicked".to_owned()),
+                Ok(_) if begun.elapsed() > PATIENCE => Some(format!("took {:?}", begun.elapsed())),
+                Ok(messages) => messages.into_iter().find(is_bad),
+            };
+            let shown = String::from_utf8_lossy(&text);
+            assert!(fault.is_none(), "seed {seed}, text {count}: {name}: {fault:?}\n{shown}");
+        }
+        count += 1;
+    }
+}
