@@ -113,8 +113,5 @@ fn text(graded: &Graded) -> String {
     for sentence in sentences.chain(graded.remarks()) {
         let _ = writeln!(text, "  {sentence}");
     }
-    if let Some(others) = graded.alternatives() {
-        let _ = writeln!(text, "these would give the same answers here: {others}");
-    }
     text
 }

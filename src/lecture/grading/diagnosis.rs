@@ -10,14 +10,14 @@ use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 #[non_exhaustive]
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers, the
-    /// right ones too: one, or two. Of several such sets, the first in the order of
-    /// [`Mistake::GRADED`], in which `v = u x w` comes last unless a basis is answered: rays cannot
-    /// tell it from rows that count from the bottom. Empty where there is none, and where nothing
-    /// is wrong.
+    /// right ones too: one, or two of [`Mistake::GRADED`]. Of several such sets, the first in the
+    /// order of [`Mistake::GRADED`] and [`Mistake::ALONE`], in which `v = u x w` is the last that
+    /// is graded unless a basis is answered: rays cannot tell it from rows that count from the
+    /// bottom. Empty where there is none, and where nothing is wrong.
     pub mistakes: Vec<Mistake>,
     /// Other sets of as many that give the same answers here, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
-    /// One slip that gives these answers, where none of [`Mistake::GRADED`] alone does.
+    /// One slip that gives these answers, where no other mistake alone does.
     pub other: Option<Mistake>,
     /// All answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
@@ -80,8 +80,9 @@ pub(super) fn diagnose(
         // Both turn the picture upside down, and no ray tells them apart. A basis does.
         known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
     }
+    let alone = known.iter().chain(Mistake::ALONE);
     let mut sets: Vec<(Vec<Mistake>, Vec<Pipeline>)> =
-        known.iter().map(|mistake| (vec![*mistake], mistake.pipelines().collect())).collect();
+        alone.map(|mistake| (vec![*mistake], mistake.pipelines().collect())).collect();
     let found = explaining(given, answers, &looks, &sets);
     if !found.is_empty() {
         let is_found = |way: Way| {

@@ -9,7 +9,7 @@
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
-use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
+use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, WhichRoot};
 
 /// A position where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +96,7 @@ impl Sight<'_> {
 
     fn sphere(&self, index: u32, sphere: &Sphere, all: &mut Vec<PossibleHit>) {
         let Sphere { center, radius } = *sphere;
-        let offset = self.camera.eye - center;
+        let offset = self.camera.pipeline.quadratic.offset(self.camera.eye, center);
         let away = length(offset);
         // Rounding of the given numbers, and in |p - center|^2 - r^2, whose terms cancel in part.
         let rounding = self.camera.epsilon
@@ -113,21 +113,28 @@ impl Sight<'_> {
             let touched = quadratic.vertex;
             let along = self.slack(touched.abs());
             let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
-            let (least, most) = (wide[end].min(inner[0]), wide[end].max(inner[1]));
+            // No root taken, t need not depend on the size, or less than on the distance.
+            let beside = match quadratic.quadratic.square_root {
+                SquareRoot::Right => 0.0,
+                SquareRoot::LeftOut | SquareRoot::NotTaken => slack / self.length,
+            };
+            let (least, most) =
+                (wide[end].min(inner[0]) - beside, wide[end].max(inner[1]) + beside);
             Some(PossibleHit { object: index, t, least, most, is_sure: narrow.is_some() })
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };
         match (self.camera.pipeline.sign, self.camera.pipeline.root) {
-            (Sign::Positive, WhichRoot::Near | WhichRoot::Last) if near.least > 0.0 => {
-                all.push(near)
-            }
-            (Sign::Positive, WhichRoot::Near | WhichRoot::Last | WhichRoot::Farthest) => {
+            (Sign::Positive, WhichRoot::Far) => all.extend(far.in_front()),
+            (Sign::Positive, WhichRoot::Farthest) => {
                 all.extend([near, far].into_iter().filter_map(PossibleHit::in_front));
             }
-            (Sign::Positive, WhichRoot::Far) => all.extend(far.in_front()),
-            (_, WhichRoot::Near | WhichRoot::Last) => all.push(near),
+            (Sign::Positive, _) if near.least > 0.0 => all.push(near),
+            (Sign::Positive, _) => {
+                all.extend([near, far].into_iter().filter_map(PossibleHit::in_front));
+            }
             (_, WhichRoot::Far) => all.push(far),
             (_, WhichRoot::Farthest) => all.extend([near, far]),
+            (_, _) => all.push(near),
         }
     }
 
@@ -162,7 +169,7 @@ impl Sight<'_> {
         let order = |hit: &PossibleHit| {
             let PossibleHit { least, most, .. } = *hit;
             match (pipeline.root, pipeline.sign) {
-                (WhichRoot::Farthest, _) => (-most, -least),
+                (WhichRoot::Farthest | WhichRoot::FarthestObject, _) => (-most, -least),
                 (WhichRoot::Last, _) => (-f64::from(hit.object), -f64::from(hit.object)),
                 (_, Sign::Nearest) if most < 0.0 => (-most, -least),
                 (_, Sign::Nearest) if least < 0.0 => (0.0, most.max(-least)),
@@ -220,7 +227,7 @@ impl Terms {
             let half = (squared / self.a).sqrt();
             return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
         }
-        self.quadratic.roots(self.a, self.b, self.away_squared - radius * radius)
+        self.quadratic.roots(self.a, self.b, self.quadratic.c(self.away_squared, radius))
     }
 }
 

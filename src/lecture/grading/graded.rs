@@ -1,9 +1,10 @@
 //! Grades in words and as a map, for the command line and the window.
 
-use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
+use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel, Rgb};
 
 use super::answers::{AnswerKind, Answers, GivenHit};
 use super::grade::{Grade, Right, Worst};
+use super::picture::off;
 use crate::mistakes::Mistake;
 use crate::numbers::{grouped, significant};
 
@@ -155,7 +156,7 @@ impl Graded {
         let (given, right) = differ.unwrap_or(&texts[0]);
         Some(format!(
             "{pixel_label} is {given}; right is {right}{}",
-            off(worst.error, self.grade.kind)
+            off_by(worst.error, self.grade.kind)
         ))
     }
 
@@ -248,16 +249,20 @@ impl Graded {
         let from_one = is_from_one.then_some(
             "If they are meant to count from 1, all agree: say --count-from 1, or “The file counts from 1”.",
         );
-        [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)
+        let said = [from_one, self.caveat()].into_iter().flatten().map(str::to_owned);
+        said.chain(self.alternatives())
     }
 
     /// A caveat on the diagnosis: misses alone look alike, whatever they come from.
     fn caveat(&self) -> Option<&'static str> {
-        let Answers::Hits(hits) = &self.answers else { return None };
-        let grade = &self.grade;
-        let mut wrong = hits.iter().zip(&grade.is_right).filter(|(_, is_right)| !**is_right);
-        let is_guess =
-            !grade.diagnosis.mistakes.is_empty() && wrong.all(|(hit, _)| hit.hit.is_none());
+        let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
+        let is_miss = |index: usize| match &self.answers {
+            Answers::Hits(hits) => hits[index].hit.is_none(),
+            Answers::Picture(pixels) => off(pixels[index], BACKGROUND) <= *tolerance,
+            Answers::Basis(_) | Answers::Rays(_) => false,
+        };
+        let mut wrong = (0..is_right.len()).filter(|index| !is_right[*index]);
+        let is_guess = !diagnosis.mistakes.is_empty() && wrong.all(is_miss);
         is_guess.then_some(
             "This is a guess: all wrong answers are misses, and a program may miss for other reasons.",
         )
@@ -265,10 +270,13 @@ impl Graded {
 
     /// Other sets of mistakes that explain the answers as well: `negative-t; far-root +
     /// negative-t`.
-    pub fn alternatives(&self) -> Option<String> {
+    fn alternatives(&self) -> Option<String> {
         let sets = &self.grade.diagnosis.alternatives;
         let words: Vec<String> = sets.iter().map(|set| ids(set, " + ")).collect();
-        (!words.is_empty()).then(|| words.join("; "))
+        (!words.is_empty()).then(|| {
+            let words = words.join("; ");
+            format!("It may be another mistake, with the same answers here: {words}.")
+        })
     }
 
     /// The image in letters, some pixels each: `#` where one is wrong, `.` where all are right, and
@@ -295,7 +303,7 @@ impl Graded {
 }
 
 /// The size of an error, where it is a number.
-fn off(error: f64, kind: AnswerKind) -> String {
+fn off_by(error: f64, kind: AnswerKind) -> String {
     match kind {
         _ if !error.is_finite() || error == 0.0 => String::new(),
         AnswerKind::Picture => format!(" (off by {error} levels)"),

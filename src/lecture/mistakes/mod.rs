@@ -18,7 +18,7 @@ mod wrong_picture;
 
 pub use checks::{Check, Checked, Value, Wanted};
 pub use compared::{ComparedCamera, ComparedPicture, ComparedPixels};
-pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, Way, WhichRoot};
+pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, SquareRoot, Way, WhichRoot};
 pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
 pub use table::Mistake;
 pub use vote::Vote;

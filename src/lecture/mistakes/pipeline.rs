@@ -9,6 +9,8 @@ pub(crate) struct Pipeline {
     pub(crate) distance: Distance,
     /// The direction leads back to the eye.
     pub(crate) reversed: bool,
+    /// The viewport's point is the direction: the eye is added to it.
+    pub(crate) eye_added: bool,
     /// Added to column and row: 0.5 is the pixel's centre.
     pub(crate) in_pixel: [f64; 2],
     /// Divided by `W - 1` and `H - 1`: the first pixel's ray on one edge, the last one's on the
@@ -104,10 +106,14 @@ pub(crate) enum Extent {
     WidthByImage,
     /// The height made of the width, and the image's H / W.
     HeightByImage,
+    /// The height for the width, and the width for the height.
+    Swapped,
+    Half,
+    Twice,
 }
 
 /// `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with
-/// `b = d . (p - center)`.
+/// `b = d . (p - center)` and `c = |p - center|^2 - r^2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quadratic {
     numerator: f64,
@@ -116,6 +122,30 @@ pub(crate) struct Quadratic {
     denominator: f64,
     /// `a` is taken as 1.
     pub(crate) a_left_out: bool,
+    pub(crate) offset: Offset,
+    /// r stands for its square.
+    pub(crate) radius_unsquared: bool,
+    pub(crate) square_root: SquareRoot,
+}
+
+/// The vector in place of `p - center`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Offset {
+    Right,
+    /// p.
+    CenterLeftOut,
+    /// `-center`.
+    OriginLeftOut,
+}
+
+/// The number in place of the discriminant's root.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum SquareRoot {
+    Right,
+    /// 0: both roots meet.
+    LeftOut,
+    /// The discriminant itself.
+    NotTaken,
 }
 
 /// The root that is an object's hit.
@@ -125,8 +155,10 @@ pub(crate) enum WhichRoot {
     Far,
     /// The largest of all roots of all objects.
     Farthest,
-    /// The last object's that is hit at all.
+    /// That of the last object in the scene that is hit at all.
     Last,
+    /// That of the object whose hit is the farthest.
+    FarthestObject,
 }
 
 /// The t that count.
@@ -199,16 +231,32 @@ impl Quadratic {
         product: 1.0,
         denominator: 1.0,
         a_left_out: false,
+        offset: Offset::Right,
+        radius_unsquared: false,
+        square_root: SquareRoot::Right,
     };
 
     pub(crate) fn set(&mut self, numerator: f64, square: f64, product: f64, denominator: f64) {
-        let a_left_out = self.a_left_out;
-        *self = Quadratic { numerator, square, product, denominator, a_left_out };
+        *self = Quadratic { numerator, square, product, denominator, ..*self };
     }
 
     /// Returns whether the roots are the right ones.
     pub(crate) fn is_right(&self) -> bool {
         *self == Quadratic::RIGHT
+    }
+
+    /// The vector taken for `p - center`.
+    pub(crate) fn offset(&self, p: DVec3, center: DVec3) -> DVec3 {
+        match self.offset {
+            Offset::Right => p - center,
+            Offset::CenterLeftOut => p,
+            Offset::OriginLeftOut => -center,
+        }
+    }
+
+    /// The number taken for `c = |p - center|^2 - r^2`.
+    pub(crate) fn c(&self, away_squared: f64, radius: f64) -> f64 {
+        away_squared - if self.radius_unsquared { radius } else { radius * radius }
     }
 
     /// The number taken for `a = d . d`.
@@ -225,7 +273,12 @@ impl Quadratic {
     /// below the root is negative.
     pub(crate) fn roots(&self, a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
         let discriminant = self.square * b * b - self.product * a * c;
-        let half = discriminant.sqrt() / (self.denominator * a);
+        let root = match self.square_root {
+            SquareRoot::Right => discriminant.sqrt(),
+            SquareRoot::LeftOut => 0.0,
+            SquareRoot::NotTaken => discriminant,
+        };
+        let half = root / (self.denominator * a);
         let vertex = self.vertex(a, b);
         (discriminant >= 0.0).then_some([vertex - half, vertex + half])
     }
@@ -237,6 +290,7 @@ impl Pipeline {
         basis: BasisChoices::RIGHT,
         distance: Distance::Right,
         reversed: false,
+        eye_added: false,
         in_pixel: [0.5; 2],
         edge_to_edge: false,
         from_one: false,

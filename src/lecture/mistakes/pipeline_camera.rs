@@ -96,6 +96,9 @@ impl GivenCamera {
             Extent::HeightForWidth => [height, height],
             Extent::WidthByImage => [height * self.resolved.image().aspect(), height],
             Extent::HeightByImage => [width, width / self.resolved.image().aspect()],
+            Extent::Swapped => [height, width],
+            Extent::Half => [0.5 * width, 0.5 * height],
+            Extent::Twice => [2.0 * width, 2.0 * height],
         }
     }
 }
@@ -164,7 +167,8 @@ impl PipelineCamera {
 
     /// The direction that the pipeline has for a (u, v).
     pub(crate) fn direction_at(&self, uv: DVec2) -> DVec3 {
-        self.pipeline.direction([self.u, self.v, self.w], self.distance, uv)
+        let direction = self.pipeline.direction([self.u, self.v, self.w], self.distance, uv);
+        if self.pipeline.eye_added { self.eye + direction } else { direction }
     }
 
     /// The direction that the pipeline has for what it calls this row and column.

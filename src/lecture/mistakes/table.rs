@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::pipeline::{
-    Distance, Extent, Measure, Pipeline, Rows, Sign, Swap, UpAsV, Way, WhichRoot,
+    Distance, Extent, Measure, Offset, Pipeline, Rows, Sign, SquareRoot, Swap, UpAsV, Way,
+    WhichRoot,
 };
 
 /// One line of the table, and what it says of a mistake. What a mistake is never asked for is empty.
@@ -278,16 +279,12 @@ mistakes! {
         ],
     }
 
-    /// The larger root taken for the smaller, or the last object for the first.
+    /// The larger root taken for the smaller.
     FarRoot "far-root" {
         advice: "Look at which root is taken: the smallest t above 0 is the hit, of one object and \
                  among all.",
         told: "That is the second root, where the ray leaves. Which one is first?",
-        ways: &[
-            |p| p.root = WhichRoot::Far,
-            |p| p.root = WhichRoot::Farthest,
-            |p| p.root = WhichRoot::Last,
-        ],
+        ways: &[|p| p.root = WhichRoot::Far, |p| p.root = WhichRoot::Farthest],
     }
 
     /// A hit behind the eye taken for one.
@@ -307,9 +304,16 @@ mistakes! {
             |p| p.measure = Measure::PointOfDistance,
         ],
     }
+
+    /// The last object taken for the first: the last in the scene, or along the ray.
+    LastObject "last-object" {
+        advice: "Look at how the hits of several objects are compared: the smallest t is the first \
+                 hit, and a later object replaces it only where its t is smaller.",
+        ways: &[|p| p.root = WhichRoot::Last, |p| p.root = WhichRoot::FarthestObject],
+    }
 }
 
-// Seen in the gallery or in an answer, and no program is tried for them.
+// Seen in the gallery or in an answer. A program is tried for a few of them, each alone.
 {
     /// `w = normalize(at - eye)`: the same, from points.
     WIsAtMinusEye "w-is-at-minus-eye" {
@@ -379,6 +383,8 @@ mistakes! {
 
     /// `b` for `-b`.
     SignOfB "sign-of-b" {
+        advice: "Look at the sign of b: b = d . (p - center), and t begins with -b; with center - p \
+                 for p - center, b has the other sign.",
         told: "The sign of 𝑏 is lost: 𝑡 begins with −𝑏, and 𝑏 is negative here.",
         ways: &[|p| p.quadratic.set(-1.0, 1.0, 1.0, 1.0)],
     }
@@ -407,6 +413,58 @@ mistakes! {
     ALeftOut "a-left-out" {
         told: "𝑎 = 𝐝 · 𝐝 is left out: it is 1 only where |𝐝| is.",
         ways: &[|p| p.quadratic.a_left_out = true],
+    }
+
+    /// p for `p - center`.
+    CenterLeftOut "center-left-out" {
+        advice: "Look at p - center in the quadratic's b and c: the sphere's center is left out.",
+        ways: &[|p| p.quadratic.offset = Offset::CenterLeftOut],
+    }
+
+    /// `-center` for `p - center`; or `t d` for `p + t d`.
+    OriginLeftOut "origin-left-out" {
+        advice: "Look at p - center in the quadratic's b and c: p, which is the eye, is left out.",
+        told: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
+        ways: &[|p| p.quadratic.offset = Offset::OriginLeftOut],
+    }
+
+    /// `r` for `r^2`.
+    RadiusNotSquared "radius-not-squared" {
+        advice: "Look at c in the quadratic formula: the radius must be squared, c = |p - center|^2 \
+                 - r^2.",
+        told: "The radius must be squared: 𝑐 = |𝐩 − centre|² − 𝑟².",
+        ways: &[|p| p.quadratic.radius_unsquared = true],
+    }
+
+    /// `-b/a`, or the discriminant for its root.
+    RootLeftOut "root-left-out" {
+        advice: "Look for a square root that is missing: t = (-b - sqrt(D))/a, with D = b^2 - ac.",
+        told: "The root of 𝐷 is left out: this is where the ray is closest to the centre.",
+        ways: &[
+            |p| p.quadratic.square_root = SquareRoot::LeftOut,
+            |p| p.quadratic.square_root = SquareRoot::NotTaken,
+        ],
+    }
+
+    /// The viewport's height for its width, and its width for its height.
+    ViewportSwapped "viewport-swapped" {
+        advice: "Look at the viewport's measures: its width and height are exchanged, and u takes \
+                 the width, v the height.",
+        ways: &[|p| p.extent = Extent::Swapped],
+    }
+
+    /// Half the viewport, or twice.
+    ViewportScaled "viewport-scaled" {
+        advice: "Look at a factor 2 in u and v: across the viewport, u goes from -width/2 to width/2, \
+                 and v from height/2 to -height/2.",
+        ways: &[|p| p.extent = Extent::Half, |p| p.extent = Extent::Twice],
+    }
+
+    /// `direction = point`: the eye is added to it.
+    EyeInDirection "eye-in-direction" {
+        advice: "Look at the direction: it leads from the eye to the point on the viewport, d = \
+                 point - eye, and here the eye is in it.",
+        ways: &[|p| p.eye_added = true],
     }
 }
 
@@ -455,9 +513,6 @@ mistakes! {
     CoordinateForT "coordinate-for-t":
         "That is how far away the plane is in 𝑧. How many 𝐝 does it take to get there?",
     TInverted "t-inverted": "The quotient is upside down: 𝑡 is the gap divided by 𝐝's step.",
-    RootLeftOut "root-left-out":
-        "The root of 𝐷 is left out: this is where the ray is closest to the centre.",
-    RadiusNotSquared "radius-not-squared": "The radius must be squared: 𝑐 = |𝐩 − centre|² − 𝑟².",
     NormalInwards "normal-inwards": "This points into the sphere: the normal goes outwards.",
     NormalFromOrigin "normal-from-origin":
         "This is the hit seen from the origin: the normal goes from the centre to it.",
@@ -465,7 +520,6 @@ mistakes! {
         "This goes back along the ray: the normal goes from the centre to the hit.",
     CLeftOut "c-left-out": "𝑐 is left out: put 𝐩 + 𝑡𝐝 for 𝑥 and 𝑦, and keep 𝑐.",
     SignOfC "sign-of-c": "𝑐 has the wrong sign: look at which side of the equation it is on.",
-    OriginLeftOut "origin-left-out": "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
     NotDivided "not-divided": "Divide by everything that multiplies 𝑡: 𝐝's step across the line.",
     TermLeftOut "term-left-out":
         "𝑡 is in the part of 𝑥 and in the part of 𝑦: add up both before you divide.",
@@ -492,6 +546,19 @@ impl Mistake {
         Mistake::LeftHanded,
         Mistake::CountedFromOne,
         Mistake::AspectDropped,
+    ];
+
+    /// The mistakes that a graded program is tried for, each alone, after those of
+    /// [`Mistake::GRADED`].
+    pub const ALONE: &'static [Mistake] = &[
+        Mistake::SignOfB,
+        Mistake::CenterLeftOut,
+        Mistake::OriginLeftOut,
+        Mistake::RadiusNotSquared,
+        Mistake::RootLeftOut,
+        Mistake::ViewportSwapped,
+        Mistake::ViewportScaled,
+        Mistake::EyeInDirection,
     ];
 
     /// The name in files and commands: `w-as-printed`, ...

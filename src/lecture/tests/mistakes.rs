@@ -344,12 +344,19 @@ fn the_table_has_what_each_mistake_is_asked_for() {
     ids.sort_unstable();
     ids.dedup();
     assert_eq!(ids.len(), Mistake::ALL.len());
-    assert!(Mistake::GRADED.iter().all(|mistake| !mistake.advice().is_empty()));
+    let mut named = Mistake::GRADED.iter().chain(Mistake::ALONE);
+    assert!(named.all(|mistake| !mistake.advice().is_empty()));
     // The ids that `pinhole check --json` may write: they stay.
     let graded: Vec<_> = Mistake::GRADED.iter().map(|mistake| mistake.id()).collect();
     let known = "w-as-printed v-is-u-cross-w not-normalized up-as-v distance-dropped pixel-corner \
                  rows-from-bottom rows-columns-swapped counted-from-one aspect-dropped left-handed \
-                 single-precision b-for-half-b far-root negative-t t-for-distance";
+                 single-precision b-for-half-b far-root negative-t t-for-distance last-object";
+    let alone: Vec<_> = Mistake::ALONE.iter().map(|mistake| mistake.id()).collect();
+    assert_eq!(
+        alone.join(" "),
+        "sign-of-b center-left-out origin-left-out radius-not-squared root-left-out \
+         viewport-swapped viewport-scaled eye-in-direction"
+    );
     assert_eq!(graded, known.split_whitespace().collect::<Vec<_>>());
     assert_eq!(Mistake::from_id("upside-down"), None);
 }

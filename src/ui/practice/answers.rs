@@ -173,8 +173,4 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     for remark in graded.remarks() {
         ui.label(remark);
     }
-    if let Some(others) = graded.alternatives() {
-        ui.add_space(4.0);
-        ui.label(format!("These would give the same answers here: {others}."));
-    }
 }

@@ -20,13 +20,6 @@ fn other_ways_to_make_a_mistake_have_its_name() {
     ] {
         assert_eq!(named(&exercise, way), [[id], [id]], "{way}");
     }
-    // Without the wall, which is the last and the farthest of all.
-    let balls = Exercise { planes: vec![], ..general() };
-    let overlapping = Exercise {
-        spheres: vec![([-1.0, 1.0, -2.0], 0.7), ([-1.4, 0.9, -2.8], 1.0), ([-0.6, 1.3, -1.0], 0.3)],
-        ..balls
-    };
-    assert_eq!(named(&overlapping, "far-root/last")[0], ["far-root"]);
 }
 
 /// Rows 1 to H and columns 1 to W, each with the ray of its own number.

@@ -104,6 +104,38 @@ const MISTAKES: [(&str, &[&str]); 15] = [
     ("t-for-distance", &["t-for-distance", "t-for-distance/point"]),
 ];
 
+/// The mistakes that are looked for alone, and the last object, each with the ways in which the
+/// student makes it.
+const ALONE: [(&str, &[&str]); 9] = [
+    ("last-object", &["last-object", "last-object/farthest"]),
+    ("sign-of-b", &["sign-of-b"]),
+    ("center-left-out", &["center-left-out"]),
+    ("origin-left-out", &["origin-left-out"]),
+    ("radius-not-squared", &["radius-not-squared"]),
+    ("root-left-out", &["root-left-out", "root-left-out/d"]),
+    ("viewport-swapped", &["viewport-swapped"]),
+    ("viewport-scaled", &["viewport-scaled", "viewport-scaled/twice"]),
+    ("eye-in-direction", &["eye-in-direction"]),
+];
+
+/// Here each of [`ALONE`] gives hits that no other mistake gives: balls overlap, none is before a
+/// wall, one is behind the eye, and the eye is so near the origin that it turns no ray back.
+fn telling() -> Exercise {
+    Exercise {
+        eye: [0.3, -0.2, -0.5],
+        at: [-2.7, -1.7, -7.5],
+        viewport: [1.5, 1.0, 1.7],
+        spheres: vec![
+            ([-1.7, -1.2, -5.5], 0.7),
+            ([-2.1, -1.3, -6.3], 1.1),
+            ([-1.3, -0.9, -4.5], 0.3),
+            ([1.8, 0.8, 3.0], 1.5),
+        ],
+        planes: vec![],
+        ..general()
+    }
+}
+
 /// What a basis shows, and what rays show.
 const OF_BASIS: [&str; 5] =
     ["w-as-printed", "v-is-u-cross-w", "not-normalized", "up-as-v", "left-handed"];
@@ -127,13 +159,17 @@ fn each_mistake_alone_is_found_by_name() {
                 "v-is-u-cross-w" | "rows-from-bottom" => upside_down,
                 _ => vec![vec![id]],
             };
-            if !OF_HITS.contains(&id) {
-                assert_eq!(found(&exercise, &rays_of(&student)), expected, "rays, {way}");
+            let sets = found(&exercise, &rays_of(&student));
+            if *way == "distance-dropped" {
+                // At half the distance, the viewport is seen twice as large.
+                assert_eq!(sets, [["distance-dropped"], ["viewport-scaled"]]);
+            } else if !OF_HITS.contains(&id) {
+                assert_eq!(sets, expected, "rays, {way}");
             }
             let sets = found(&exercise, &hits_of(&student));
             if *way == "b-for-half-b/halved" {
                 // It sees none of the balls, but only the wall, the farthest of all.
-                assert_eq!(sets, [["b-for-half-b"], ["far-root"]], "hits, {way}");
+                assert_eq!(sets, [["b-for-half-b"], ["far-root"], ["last-object"]], "hits, {way}");
             } else {
                 assert_eq!(sets, expected, "hits, {way}");
             }
@@ -142,6 +178,55 @@ fn each_mistake_alone_is_found_by_name() {
     let a_left_out = Student { exercise: &exercise, mistakes: &["not-normalized/a"] };
     assert_right(&exercise, &rays_of(&a_left_out));
     assert_eq!(found(&exercise, &hits_of(&a_left_out)), [["not-normalized"]]);
+}
+
+#[test]
+fn each_slip_alone_is_found_by_name() {
+    let exercise = telling();
+    for (id, ways) in ALONE {
+        for way in ways {
+            let mistakes = [*way];
+            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            assert_right(&exercise, &basis_of(&student));
+            if ["viewport-swapped", "viewport-scaled", "eye-in-direction"].contains(&id) {
+                assert_eq!(found(&exercise, &rays_of(&student)), [[id]], "rays, {way}");
+            } else {
+                assert_right(&exercise, &rays_of(&student));
+            }
+            assert_eq!(found(&exercise, &hits_of(&student)), [[id]], "hits, {way}");
+            let student = single::Student { exercise: &exercise, mistakes: &mistakes };
+            let hits = Answers::Hits(student.hits());
+            assert_eq!(found(&exercise, &hits), [[id]], "hits in f32, {way}");
+        }
+    }
+    let last = Student { exercise: &exercise, mistakes: &["rows-from-bottom", "last-object"] };
+    assert_eq!(found(&exercise, &hits_of(&last))[0], ["rows-from-bottom", "last-object"]);
+}
+
+/// Several mistakes give these answers: the one that is named is not said to be the one.
+#[test]
+fn what_may_be_another_mistake_says_so() {
+    let exercise = general();
+    let ahead = Exercise { spheres: general().spheres[..2].to_vec(), ..general() };
+    for (exercise, answers_of, way, named, others) in [
+        (
+            &exercise,
+            rays_of as fn(&Student) -> Answers,
+            "viewport-scaled/twice",
+            "distance-dropped",
+            "viewport-scaled",
+        ),
+        (&ahead, hits_of, "sign-of-b", "b-for-half-b", "far-root; last-object; sign-of-b"),
+    ] {
+        let mistakes = [way];
+        let answers = answers_of(&Student { exercise, mistakes: &mistakes });
+        let grade = graded(exercise, &answers);
+        assert_eq!(ids(&grade.diagnosis.mistakes), [named]);
+        let image = camera_of(exercise).image;
+        let advice = Graded { answers, grade, image, count_from: 0 }.advice();
+        let hedge = format!("It may be another mistake, with the same answers here: {others}.");
+        assert!(advice.ends_with(&hedge), "{advice}");
+    }
 }
 
 #[test]

@@ -75,6 +75,37 @@ fn mistakes_that_show_in_a_picture_are_found() {
 }
 
 #[test]
+fn slips_that_show_in_a_picture_are_found() {
+    let exercise = telling();
+    for (id, ways) in ALONE {
+        for way in ways {
+            let mistakes = [*way];
+            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let Diagnosis { mistakes, alternatives, .. } =
+                graded(&exercise, &painted(&student, true)).diagnosis;
+            assert!(
+                [vec![mistakes], alternatives].concat().iter().any(|set| ids(set) == [id]),
+                "{way}"
+            );
+        }
+    }
+}
+
+/// Spheres that are not seen at all may be missed for many reasons.
+#[test]
+fn a_picture_of_nothing_is_a_guess() {
+    let exercise =
+        Exercise { spheres: general().spheres[..2].to_vec(), planes: vec![], ..general() };
+    let student = Student { exercise: &exercise, mistakes: &["sign-of-b"] };
+    let answers = painted(&student, true);
+    let grade = graded(&exercise, &answers);
+    assert!(grade.diagnosis.alternatives.contains(&vec![Mistake::SignOfB]));
+    let image = camera_of(&exercise).image;
+    let advice = Graded { answers, grade, image, count_from: 0 }.advice();
+    assert!(advice.contains("This is a guess: all wrong answers are misses"), "{advice}");
+}
+
+#[test]
 fn another_picture_is_explained_by_nothing() {
     let exercise = general();
     let noise = (0..600_u32).map(|k| (k.wrapping_mul(2_654_435_761) >> 8).to_le_bytes());

@@ -70,11 +70,17 @@ proptest! {
 
     /// A mistake that was made is among those that are found, wherever it shows at all.
     #[test]
-    fn a_mistake_is_found_in_any_scene(exercise in exercise(), which in 0..15_usize) {
-        let (id, ways) = MISTAKES[which];
-        let student = Student { exercise: &exercise, mistakes: &ways[..1] };
-        let sets = found(&exercise, &hits_of(&student));
-        prop_assert!(sets == [["right"]] || sets.contains(&vec![id]), "{id}: {sets:?}");
+    fn a_mistake_is_found_in_any_scene(exercise in exercise(), which in 0..24_usize) {
+        let all = [&MISTAKES.map(|(id, ways)| (id, &ways[..1]))[..], &ALONE].concat();
+        let (id, ways) = all[which];
+        for way in ways {
+            let mistakes = [*way];
+            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            for answers in [rays_of(&student), hits_of(&student)] {
+                let sets = found(&exercise, &answers);
+                prop_assert!(sets == [["right"]] || sets.contains(&vec![id]), "{way}: {sets:?}");
+            }
+        }
     }
 
     /// Numbers from nowhere are explained by nothing.

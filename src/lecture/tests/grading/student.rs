@@ -107,7 +107,16 @@ macro_rules! student {
                 }
 
                 pub(crate) fn ray(&self, row: u32, column: u32) -> (V, V) {
-                    let [width, height, distance] = real(self.exercise.viewport);
+                    let [mut width, mut height, distance] = real(self.exercise.viewport);
+                    if self.makes("viewport-swapped") {
+                        (width, height) = (height, width);
+                    }
+                    if self.makes("viewport-scaled") {
+                        (width, height) = (width / 2.0, height / 2.0);
+                    }
+                    if self.makes("viewport-scaled/twice") {
+                        (width, height) = (2.0 * width, 2.0 * height);
+                    }
                     let [columns, rows] = self.exercise.image;
                     let [u, v, w] = self.basis();
                     let (mut i, mut j) = (row as Real, column as Real);
@@ -144,14 +153,26 @@ macro_rules! student {
                     };
                     let d = sub(add(mul(across, u), mul(upwards, v)), back);
                     let d = if self.makes("ray-reversed") { mul(-1.0, d) } else { d };
-                    (real(self.exercise.eye), d)
+                    let eye = real(self.exercise.eye);
+                    let d = if self.makes("eye-in-direction") { add(eye, d) } else { d };
+                    (eye, d)
                 }
 
                 fn roots(&self, p: V, d: V, (center, radius): (V, Real)) -> Option<[Real; 2]> {
-                    let q = sub(p, center);
+                    let q = if self.makes("sign-of-b") {
+                        sub(center, p)
+                    } else if self.makes("center-left-out") {
+                        p
+                    } else if self.makes("origin-left-out") {
+                        mul(-1.0, center)
+                    } else {
+                        sub(p, center)
+                    };
                     let a = if self.makes("not-normalized/a") { 1.0 } else { dot(d, d) };
                     let mut b = dot(d, q);
-                    let c = dot(q, q) - radius * radius;
+                    let size =
+                        if self.makes("radius-not-squared") { radius } else { radius * radius };
+                    let c = dot(q, q) - size;
                     if self.makes("b-for-half-b") {
                         b *= 2.0;
                     }
@@ -163,7 +184,14 @@ macro_rules! student {
                         return None;
                     }
                     let below = if self.makes("b-for-half-b/halved") { 2.0 * a } else { a };
-                    let root = discriminant.sqrt();
+                    if self.makes("root-left-out") {
+                        return Some([-b / below; 2]);
+                    }
+                    let root = if self.makes("root-left-out/d") {
+                        discriminant
+                    } else {
+                        discriminant.sqrt()
+                    };
                     Some([(-b - root) / below, (-b + root) / below])
                 }
 
@@ -172,8 +200,14 @@ macro_rules! student {
                     let mut first: Option<(Real, u32)> = None;
                     let mut take = |t: Real, object: usize| {
                         let is_ahead = t > 0.0 || self.makes("negative-t");
-                        let overwrites = self.makes("far-root/last");
-                        if is_ahead && (overwrites || first.is_none_or(|(before, _)| t < before)) {
+                        let is_better = first.is_none_or(|(before, _)| {
+                            if self.makes("last-object/farthest") {
+                                t > before
+                            } else {
+                                self.makes("last-object") || t < before
+                            }
+                        });
+                        if is_ahead && is_better {
                             first = Some((t, object as u32));
                         }
                     };
