@@ -9,7 +9,16 @@ use pinhole::{cli, model, platform};
 fn main() -> ExitCode {
     model::panics::watch();
     platform::signals::watch();
-    let code = cli::exit_code(match Arguments::try_parse() {
+    let parsed = Arguments::try_parse();
+    let is_no_command = match &parsed {
+        Ok(parsed) => parsed.command.is_none(),
+        Err(asked) => asked.use_stderr(),
+    };
+    let first = std::env::args_os().nth(1).filter(|_| is_no_command);
+    if let Some(wrong) = first.and_then(|first| cli::mistyped(&first)) {
+        wrong.exit();
+    }
+    let code = cli::exit_code(match parsed {
         Ok(Arguments { command: Some(command), .. }) => cli::run(&command),
         Ok(Arguments { command: None, window }) => platform::program::run(&window),
         // What was asked for: the help, or the version.

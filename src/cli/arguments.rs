@@ -23,7 +23,8 @@ use pinhole_exchange::programs::IMPORTERS;
     version,
     long_version = env!("PINHOLE_VERSION"),
     args_conflicts_with_subcommands = true,
-    after_help = "SCENE is the path of a scene file, or the name of a built-in scene."
+    after_help = "SCENE is the path of a scene file, or the name of a built-in scene. To a command, - is a \
+                  scene file on standard input."
 )]
 pub struct Arguments {
     /// The command to run instead of opening the window.
@@ -52,7 +53,7 @@ pub struct WindowArguments {
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
     /// List the built-in scenes, a line each
-    Scenes,
+    Scenes(ScenesArguments),
     /// Show one ray: its camera, its numbers, and everything it meets
     Inspect(InspectArguments),
     /// Write the picture as PNG
@@ -77,6 +78,34 @@ pub enum Command {
     /// Read another program's camera and scene, and write a scene file
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
+    /// Print what a shell reads to complete commands, options and scenes
+    Completions(CompletionsArguments),
+}
+
+/// `pinhole scenes`
+#[derive(Args, Clone, Copy, Debug)]
+pub struct ScenesArguments {
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `pinhole completions`
+#[derive(Args, Clone, Copy, Debug)]
+pub struct CompletionsArguments {
+    /// The shell
+    pub shell: Shell,
+}
+
+/// A shell that completes what is typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Shell {
+    /// The usual one of Linux.
+    Bash,
+    /// The usual one of macOS.
+    Zsh,
+    /// The friendly one.
+    Fish,
 }
 
 /// `pinhole inspect`
@@ -109,7 +138,7 @@ pub struct RayArguments {
 pub struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The PNG file to write
+    /// The PNG file to write; - writes to standard output
     #[arg(short, long, value_name = "OUT.png")]
     pub output: PathBuf,
     /// Columns; given alone, the rows follow in the ratio of the scene's image
@@ -153,7 +182,7 @@ pub struct FigureArguments {
     #[arg(long, value_name = "world|camera|derivation|lines")]
     #[arg(value_parser = one_of(Subject::ALL, |subject| subject.name().into()))]
     pub view: Subject,
-    /// The file to write; the ending chooses the format
+    /// The file to write; the ending chooses the format, and - writes SVG to standard output
     ///
     /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of
     /// the window. The derivation can be written as text, too: .tex for LaTeX (with amsmath), .md for

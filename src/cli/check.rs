@@ -12,7 +12,7 @@ use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
 use super::console::{named, read, to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
-use super::load::{apart, files_of, load, pose};
+use super::load::{apart, files_of, load, once, pose};
 use crate::cli::arguments::CheckArguments;
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
@@ -43,6 +43,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         named(map, "png", "--map writes PNG")?;
         atomic::check(map)?;
     }
+    once(&arguments.scene, ("--answers", &arguments.answers))?;
     let document = load(&arguments.scene)?;
     let resolved = pose(&arguments.scene, &document)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;

@@ -8,10 +8,15 @@ use serde::Serialize;
 
 use super::error::CommandError;
 
+/// Returns true for `-`, which stands for standard input or output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Reads a file of at most so many bytes, or standard input for `-`. Returns the name of the file in
 /// messages, too.
 pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
-    if path == Path::new("-") {
+    if is_standard(path) {
         let path = Path::new("standard input");
         return Ok((path, limits::read_from(io::stdin().lock(), path, most)?));
     }
@@ -50,7 +55,7 @@ fn told(written: io::Result<()>) -> Result<(), CommandError> {
 /// Says on standard error what was done otherwise than one may think.
 pub(super) fn warn(note: &str) {
     // Where standard error is closed, there is nobody to tell.
-    let _ = writeln!(io::stderr(), "pinhole: note: {}", legible(note));
+    let _ = writeln!(io::stderr(), "note: {}", legible(note));
 }
 
 /// Refuses the name of another format: what it promises is not what would be in the file.

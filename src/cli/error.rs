@@ -1,10 +1,11 @@
 //! The errors of commands, and the exit status that tells them.
 
 use std::fmt;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 
+use clap::builder::Styles;
 use pinhole_exchange::{FileError, legible};
 
 /// The reason why a command did not do what it was asked to.
@@ -51,8 +52,10 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
         Err(CommandError::Arguments(_) | CommandError::Unreadable(_)) => 2,
     };
     if let Err(error) = result {
-        // Where standard error is closed too, the status has to do.
-        let _ = writeln!(io::stderr(), "pinhole: {}", legible(&error.to_string()));
+        let styles = Styles::styled();
+        let (style, error) = (styles.get_error(), error.to_string());
+        // As clap writes its own. Where standard error is closed too, the status has to do.
+        let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", legible(&error));
     }
     ExitCode::from(status)
 }

@@ -2,7 +2,7 @@
 
 use pinhole_exchange::format::{ExportScene, Include};
 
-use super::console::{to_stdout, warn};
+use super::console::{is_standard, to_stdout, warn};
 use super::error::{CommandError, scene_fault};
 use super::load::{self, apart, load, pose};
 use crate::cli::arguments::ExportArguments;
@@ -20,7 +20,7 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let written =
         ExportScene::new(&document, with).and_then(|subject| arguments.to.write(&subject));
     let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
-    match &arguments.output {
+    match arguments.output.as_deref().filter(|output| !is_standard(output)) {
         None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
         Some(path) => {
             let files = files_of(&written, path);

@@ -7,12 +7,13 @@ use pinhole_core::{DVec2, ImageSize};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
+use super::console::{is_standard, to_stdout};
 use super::error::{CommandError, scene_fault, unmade};
 use super::load::{apart, files_of, load, pose, selection_of};
 use super::progress::Progress;
 use super::size::{follow, size};
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Animation, Content, Frames, Order, Recorder, Reel, Subject};
+use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, Reel, Subject};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
@@ -32,12 +33,19 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     if let Some(kind) = arguments.play {
         return play(arguments, kind);
     }
-    let content = Content::for_path(arguments.view, &arguments.output)
-        .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
+    let output = Some(&arguments.output).filter(|output| !is_standard(output));
+    let content = match output {
+        Some(output) => Content::for_path(arguments.view, output)
+            .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?,
+        // Without an ending that says otherwise.
+        None => Content::Figure(Format::Svg),
+    };
     check_idle(arguments, content)?;
-    atomic::check(&arguments.output)?;
+    if let Some(output) = output {
+        atomic::check(output)?;
+    }
     let document = load(&arguments.scene)?;
-    apart(&files_of(&arguments.scene, &document), [("-o", arguments.output.as_path())])?;
+    apart(&files_of(&arguments.scene, &document), output.map(|output| ("-o", output.as_path())))?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
     let progress = Progress::during("drawing");
@@ -53,8 +61,10 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         }
     };
     progress.go_on("writing");
-    atomic::write(&arguments.output, |file| file.write_all(&bytes))?;
-    Ok(())
+    match output {
+        Some(output) => Ok(atomic::write(output, |file| file.write_all(&bytes))?),
+        None => to_stdout(|out| out.write_all(&bytes)),
+    }
 }
 
 /// Writes what plays, by the window's recorder.

@@ -9,7 +9,7 @@ use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::importer_of_file;
 use pinhole_exchange::{FileError, atomic, limits, scene_file};
 
-use super::console::{read, to_stdout, warn};
+use super::console::{is_standard, read, to_stdout, warn};
 use super::error::CommandError;
 use super::load::apart;
 use crate::cli::arguments::ImportArguments;
@@ -21,7 +21,8 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
         Some((folder, _)) => PAIR.map(|name| folder.join(name)).to_vec(),
         None => vec![path.clone()],
     };
-    apart(&inputs, arguments.output.as_deref().map(|output| ("-o", output)))?;
+    let output = arguments.output.as_deref().filter(|output| !is_standard(output));
+    apart(&inputs, output.map(|output| ("-o", output)))?;
     let text = Input { path, text: &source.text };
     let importer = match arguments.from {
         Some(importer) => importer,
@@ -38,7 +39,7 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     };
     document.scene().map_err(|error| FileError::of_file(path, error.to_string()))?;
     let scene = scene_file::to_text(&document, None);
-    match &arguments.output {
+    match output {
         None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
         Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
     }

@@ -5,14 +5,21 @@ use std::path::{Path, PathBuf};
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
 use pinhole_exchange::atomic::is_same_file;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{FileError, limits, scene_file};
 
+use super::console::{is_standard, read};
 use super::error::{CommandError, scene_fault};
 use crate::model::session::Selection;
 
-/// Reads the scene that an argument means.
+/// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
+    if is_standard(scene) {
+        let (path, bytes) = read(scene, limits::TEXT)?;
+        let text = String::from_utf8(bytes);
+        let text = text.map_err(|_| FileError::of_file(path, "not UTF-8 text, as a scene is"))?;
+        return Ok(scene_file::parse(&text, path, Path::new("."))?);
+    }
     Ok(SceneSource::from_argument(scene)?.load()?)
 }
 
@@ -23,6 +30,15 @@ pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
     own.into_iter().chain(document.csv_spheres.as_ref().map(|csv| csv.file.clone())).collect()
 }
 
+/// Refuses to read two inputs from standard input.
+pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandError> {
+    if is_standard(scene) && is_standard(other.1) {
+        let problem = format!("SCENE and {} are both -: standard input can be but one", other.0);
+        return Err(CommandError::Arguments(problem));
+    }
+    Ok(())
+}
+
 /// Refuses to write over a file that is read. Outputs come with the option that names them.
 pub(super) fn apart<'a>(
     inputs: &[PathBuf],
@@ -30,8 +46,7 @@ pub(super) fn apart<'a>(
 ) -> Result<(), CommandError> {
     for (option, output) in outputs {
         let is_same = |input: &&PathBuf| {
-            let is_standard = input.as_os_str() == "-";
-            is_same_file(if is_standard { Path::new("/dev/stdin") } else { input }, output)
+            is_same_file(if is_standard(input) { Path::new("/dev/stdin") } else { input }, output)
         };
         if let Some(input) = inputs.iter().find(is_same) {
             let read = match input.to_str() {

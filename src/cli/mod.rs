@@ -4,6 +4,7 @@
 
 pub mod arguments;
 mod check;
+mod completions;
 mod console;
 mod error;
 mod export;
@@ -11,6 +12,7 @@ mod figure;
 mod import;
 mod inspect;
 mod load;
+mod mistyped;
 mod progress;
 mod render;
 pub mod render_view;
@@ -22,6 +24,7 @@ mod trace;
 
 pub use self::console::print;
 pub use self::error::{CommandError, exit_code};
+pub use self::mistyped::mistyped;
 use crate::cli::arguments::Command;
 
 /// Runs a command.
@@ -30,7 +33,7 @@ use crate::cli::arguments::Command;
 /// Returns the reason if it could not be done.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
-        Command::Scenes => scenes::run(),
+        Command::Scenes(arguments) => scenes::run(arguments),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
@@ -42,5 +45,6 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Import(arguments) => import::run(arguments),
+        Command::Completions(arguments) => completions::run(arguments),
     }
 }

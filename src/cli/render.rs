@@ -1,11 +1,11 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
-use std::io::BufWriter;
+use std::io::{BufWriter, Write};
 
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::images::png;
 
-use super::console::named;
+use super::console::{is_standard, named, to_stdout};
 use super::error::{CommandError, not_built, scene_fault};
 use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
@@ -27,17 +27,21 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             return Err(CommandError::Arguments(problem));
         }
     }
+    let output = Some(&arguments.output).filter(|output| !is_standard(output));
+    if arguments.aov.as_deref().is_some_and(is_standard) {
+        return Err(CommandError::Arguments("--aov needs a file: - is for -o".to_owned()));
+    }
     named(&arguments.output, "png", "-o writes PNG")?;
     if let Some(aov) = &arguments.aov {
         named(aov, "exr", "--aov writes OpenEXR")?;
     }
-    for output in [Some(&arguments.output), arguments.aov.as_ref()].into_iter().flatten() {
-        atomic::check(output)?;
+    for file in [output, arguments.aov.as_ref()].into_iter().flatten() {
+        atomic::check(file)?;
     }
     let document = load(&arguments.scene)?;
     pose(&arguments.scene, &document)?;
     let aov = arguments.aov.as_deref().map(|aov| ("--aov", aov));
-    let outputs = [("-o", arguments.output.as_path())].into_iter().chain(aov);
+    let outputs = output.map(|output| ("-o", output.as_path())).into_iter().chain(aov);
     apart(&files_of(&arguments.scene, &document), outputs)?;
     let own = document.camera.image;
     let image = size(arguments.width, arguments.height, [own.width(), own.height()])?;
@@ -59,14 +63,17 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     progress.go_on("writing");
     let mut batch = Batch::default();
-    batch.add(&arguments.output, |file| {
-        png::encode(BufWriter::new(file), image.width(), image.height(), &rendering.pixels)
-    })?;
+    let encode =
+        |out: &mut dyn Write| png::encode(out, image.width(), image.height(), &rendering.pixels);
+    if let Some(output) = output {
+        batch.add(output, |file| encode(&mut BufWriter::new(file)))?;
+    }
     #[cfg(feature = "exr")]
     if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
         batch.add(aov, |file| {
             pinhole_exchange::images::exr::encode(file, frame, &rendering.certificates)
         })?;
     }
-    Ok(batch.finish()?)
+    batch.finish()?;
+    if output.is_none() { to_stdout(encode) } else { Ok(()) }
 }

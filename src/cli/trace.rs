@@ -7,15 +7,16 @@ use pinhole_exchange::csv::rays;
 use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
-use super::console::{read, to_stdout};
+use super::console::{is_standard, read, to_stdout};
 use super::error::{CommandError, scene_fault};
-use super::load::{apart, files_of, load};
+use super::load::{apart, files_of, load, once};
 use crate::cli::arguments::TraceArguments;
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
 const CHUNK: usize = 1 << 16;
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
+    once(&arguments.scene, ("--rays", &arguments.rays))?;
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     // All rays are read before the first is traced, so that a bad row leaves no half an answer.
@@ -23,8 +24,9 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let rays = rays::parse(path, &bytes)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());
-    apart(&inputs, arguments.output.as_deref().map(|output| ("-o", output)))?;
-    match &arguments.output {
+    let output = arguments.output.as_deref().filter(|output| !is_standard(output));
+    apart(&inputs, output.map(|output| ("-o", output)))?;
+    match output {
         Some(path) => Ok(atomic::write(path, |file| {
             let mut out = io::BufWriter::new(file);
             write_hits(&scene, &rays, &mut out)?;

@@ -266,7 +266,7 @@ fn a_picture_is_graded_in_its_own_shading() {
         fs::write(folder.path().join("in.png"), bytes).unwrap();
         let run = run_in(folder.path(), &["check", "s.toml", "--answers", "in.png"]);
         assert_eq!(run.status, 2);
-        let message = format!("pinhole: in.png: cannot be read as PNG: {message}");
+        let message = format!("error: in.png: cannot be read as PNG: {message}");
         assert!(run.stderr.starts_with(&message), "{}", run.stderr);
     }
 }

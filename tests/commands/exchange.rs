@@ -51,7 +51,7 @@ fn to_standard_output_or_to_a_file() {
     assert_eq!((told.status, told.stdout.as_str()), (0, CANONICAL));
     assert_eq!(
         told.stderr,
-        "pinhole: note: zNear 0.01 and zFar 10000 are chosen: OpenGL cuts off what is nearer or \
+        "note: zNear 0.01 and zFar 10000 are chosen: OpenGL cuts off what is nearer or \
          farther\n"
     );
     let arguments = ["export", "canonical", "--to", "opengl", "-o", "camera.c"];
@@ -84,7 +84,7 @@ fn colmap_is_a_folder_of_files() {
     fs::write(model.join("cameras.txt"), "\n1 FISHEYE 9 9 9 9 9").unwrap();
     fs::write(model.join("images.txt"), "1 1 0 0 0 0 0 5 1 a.png\n").unwrap();
     let fisheye = run("import model");
-    assert!(fisheye.stderr.starts_with("pinhole: model/cameras.txt:2:1: MODEL is FISHEYE"));
+    assert!(fisheye.stderr.starts_with("error: model/cameras.txt:2:1: MODEL is FISHEYE"));
     fs::remove_file(model.join("cameras.txt")).unwrap();
     fs::write(model.join("cameras.bin"), [1, 0, 0xff]).unwrap();
     let binary = "model/cameras.bin: binary: `colmap model_converter --output_type TXT` writes the model as text";
@@ -152,22 +152,20 @@ fn what_cannot_be_said_or_read_is_an_error() {
     let run = |line: &str| run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
     let refused = run("export non-square --to mitsuba -o a.xml");
     assert_eq!(refused.status, 1);
-    assert!(refused.stderr.starts_with("pinhole: non-square: pixels are "), "{}", refused.stderr);
+    assert!(refused.stderr.starts_with("error: non-square: pixels are "), "{}", refused.stderr);
     assert_eq!(entries(folder.path()), Vec::<String>::new());
     fs::write(folder.path().join("a.txt"), "nothing").unwrap();
     let unknown = run("import a.txt");
     assert_eq!(unknown.status, 1);
     assert!(
-        unknown.stderr.starts_with("pinhole: a.txt: no camera of a known form: it may be glTF"),
+        unknown.stderr.starts_with("error: a.txt: no camera of a known form: it may be glTF"),
         "{}",
         unknown.stderr
     );
     fs::write(folder.path().join("a.dat"), "nothing").unwrap();
     let unknown = run("import a.dat -o a.toml");
     assert_eq!(unknown.status, 1);
-    assert!(
-        unknown.stderr.starts_with("pinhole: a.dat: no camera of a known form: it may be glTF")
-    );
+    assert!(unknown.stderr.starts_with("error: a.dat: no camera of a known form: it may be glTF"));
     fs::write(folder.path().join("b.c"), "gluPerspective(60, 1, 1, 2);\ngluLookAt(1, 2);").unwrap();
     run("import b.c").failed(1, "b.c:2:1: gluLookAt(1, 2): it must have 9 numbers");
     run("import b.c --from pbrt").failed(1, "b.c:1:1: gluPerspective(60,: no directive of pbrt");

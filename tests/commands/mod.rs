@@ -2,6 +2,7 @@
 
 mod animation;
 mod check;
+mod conventions;
 mod exchange;
 mod figure;
 mod figure_read_back;
@@ -61,7 +62,7 @@ impl Run {
     fn failed(self, status: i32, message: &str) {
         assert_eq!(
             (self.status, self.stderr.as_str()),
-            (status, format!("pinhole: {message}\n").as_str())
+            (status, format!("error: {message}\n").as_str())
         );
         assert_eq!(self.stdout, "");
     }

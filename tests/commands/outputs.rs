@@ -75,7 +75,7 @@ fn no_output_is_written_over_an_input() {
     ] {
         let run = run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{line}: {}", run.stderr);
-        assert!(run.stderr.starts_with(&format!("pinhole: {refused}")), "{line}: {}", run.stderr);
+        assert!(run.stderr.starts_with(&format!("error: {refused}")), "{line}: {}", run.stderr);
         assert!(run.stderr.ends_with(": choose another name\n"), "{line}: {}", run.stderr);
         assert_eq!(contents(folder.path()), before, "{line}");
     }
