@@ -19,6 +19,9 @@ _pinhole() {
             pinhole,check)
                 cmd="pinhole__subcmd__check"
                 ;;
+            pinhole,completions)
+                cmd="pinhole__subcmd__completions"
+                ;;
             pinhole,export)
                 cmd="pinhole__subcmd__export"
                 ;;
@@ -50,7 +53,7 @@ _pinhole() {
 
     case "${cmd}" in
         pinhole)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export import"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export import completions"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -102,6 +105,20 @@ _pinhole() {
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        pinhole__subcmd__completions)
+            opts="-h --help bash zsh fish"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
                 *)
                     COMPREPLY=()
                     ;;
@@ -314,7 +331,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__scenes)
-            opts="-h --help"
+            opts="-h --json --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

@@ -38,12 +38,14 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure th
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or the lab of lines as a figure for slides'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene as another program has them'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read another program\'s camera and scene, and write a scene file'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print what a shell reads to complete commands, options and scenes'
+complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -s h -l help -d 'Print help'
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s o -l output -d 'The PNG file to write' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s o -l output -d 'The PNG file to write; - writes to standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l width -d 'Columns; given alone, the rows follow in the ratio of the scene\'s image' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l height -d 'Rows; given alone, the columns follow in the ratio of the scene\'s image' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l view -d 'What the camera sees, or the scene with the camera in it' -r -f -a "camera\t''
@@ -57,7 +59,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l overlay -d 'D
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, told apart by their header; - reads them from standard input' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'What was asked for: answers of another kind are none' -r -f -a "basis\t''
 rays\t''
@@ -79,7 +81,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What
 camera\t''
 derivation\t''
 lines\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format, and - writes SVG to standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; given alone, the rows follow in proportion' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; given alone, the columns follow in proportion' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, light on dark, or one of the window\'s colour schemes on either' -r -f -a "light\t''
@@ -88,7 +90,7 @@ colour-blind\t''
 colour-blind-dark\t''
 grey\t''
 grey-dark\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view: an animated PNG, like the window\'s Play' -r -f -a "swing-up\t''
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view: an animated PNG or GIF, like the window\'s Play' -r -f -a "swing-up\t''
 orbit\t''
 over-the-top\t''
 walk\t''
@@ -98,7 +100,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l numbered -d 'Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG'
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l numbered -d 'Write OUT-0001.png, OUT-0002.png and so on in place of one animated file'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l to -d 'The other program, form or language' -r -f -a "gltf\t'glTF 2.0; its camera\'s x, y, z are u, v, w'
 three\t'three.js; its camera\'s x, y, z are u, v, w'
@@ -133,6 +135,7 @@ opencv\t'OpenCV K [R|t]'
 pbrt\t'pbrt-v4'
 numbers\t'eye at up or a matrix in numbers'"
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
