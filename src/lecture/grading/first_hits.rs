@@ -33,9 +33,9 @@ pub(super) struct FirstHits {
 }
 
 /// Returns whether a pipeline's rays meet what is not near them, so that each must be held against
-/// every sphere: those of wrong formulas do, and those of coarse numbers.
+/// every sphere: those of wrong discriminants do, and those of coarse numbers.
 fn meets_far_off(pipeline: &Pipeline) -> bool {
-    !pipeline.quadratic.is_right() || pipeline.single
+    !pipeline.quadratic.meets_what_is_met() || pipeline.single
 }
 
 /// The count of spheres that a pipeline's ray is held against, about: few where the index finds

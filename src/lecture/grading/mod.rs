@@ -3,7 +3,8 @@
 //! [`grade`] takes what a student's ray tracer says of a scene ([`Answers`]: a basis, rays, hits,
 //! or a whole picture), says of each answer whether it is right, and looks for the smallest set of
 //! classic mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program gives *all* of
-//! them: each mistake in each of the ways in which it is made, alone, then in pairs.
+//! them: each mistake in each of the ways in which it is made, alone, then those of
+//! [`Mistake::GRADED`](crate::mistakes::Mistake::GRADED) in pairs.
 //!
 //! # What is right
 //!

@@ -245,6 +245,13 @@ impl Quadratic {
         *self == Quadratic::RIGHT
     }
 
+    /// Returns whether the discriminant is the right one, or a multiple of it: a line meets the
+    /// spheres that it should.
+    pub(crate) fn meets_what_is_met(&self) -> bool {
+        let Quadratic { square, product, a_left_out, offset, radius_unsquared, .. } = *self;
+        square == product && !a_left_out && offset == Offset::Right && !radius_unsquared
+    }
+
     /// The vector taken for `p - center`.
     pub(crate) fn offset(&self, p: DVec3, center: DVec3) -> DVec3 {
         match self.offset {

@@ -424,6 +424,12 @@ fn many_spheres_are_graded_as_few_are() {
     {
         assert_eq!(hits(&[mistake]), [[mistake]]);
     }
+    for (id, ways) in ALONE {
+        for way in ways {
+            let sets = hits(&[way]);
+            assert!(sets.contains(&vec![id]), "{way}: {sets:?}");
+        }
+    }
     assert_eq!(hits(&["distance-dropped", "far-root"]), [["distance-dropped", "far-root"]]);
 }
 
