@@ -184,6 +184,25 @@ fn misses_alone_are_a_guess() {
     let run = check(folder.path(), &[]);
     assert!(run.stdout.contains("mistake: w-as-printed\n"), "{}", run.stdout);
     assert!(run.stdout.contains("This is a guess: all wrong answers are misses"), "{}", run.stdout);
+    let others = "  It may be another mistake, with the same answers here: ";
+    assert!(run.stdout.contains(others), "{}", run.stdout);
+    let found = json_of(&check(folder.path(), &["--json"]));
+    assert!(found["advice"].as_str().unwrap().contains(others.trim()), "{found}");
+    assert!(found["alternatives"].as_array().unwrap().contains(&json!(["sign-of-b"])), "{found}");
+}
+
+#[test]
+fn a_viewport_of_twice_the_size_is_named() {
+    let rays = "row,column,ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-0.975,0.966667,-1\n\
+                29,39,0,0,0,0.975,-0.966667,-1\n";
+    let folder = folder(rays);
+    let run = check(folder.path(), &[]);
+    assert_eq!(run.status, 1);
+    let told = "mistake: viewport-scaled\n  Look at a factor 2 in u and v: across the viewport, u \
+                goes from -width/2 to width/2, and v from height/2 to -height/2.\n";
+    assert!(run.stdout.ends_with(told), "{}", run.stdout);
+    let found = json_of(&check(folder.path(), &["--json"]));
+    assert_eq!(found["mistakes"], json!(["viewport-scaled"]));
 }
 
 #[test]
