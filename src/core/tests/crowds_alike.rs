@@ -45,7 +45,6 @@ fn differences(
     for (name, level) in levels {
         let mut known = None;
         for (threads, pool) in pools {
-            // Other band heights would be asked for here.
             let other = frame(*level, pool);
             let with = format!("{}, {name}, {threads} threads", crowd.name);
             if let Some(difference) = difference(&first, &other) {
@@ -140,28 +139,44 @@ fn traced_again_into_the_same_frame_is_the_same_as_anew() {
 
 #[test]
 fn a_crowd_with_spheres_replaced_is_the_same_as_made_anew() {
-    let mut numbers = Numbers(41);
     for count in [255, 257, 5000] {
-        let mut crowd = Crowd::new("replaced", of_pixels(count, [0.5, 8.0], 42), ordinary());
-        let mut spheres = crowd.scene.spheres().to_vec();
-        let mut before = crowd.trace();
-        for step in 0..40 {
-            let index = numbers.between(0.0, count as f64) as usize;
-            // Nearer or farther, smaller or larger, or behind the eye and back again.
-            let center = match step % 4 {
-                0 => -spheres[index].center,
-                _ => numbers.between(0.5, 1.5) * spheres[index].center,
-            };
-            let radius = 10_f64.powf(numbers.between(-3.0, 0.3));
-            spheres[index] = Sphere { center, radius };
-            crowd.scene.replace_sphere(index as u32, spheres[index]).unwrap();
-            if step % 8 == 7 {
-                let kept = crowd.trace();
-                let anew = Crowd::new("anew", spheres.clone(), crowd.camera).trace();
-                assert_eq!(difference(&kept, &anew), None, "{count}, step {step}");
-                assert!(difference(&kept, &before).is_some(), "{count}, step {step}");
-                before = kept;
-            }
+        replace_spheres(count, 1.0);
+    }
+}
+
+/// So far away, some spheres that are small beside their distance are none that the other outlines take.
+#[test]
+fn a_far_crowd_with_spheres_replaced_is_the_same_as_made_anew() {
+    for scale in [1e11, 3e11, 1e12] {
+        replace_spheres(5000, scale);
+    }
+}
+
+/// Replaces spheres of a crowd that is so many times as large and far away.
+fn replace_spheres(count: usize, scale: f64) {
+    let mut numbers = Numbers(41);
+    let of_size =
+        |sphere: &Sphere| Sphere { center: scale * sphere.center, radius: scale * sphere.radius };
+    let spheres = of_pixels(count, [0.5, 8.0], 42).iter().map(of_size).collect();
+    let mut crowd = Crowd::new("replaced", spheres, ordinary());
+    let mut spheres = crowd.scene.spheres().to_vec();
+    let mut before = crowd.trace();
+    for step in 0..40 {
+        let index = numbers.between(0.0, count as f64) as usize;
+        // Nearer or farther, smaller or larger, or behind the eye and back again.
+        let center = match step % 4 {
+            0 => -spheres[index].center,
+            _ => numbers.between(0.5, 1.5) * spheres[index].center,
+        };
+        let radius = scale * 10_f64.powf(numbers.between(-3.0, 0.3));
+        spheres[index] = Sphere { center, radius };
+        crowd.scene.replace_sphere(index as u32, spheres[index]).unwrap();
+        if step % 8 == 7 {
+            let kept = crowd.trace();
+            let anew = Crowd::new("anew", spheres.clone(), crowd.camera).trace();
+            assert_eq!(difference(&kept, &anew), None, "{count}, step {step}");
+            assert!(difference(&kept, &before).is_some(), "{count}, step {step}");
+            before = kept;
         }
     }
 }

@@ -79,7 +79,7 @@ pub(crate) fn draw_visible<S: Simd>(
 struct Drawing<'a> {
     visible: &'a VisibleSpheres<'a>,
     runs: Runs,
-    /// Those at hand.
+    /// The outlines of the spheres at hand, if they are small.
     small: SmallOutlines,
     outlines: Option<Box<Outlines>>,
     occlusion: Occlusion,

@@ -6,7 +6,8 @@ use std::ops::Range;
 const COLUMNS: usize = 16;
 const ROWS: usize = 8;
 
-/// Maximum number of rectangles that are looked at: what covers more is seldom hidden.
+/// Maximum number of rectangles that a group, block or small sphere may cover: what covers more is seldom
+/// hidden.
 const MOST: usize = 512;
 
 /// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band.

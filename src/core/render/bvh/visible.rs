@@ -9,9 +9,9 @@ use crate::render::outline::Outlines;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::small_outlines::SmallOutlines;
 use crate::scene::boxes::Bound;
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
-use crate::scene::sphere_order::BLOCK;
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
@@ -99,17 +99,27 @@ impl<'a> VisibleSpheres<'a> {
     /// The spheres that are not drawn by rows, of groups that may have such.
     #[inline(always)]
     fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
+        let (mut small, mut outlines) = (SmallOutlines::default(), Outlines::default());
+        let (n, index) = (S::f64s::LEN, self.index);
         let mut others = Vec::new();
-        for group in self.groups.iter().filter(|group| group.has_others) {
-            let outlines = outlines_of(simd, self.index, &self.space, &group.blocks);
-            let blocks = group.blocks.iter().map(|block| SphereIndex::slots_of(block.id as usize));
-            let vectors = blocks.flat_map(|slots| slots.step_by(S::f64s::LEN));
-            for (from, outlines) in vectors.zip(&outlines) {
-                let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
-                for slot in from..from + S::f64s::LEN {
-                    let id = self.index.ids[slot];
-                    if id != NO_SPHERE && drawn >> (slot - from) & 1 == 0 {
-                        let extent = extents.find(&self.index.sphere(slot));
+        let groups = self.groups.iter().filter(|group| group.has_others);
+        let blocks = groups.flat_map(|group| &group.blocks);
+        let vectors =
+            blocks.flat_map(|block| SphereIndex::slots_of(block.id as usize).step_by(2 * n));
+        for from in vectors {
+            let halves = [index.spheres(from..from + n), index.spheres(from + n..from + 2 * n)];
+            small.find(simd, &self.space, &halves);
+            for (half, slots) in halves.iter().enumerate() {
+                outlines.find(simd, &self.space, slots);
+                let drawn = small.is_small >> (half * n)
+                    | outlines.is_plain
+                    | outlines.is_behind
+                    | outlines.is_outside;
+                for lane in 0..n {
+                    let slot = from + half * n + lane;
+                    let id = index.ids[slot];
+                    if id != NO_SPHERE && drawn >> lane & 1 == 0 {
+                        let extent = extents.find(&index.sphere(slot));
                         others.extend(extent.map(|extent| (id, extent)));
                     }
                 }
@@ -154,25 +164,6 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
         (f64::from(bounds.nearest) * space.distance, groups[bounds.id as usize].radius);
     let slope = space.row_slope.min(space.column_slope);
     near <= NEAR * radius || radius > LARGE * slope * near
-}
-
-/// The outlines of all spheres of some blocks, vector by vector.
-#[inline(always)]
-fn outlines_of<S: Simd>(
-    simd: S,
-    index: &SphereIndex,
-    space: &CameraSpace,
-    blocks: &[VisibleBox],
-) -> Vec<Outlines> {
-    let vectors = BLOCK / S::f64s::LEN;
-    let mut all = vec![Outlines::default(); blocks.len() * vectors];
-    for (block, of_block) in blocks.iter().zip(all.chunks_exact_mut(vectors)) {
-        let slots = SphereIndex::slots_of(block.id as usize);
-        for (from, outlines) in slots.step_by(S::f64s::LEN).zip(of_block) {
-            outlines.find(simd, space, &index.spheres(from..from + S::f64s::LEN));
-        }
-    }
-    all
 }
 
 fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {

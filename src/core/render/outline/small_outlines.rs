@@ -23,14 +23,14 @@ const MOST_SIZE: f32 = 4_194_304.0;
 const UP: f32 = 1.0 + 1e-5;
 
 /// Outlines of small spheres, as [`Outlines`](crate::render::outline::Outlines) have them: on row
-/// `row + j` the columns within w of `middle + shear j`, and there, `S^2 = w^2 - (c - middle - shear j)^2`.
+/// `middle_row + row + j` the columns within w of `middle + shear j`, and there, `S^2 = w^2 - (c - middle - shear j)^2`.
 /// At column c the first hit is at
 ///
 /// ```text
 /// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
 /// ```
 ///
-/// with `(row, column)` the centre in the picture, and Q what t would be there if S were 0. Derivation:
+/// with `(middle_row + row, column)` the centre in the picture, and Q what t would be there if S were 0. Derivation:
 /// with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z` at the centre and linear in row and
 /// column, and the root is `sqrt h s S`; all divided by `|q|^2 / Z`:
 ///

@@ -113,7 +113,7 @@ fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 impl PixelLadder<'_> {
     /// Decides those of these pixels that lie in its rows.
     fn resolve_all(&mut self, doubts: &[Doubt]) {
-        // They come sphere by sphere.
+        // Most come sphere by sphere.
         let mut last: Option<(u32, ObjectFromOrigin)> = None;
         for doubt in doubts {
             let Doubt { index, row, column, t } = *doubt;

@@ -192,7 +192,7 @@ impl<'a> RowBand<'a> {
             object: self.object,
             written: self.written.as_mut(),
             doubts,
-            is_crowded: plan.axes.are_whole()
+            has_vector_bounds: plan.axes.are_whole()
                 && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
             bounds: VectorBounds::NONE,
             spheres: plan.scene.spheres(),

@@ -17,8 +17,8 @@ const PIXELS: usize = 8;
 /// Maximum number of rows that are found before they are drawn: bits of a number.
 const RUNS: usize = 64;
 
-/// The rows that the spheres of a vector have in the target. Where its rows follow one another without a
-/// gap, steps go from the first row of each sphere on, else from the first of all.
+/// The rows that the spheres of a vector have in the target. Where neither rows nor columns have a gap,
+/// steps go from the first row of each sphere on, else from the first of all.
 struct OwnRows {
     /// The first and the last, as numbers.
     first: Singles,
@@ -144,7 +144,7 @@ impl OwnRows {
         own
     }
 
-    /// Number of rows of a sphere, where they follow one another without a gap.
+    /// Number of rows of a sphere, where neither rows nor columns have a gap.
     #[inline(always)]
     fn count(&self, lane: usize) -> usize {
         // By way of i32, which processors convert to in one instruction.

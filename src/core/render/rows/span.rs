@@ -79,9 +79,9 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
     /// True if spheres cover one another so much that each vector of a row is worth a look whether it is
-    /// hidden.
-    pub(crate) is_crowded: bool,
-    /// Those of the row at hand, if it is a long one of a crowded scene.
+    /// hidden, and rows and columns have no gaps, in which the bounds would not hold.
+    pub(crate) has_vector_bounds: bool,
+    /// The bounds of the row at hand, if it has some.
     pub(crate) bounds: VectorBounds,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
@@ -189,7 +189,7 @@ impl Span {
                 None => &mut [],
             },
         };
-        if target.is_crowded {
+        if target.has_vector_bounds {
             let (first, last) = columns;
             if last - first >= SHORT {
                 let numbers = (self.numerator[0], self.outline.b_column as f32, span_row);

@@ -104,6 +104,7 @@ mod tests {
         let columns = (last - first) as usize + 1;
         let numbers = (1.0, b_column, &row);
         dispatch!(level, simd => bounds.find(simd, numbers, (first, columns)));
+        assert!(bounds.get(0).is_some_and(|bound| bound > 0.0), "{row:?}");
         for m in 0..columns {
             let Some(bound) = bounds.get(m / n) else { continue };
             let [m, left, right] = [m as f64, f64::from(left), f64::from(right)];
