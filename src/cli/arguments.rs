@@ -100,11 +100,11 @@ pub struct CompletionsArguments {
 /// A shell that completes what is typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Shell {
-    /// The usual one of Linux.
+    /// bash
     Bash,
-    /// The usual one of macOS.
+    /// zsh
     Zsh,
-    /// The friendly one.
+    /// fish
     Fish,
 }
 

@@ -10,7 +10,7 @@ use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic, limits};
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
-use super::console::{named, read, to_json, to_stdout};
+use super::console::{is_standard, named, read, to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{apart, files_of, load, once, pose};
 use crate::cli::arguments::CheckArguments;
@@ -44,6 +44,10 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         atomic::check(map)?;
     }
     once(&arguments.scene, ("--answers", &arguments.answers))?;
+    if arguments.map.as_deref().is_some_and(is_standard) {
+        let problem = "--map needs a file: the grade goes to standard output";
+        return Err(CommandError::Arguments(problem.to_owned()));
+    }
     let document = load(&arguments.scene)?;
     let resolved = pose(&arguments.scene, &document)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;

@@ -8,6 +8,8 @@ use std::process::ExitCode;
 use clap::builder::Styles;
 use pinhole_exchange::{FileError, legible};
 
+use super::console::is_standard;
+
 /// The reason why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CommandError {
@@ -62,7 +64,8 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
 
 /// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.
 pub(super) fn scene_fault(scene: &Path, error: impl fmt::Display) -> CommandError {
-    CommandError::Input(format!("{}: {error}", scene.display()))
+    let name = if is_standard(scene) { Path::new("standard input") } else { scene };
+    CommandError::Input(format!("{}: {error}", name.display()))
 }
 
 /// The error of a command that this build lacks, as it was built without a feature.

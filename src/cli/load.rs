@@ -26,14 +26,16 @@ pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
 /// The files that a scene is read from: its own, and that of its spheres.
 pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
     let source = SceneSource::from_argument(scene).ok();
-    let own = source.and_then(|source| source.scene_file().map(Path::to_owned));
+    let file = source.and_then(|source| source.scene_file().map(Path::to_owned));
+    let own = if is_standard(scene) { Some(scene.to_owned()) } else { file };
     own.into_iter().chain(document.csv_spheres.as_ref().map(|csv| csv.file.clone())).collect()
 }
 
 /// Refuses to read two inputs from standard input.
 pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandError> {
     if is_standard(scene) && is_standard(other.1) {
-        let problem = format!("SCENE and {} are both -: standard input can be but one", other.0);
+        let problem =
+            format!("SCENE and {} are both -: standard input can be read only once", other.0);
         return Err(CommandError::Arguments(problem));
     }
     Ok(())

@@ -21,7 +21,7 @@ pub const ROW: usize = 64 << 10;
 /// Maximum number of spheres in a table, and of its other rows.
 pub const ROWS: usize = 10_000_000;
 
-/// Maximum number of brackets or elements in each other. What is written by a program or a person has
+/// Maximum number of nested brackets or elements. What is written by a program or a person has
 /// few.
 pub const NESTING: usize = 64;
 

@@ -11,9 +11,10 @@ use tempfile::{NamedTempFile, TempDir};
 
 use crate::FileError;
 
-/// What their names begin with, and the number of letters and digits behind that.
+/// The two ends of their names, and the number of letters and digits between: nobody gives such a name.
 const PREFIX: &str = ".pinhole-";
-const RANDOM: usize = 6;
+const SUFFIX: &str = ".tmp";
+const RANDOM: usize = 12;
 
 /// Age from which a temporary file has no run any more that would finish it.
 const ABANDONED: Duration = Duration::from_secs(3600);
@@ -44,7 +45,7 @@ impl Temporary {
     }
 }
 
-/// A folder for files that are not finished, with a name that says so. Dropped, it is gone.
+/// A folder for files that are not finished, whose names are numbers. Dropped, it is gone.
 #[derive(Debug)]
 pub struct DraftFolder {
     folder: TempDir,
@@ -72,14 +73,18 @@ impl DraftFolder {
         self.folder.path()
     }
 
-    /// Gives its files names outside of it, all of them or none; what is there is replaced.
+    /// Gives its files names outside of it, all of them or none.
     ///
     /// # Errors
-    /// Returns an error if one cannot get its name.
-    pub fn place(&self, names: &[(PathBuf, PathBuf)]) -> Result<(), FileError> {
+    /// Returns an error if one cannot get its name, or there is such a file.
+    pub fn rename_all(&self, names: &[(PathBuf, PathBuf)]) -> Result<(), FileError> {
         let _live = live();
         for (index, (from, to)) in names.iter().enumerate() {
-            if let Err(error) = fs::rename(from, to) {
+            let renamed = match fs::symlink_metadata(to) {
+                Ok(_) => Err(io::ErrorKind::AlreadyExists.into()),
+                Err(_) => fs::rename(from, to),
+            };
+            if let Err(error) = renamed {
                 names[..index].iter().for_each(|(_, to)| drop(fs::remove_file(to)));
                 return Err(FileError::unwritable(to, &error));
             }
@@ -136,23 +141,30 @@ fn clear_abandoned(folder: &Path) {
 }
 
 fn is_ours(name: &std::ffi::OsStr) -> bool {
-    let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
+    let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX));
     random.is_some_and(|random| {
         random.len() == RANDOM && random.bytes().all(|byte| byte.is_ascii_alphanumeric())
     })
 }
 
+/// Removes a file, or a folder with the files of a [`DraftFolder`]: whatever else is in it stays, and the
+/// folder with it.
 fn remove(path: &Path) -> io::Result<()> {
-    if fs::symlink_metadata(path)?.is_dir() {
-        fs::remove_dir_all(path)
-    } else {
-        fs::remove_file(path)
+    if !fs::symlink_metadata(path)?.is_dir() {
+        return fs::remove_file(path);
     }
+    for entry in fs::read_dir(path)?.flatten() {
+        let name = entry.file_name();
+        if name.to_str().is_some_and(|name| name.bytes().all(|byte| byte.is_ascii_digit())) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    fs::remove_dir(path)
 }
 
 pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX).rand_bytes(RANDOM);
+    builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
     builder
 }
 

@@ -46,9 +46,7 @@ impl Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second, reel: Reel::Animated }
     }
-}
 
-impl Frames {
     /// Checks that they can be written to a file of this name, with a background or without.
     ///
     /// # Errors
@@ -206,7 +204,7 @@ impl Recorder {
             Sink::Numbered(folder) => {
                 let name = |k: u32| (folder.path().join(k.to_string()), numbered(&self.path, k));
                 let names: Vec<_> = (0..self.done).map(name).collect();
-                return folder.place(&names).map_err(|error| error.to_string());
+                return folder.rename_all(&names).map_err(|error| error.to_string());
             }
         };
         written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;

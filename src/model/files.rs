@@ -190,7 +190,7 @@ impl OpenDocument {
     /// written here.
     pub fn was_changed_by_others(&mut self) -> bool {
         let Some(now) = self.touched() else { return false };
-        let text = self.scene_file().and_then(|path| fs::read_to_string(path).ok());
+        let text = self.scene_file().and_then(|path| limits::read_text(path).ok());
         let is_same = text.is_some() && text == self.text;
         if is_same {
             self.stamp = Some(now);

@@ -151,7 +151,7 @@ impl Slot {
                 Some(slot) => own = own.or(Some(slot)),
                 None => {}
             }
-            if !is_known {
+            if !is_known && own.is_some() {
                 break;
             }
         }

@@ -20,16 +20,16 @@ impl fmt::Display for PresentError {
         match self {
             Self::NoDisplay(cause) => write!(
                 f,
-                "there is no display to open a window on: {cause}\n\
-                 pinhole render, inspect and the other commands need none: see pinhole --help"
+                "there is no display to open a window on: {cause}; pinhole render, inspect and the \
+                 other commands need none: see pinhole --help"
             ),
             Self::NoWindow(cause) => write!(f, "the display refused to open a window: {cause}"),
             Self::NoAdapter(cause) => {
-                write!(f, "no graphics adapter works: {cause}\nWithout one: pinhole --renderer cpu")
+                write!(f, "no graphics adapter works: {cause}; without one: pinhole --renderer cpu")
             }
             Self::Lost(cause) => write!(
                 f,
-                "the window can no longer be drawn: {cause}\nIf this comes again: pinhole \
+                "the window can no longer be drawn: {cause}; if this comes again: pinhole \
                  --renderer cpu"
             ),
         }

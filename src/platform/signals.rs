@@ -3,6 +3,7 @@
 
 use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Ends the window.
 type End = Box<dyn FnOnce() + Send>;
@@ -13,7 +14,11 @@ static WINDOW: Mutex<Option<End>> = Mutex::new(None);
 /// The signal that ended the window, 0 for none.
 static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
-/// Has the first signal end the window by this; the second ends the program as ever.
+/// Time in which several signals mean the same: a terminal that closes sends SIGHUP twice, a session that
+/// ends SIGTERM and SIGHUP.
+const TOGETHER: Duration = Duration::from_secs(2);
+
+/// Has the first signal end the window by this; one that comes later ends the program as ever.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
     *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
 }
@@ -29,13 +34,16 @@ pub fn watch() {
     // Where signals cannot be held, they end the program as ever.
     let Ok(mut signals) = Signals::new(heeded) else { return };
     std::thread::spawn(move || {
+        let mut ended: Option<Instant> = None;
         for signal in signals.forever() {
             let end = WINDOW.lock().unwrap_or_else(PoisonError::into_inner).take();
             match end {
                 Some(end) => {
                     ENDED_BY.store(signal, Ordering::SeqCst);
+                    ended = Some(Instant::now());
                     end();
                 }
+                None if ended.is_some_and(|ended| ended.elapsed() < TOGETHER) => {}
                 None => {
                     pinhole_exchange::temporary::abandon();
                     // It does what the signal would have done, and so does not return.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use egui::OutputCommand;
 use egui::accesskit::Role;
@@ -10,6 +11,7 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::files::OpenDocument;
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
+use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use super::harness::{assert_says, says, texts_with, type_into, unfolded};
@@ -69,6 +71,14 @@ fn the_scene_is_kept_the_reason_is_shown_and_the_window_goes_on() {
     assert!(!says(&window, "eye x"));
     let kept = window.state().document().clone();
     assert_eq!((kept.camera.eye.x, kept.spheres.len()), (0.375, spheres + 1));
+    // The change that met the fault is written aside, too.
+    let aside = || scene_file::load(&store.unsaved().join("0.toml")).ok();
+    let is_there = || aside().is_some_and(|aside| aside.spheres.len() == spheres + 1);
+    let start = Instant::now();
+    while !is_there() && start.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert!(is_there());
 
     window.get_by_role_and_label(Role::Button, "Copy a report").click();
     let mut copied = String::new();

@@ -9,6 +9,7 @@ mod files;
 pub(crate) mod harness;
 mod history;
 mod lessons;
+mod monkey;
 mod names;
 mod number_format;
 mod objects;

@@ -79,9 +79,16 @@ fn a_scene_comes_from_standard_input_and_results_go_to_standard_output() {
 #[test]
 fn standard_input_and_output_are_one_each() {
     let refused = [
-        ("trace - --rays -", "SCENE and --rays are both -: standard input can be but one"),
-        ("check - --answers -", "SCENE and --answers are both -: standard input can be but one"),
+        ("trace - --rays -", "SCENE and --rays are both -: standard input can be read only once"),
+        (
+            "check - --answers -",
+            "SCENE and --answers are both -: standard input can be read only once",
+        ),
         ("render canonical -o a.png --aov -", "--aov needs a file: - is for -o"),
+        (
+            "check canonical --answers - --map -",
+            "--map needs a file: the grade goes to standard output",
+        ),
         (
             "figure canonical --view world --play orbit -o -",
             "-o writes animations as PNG or GIF: end the name with .png or .gif",

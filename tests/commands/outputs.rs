@@ -176,7 +176,12 @@ fn ignores_interrupts() -> bool {
 fn what_a_killed_run_has_left_is_removed_by_a_later_one() {
     let folder = tempfile::tempdir().unwrap();
     let old = SystemTime::now() - Duration::from_secs(2 * 3600);
-    let names = [".pinhole-aB3xYz", ".pinhole-my-notes", ".pinhole-a.b.cd", ".other-aB3xYz"];
+    let names = [
+        ".pinhole-aB3xYz12aB3x.tmp",
+        ".pinhole-my-notes",
+        ".pinhole-backup",
+        ".other-aB3xYz12aB3x.tmp",
+    ];
     for name in names {
         fs::write(folder.path().join(name), "").unwrap();
         fs::File::options()
@@ -186,9 +191,14 @@ fn what_a_killed_run_has_left_is_removed_by_a_later_one() {
             .unwrap();
     }
     // Another run may be at work on it.
-    fs::write(folder.path().join(".pinhole-123456"), "").unwrap();
+    fs::write(folder.path().join(".pinhole-123456789012.tmp"), "").unwrap();
     run_in(folder.path(), &["render", "canonical", "--width", "8", "-o", "a.png"]).done();
-    let kept =
-        [".other-aB3xYz", ".pinhole-123456", ".pinhole-a.b.cd", ".pinhole-my-notes", "a.png"];
+    let kept = [
+        ".other-aB3xYz12aB3x.tmp",
+        ".pinhole-123456789012.tmp",
+        ".pinhole-backup",
+        ".pinhole-my-notes",
+        "a.png",
+    ];
     assert_eq!(entries(folder.path()), kept);
 }

@@ -24,6 +24,8 @@ const MOST: Duration = Duration::from_secs(5);
 enum Way {
     /// The signal comes as soon as the change is on the screen.
     AtOnce(&'static str),
+    /// Two signals come at once, as when a session ends.
+    Together,
     /// It is killed when the change has been written aside.
     Killed,
     /// The same, while it is minimised since a moment after the change.
@@ -36,6 +38,7 @@ pub(crate) fn in_every_way() {
     for way in [
         Way::AtOnce("TERM"),
         Way::AtOnce("HUP"),
+        Way::Together,
         Way::Killed,
         Way::KilledMinimised,
         Way::XKillClient,
@@ -63,12 +66,13 @@ fn die(screen: &Screen, way: Way) {
     if matches!(way, Way::KilledMinimised) {
         window.minimise();
     }
-    if !matches!(way, Way::AtOnce(_)) {
+    if !matches!(way, Way::AtOnce(_) | Way::Together) {
         wait_for("the changes to be written aside", || written.exists().then_some(()));
         assert!(changed.elapsed() < MOST, "{:?}", changed.elapsed());
     }
     match way {
         Way::AtOnce(signal) => window.signal(signal),
+        Way::Together => ["TERM", "HUP"].into_iter().for_each(|signal| window.signal(signal)),
         Way::Killed | Way::KilledMinimised => window.signal("KILL"),
         Way::XKillClient => window.kill_client(),
         Way::XServerGone => screen.kill_server(),

@@ -26,7 +26,7 @@ pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
                 None => said.to_owned(),
             },
             (false, "recursion limit exceeded") => {
-                "brackets stand in each other more than 127 deep here".to_owned()
+                "brackets are nested more than 127 deep here".to_owned()
             }
             (false, said) => said.to_owned(),
         };

@@ -64,36 +64,38 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
-/// Parses a text whose brackets are no deeper in each other than [`limits::NESTING`]: the parser calls itself for
-/// each, and goes on behind a fault, so that its own limit does not hold.
+/// Parses a text whose brackets are nested no deeper than [`limits::NESTING`]: the parser calls itself for each,
+/// and goes on behind a fault, so that its own limit does not hold.
 ///
 /// # Errors
-/// Returns the first bracket that is too deep, or the first syntax error.
+/// Returns the first bracket of those that are too deep, or the first syntax error.
 pub fn toml<'t>(source: &Source<'t>) -> Result<Toml<&'t str>, FileError> {
     if let Some(at) = too_deep(source.text) {
-        let problem =
-            format!("brackets stand in each other more than {} deep here", limits::NESTING);
+        let problem = format!(
+            "from this bracket on they are nested more than {} deep: is it closed?",
+            limits::NESTING
+        );
         return Err(source.error(&(at..at), problem));
     }
     Toml::parse(source.text).map_err(|error| not_toml(source, &error))
 }
 
-/// The byte of the first bracket that is too deep.
+/// The byte of the first open bracket where so many are open that one is too deep.
 fn too_deep(text: &str) -> Option<usize> {
     let mut open = Vec::new();
     for token in toml_parser::Source::new(text).lex() {
         match token.kind() {
             kind @ (TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket) => {
-                open.push(kind);
+                open.push((kind, token.span().start()));
                 if open.len() > limits::NESTING {
-                    return Some(token.span().start());
+                    return Some(open[0].1);
                 }
             }
             TokenKind::RightSquareBracket => {
-                open.pop_if(|kind| *kind == TokenKind::LeftSquareBracket);
+                open.pop_if(|(kind, _)| *kind == TokenKind::LeftSquareBracket);
             }
             TokenKind::RightCurlyBracket => {
-                open.pop_if(|kind| *kind == TokenKind::LeftCurlyBracket);
+                open.pop_if(|(kind, _)| *kind == TokenKind::LeftCurlyBracket);
             }
             _ => (),
         }

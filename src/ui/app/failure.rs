@@ -21,7 +21,8 @@ impl App {
             self.waiting.clear();
             self.over.dialog = None;
             self.views.deriver = Deriver::default();
-            self.rest();
+            // The pass did not come as far as to note the edit that it met its fault by.
+            self.recovery.write_changes(&self.scene.open);
             ui.ctx().request_repaint();
         }
     }

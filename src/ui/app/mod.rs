@@ -74,7 +74,7 @@ pub struct App {
 impl App {
     /// The program on this document, with what the last run remembered.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
-        let mut recovery = Recovery::new(store.as_ref());
+        let recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.window, remembered.recent);
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
@@ -88,7 +88,8 @@ impl App {
             history: SceneHistory::new(&open.document),
             scene: OpenScene::new(open, session),
             playback: Playback::default(),
-            over: Over::with(recovery.offer()),
+            // What was found is offered as soon as no dialog is open.
+            over: Over::default(),
             views: Views::default(),
             tools: Tools::default(),
             hand: InHand::default(),

@@ -27,11 +27,6 @@ pub(super) struct Over {
 }
 
 impl Over {
-    /// Begins with this dialog.
-    pub(super) fn with(dialog: Option<Dialog>) -> Over {
-        Over { dialog, ..Over::default() }
-    }
-
     /// Returns true if something lies over the window, which takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys

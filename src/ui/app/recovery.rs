@@ -99,7 +99,15 @@ impl Recovery {
 
     /// Writes at once what waits to be written: there may be no frame for a long time.
     pub(super) fn write_now(&mut self, open: &OpenDocument) {
-        if self.first_edit.take().is_some() && open.has_changes() {
+        if self.first_edit.is_some() {
+            self.write_changes(open);
+        }
+    }
+
+    /// Writes what is unsaved at once.
+    pub(super) fn write_changes(&mut self, open: &OpenDocument) {
+        self.first_edit = None;
+        if open.has_changes() {
             self.write(Unsaved::of(open));
         }
     }

@@ -4,13 +4,17 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Context, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::files::OpenDocument;
+use pinhole::model::session::Settings;
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use crate::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
+use crate::support::{self, whole_window};
 
 const OFFER: &str = "Restore the unsaved changes to ";
 
@@ -161,8 +165,21 @@ fn each_window_s_changes_are_offered_whatever_else_there_is_to_tell() {
     let second = texts_with(&window, OFFER);
     assert!(!first.is_empty() && !second.is_empty() && first != second, "{first:?} {second:?}");
     drop(window);
-    let mut window = opened(&store, "canonical");
-    window.state_mut().tell("The last scene cannot be opened again", "It is gone.".to_owned());
+}
+
+#[test]
+fn changes_are_offered_after_what_is_told_at_the_start() {
+    let (_folder, store) = store();
+    drop(changed(&store, "look-at"));
+    let source = SceneSource::Builtin(builtin::find("canonical").unwrap());
+    let open = OpenDocument::new(source.load().unwrap(), source);
+    let mut app = App::new(open, Remembered::default(), Some(store.clone()));
+    app.tell("The last scene cannot be opened again", "It is gone.".to_owned());
+    let set_up = |ctx: &Context| App::set_up(ctx, &Settings::default());
+    let mut window = support::harness()
+        .with_max_steps(30)
+        .with_context_setup(set_up)
+        .build_ui_state(whole_window::show, app);
     window.run();
     assert_says(&window, "It is gone.");
     press(&mut window, "Close");
@@ -173,8 +190,14 @@ fn each_window_s_changes_are_offered_whatever_else_there_is_to_tell() {
 fn a_window_that_is_hidden_writes_at_once_what_waits() {
     let (_folder, store) = store();
     let mut window = opened(&store, "look-at");
-    type_into(&mut window, "eye x", "0.375");
-    assert_eq!(scenes_written(&store), 0);
+    // One frame after the edit, so that nothing is written yet.
+    window.get_by_role_and_label(Role::SpinButton, "eye x").click();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "eye x").type_text("0.375");
+    window.run();
+    window.key_press(Key::Enter);
+    window.step();
+    assert_eq!((window.state().document().camera.eye.x, scenes_written(&store)), (0.375, 0));
     window.state_mut().rest();
     let start = Instant::now();
     while scenes_written(&store) == 0 && start.elapsed() < Duration::from_secs(20) {

@@ -23,7 +23,7 @@ pub(super) fn too_much(text: &str) -> Option<(usize, String)> {
         };
         namespaces += usize::from(tag.has_namespace);
         let (most, what) = match tag {
-            _ if depth > limits::NESTING => (limits::NESTING, "elements in each other"),
+            _ if depth > limits::NESTING => (limits::NESTING, "nested elements"),
             _ if tag.attributes > limits::ATTRIBUTES => (limits::ATTRIBUTES, "attributes"),
             // Every element has its own list of those around it.
             _ if namespaces > limits::NESTING => (limits::NESTING, "namespaces"),

@@ -36,7 +36,8 @@ pub(super) fn fields(
     let mut found = Vec::new();
     if text.text.trim_start().starts_with(['{', '[']) {
         let value = json::parse(text)?;
-        collect(&mut Places { text: text.text, of: HashMap::new() }, &value, &is_known, &mut found);
+        let mut offsets = NameOffsets { text: text.text, known: HashMap::new() };
+        collect(&mut offsets, &value, &is_known, &mut found);
     } else if is_yaml(text.text) {
         found = yaml(text.text);
         found.retain(|field| is_known(&field.name));
@@ -61,21 +62,21 @@ pub(super) fn fields(
 }
 
 /// The bytes at which names stand first in a text, each looked for once.
-struct Places<'t> {
+struct NameOffsets<'t> {
     text: &'t str,
-    of: HashMap<String, usize>,
+    known: HashMap<String, usize>,
 }
 
-impl Places<'_> {
-    fn of(&mut self, name: &str) -> usize {
+impl NameOffsets<'_> {
+    fn first(&mut self, name: &str) -> usize {
         let find = || self.text.find(&format!("\"{name}\"")).unwrap_or_default();
-        *self.of.entry(name.to_owned()).or_insert_with(find)
+        *self.known.entry(name.to_owned()).or_insert_with(find)
     }
 }
 
-/// Every object's fields, however deep. JSON that is read has no more than 128 brackets in each other.
+/// Every object's fields, however deep. JSON that is read is nested at most 127 deep.
 fn collect(
-    places: &mut Places,
+    offsets: &mut NameOffsets,
     value: &Value,
     is_known: &impl Fn(&str) -> bool,
     into: &mut Vec<Field>,
@@ -84,14 +85,14 @@ fn collect(
         Value::Object(map) => {
             for (name, value) in map {
                 if !is_known(name) {
-                    collect(places, value, is_known, into);
+                    collect(offsets, value, is_known, into);
                     continue;
                 }
                 // As cv::FileStorage writes a matrix.
                 let value = value.get("data").unwrap_or(value);
                 let mut numbers = Vec::new();
                 let is_of_numbers = flatten(value, &mut numbers);
-                let at = places.of(name);
+                let at = offsets.first(name);
                 into.push(Field {
                     name: name.clone(),
                     at,
@@ -100,7 +101,7 @@ fn collect(
                 });
             }
         }
-        Value::Array(items) => items.iter().for_each(|item| collect(places, item, is_known, into)),
+        Value::Array(items) => items.iter().for_each(|item| collect(offsets, item, is_known, into)),
         _ => (),
     }
 }

@@ -1,21 +1,34 @@
 //! Texts that nobody would write, made of those that people do: no reader panics, stalls, or says more than
 //! a message should.
 //!
-//! A run takes two seconds with a fixed seed and two with a fresh one; with `PINHOLE_FUZZ_SECONDS=3600` the
-//! second takes an hour. A text that fails is printed with its seed.
+//! A run takes two seconds with a fixed seed, and two more with that of `PROPTEST_RNG_SEED`, if there is one;
+//! with `PINHOLE_FUZZ_SECONDS=3600` it takes an hour. A text that fails is printed with its seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use pinhole_exchange::is_hidden;
 
 /// A reader by its name; it returns its messages.
 pub(crate) type Reader = (&'static str, fn(&[u8]) -> Vec<String>);
 
 /// Reads mutants of the samples with every reader.
 pub(crate) fn fuzz(samples: &[Vec<u8>], readers: &[Reader]) {
-    run(samples, readers, 20, Duration::from_secs(2));
-    let seconds = std::env::var("PINHOLE_FUZZ_SECONDS").ok().and_then(|given| given.parse().ok());
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
-    run(samples, readers, now.as_nanos() as u64, Duration::from_secs(seconds.unwrap_or(2)));
+    for (seed, time) in plays("PINHOLE_FUZZ_SECONDS", Duration::from_secs(2)) {
+        run(samples, readers, seed, time);
+    }
+}
+
+/// The seeds to draw from, each with its time: a fixed one and `PROPTEST_RNG_SEED`; by hand that one, or the clock's, for
+/// as many seconds as a variable says.
+pub(crate) fn plays(seconds: &str, usual: Duration) -> Vec<(u64, Duration)> {
+    let number = |name: &str| std::env::var(name).ok().and_then(|given| given.parse().ok());
+    let fresh = number("PROPTEST_RNG_SEED");
+    if let Some(seconds) = number(seconds) {
+        let clock = || SystemTime::now().duration_since(UNIX_EPOCH).unwrap().as_nanos() as u64;
+        return vec![(fresh.unwrap_or_else(clock), Duration::from_secs(seconds))];
+    }
+    [Some(20), fresh].into_iter().flatten().map(|seed| (seed, usual)).collect()
 }
 
 /// What stands where something else should.
@@ -68,9 +81,13 @@ const STRANGE: [&str; 44] = [
 
 /// Numbers from a seed (splitmix64: G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom
 /// number generators*, OOPSLA 2014).
-struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
+    pub(crate) fn new(seed: u64) -> Random {
+        Random(seed)
+    }
+
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -79,8 +96,13 @@ impl Random {
         z ^ z >> 31
     }
 
-    fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.next() % count.max(1) as u64) as usize
+    }
+
+    /// One of these, if there are any.
+    pub(crate) fn one_of<'a, T>(&mut self, all: &'a [T]) -> Option<&'a T> {
+        all.get(self.below(all.len()))
     }
 }
 
@@ -96,14 +118,14 @@ fn tokens(bytes: &[u8]) -> Vec<usize> {
 
 /// A sample with some of its tokens gone, doubled, exchanged, or others in their places.
 fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
-    let mut text = samples[random.below(samples.len())].clone();
+    let mut text = random.one_of(samples).unwrap().clone();
     for _ in 0..=random.below(4) {
         let marks = tokens(&text);
         let first = random.below(marks.len() - 1);
         let last = (first + 1 + random.below(8)).min(marks.len() - 1);
         let (from, end) = (marks[first], marks[last]);
         let piece = text[from..end].to_vec();
-        let strange = STRANGE[random.below(STRANGE.len())].as_bytes();
+        let strange = random.one_of(&STRANGE).unwrap().as_bytes();
         let new: Vec<u8> = match random.below(8) {
             0 => Vec::new(),
             1 => strange.to_vec(),
@@ -112,7 +134,7 @@ fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
             4 => piece.repeat(2 + random.below(200)),
             5 => [piece, strange.repeat(1 + random.below(3000))].concat(),
             6 => {
-                let other = &samples[random.below(samples.len())];
+                let other = random.one_of(samples).unwrap();
                 let marks = tokens(other);
                 let from = random.below(marks.len() - 1);
                 let end = (from + random.below(60)).min(marks.len() - 1);
@@ -128,21 +150,22 @@ fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     text
 }
 
-/// Maximum time for a text of some 100 kB, unoptimised on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// Maximum time for a text of some 100 kB, unoptimised on a busy machine: what takes time with the square
+/// of its length takes minutes.
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Maximum length of a message in characters, its file and place among them.
 const MESSAGE: usize = 1100;
 
 fn run(samples: &[Vec<u8>], readers: &[Reader], seed: u64, time: Duration) {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let (since, mut count) = (Instant::now(), 0);
     while since.elapsed() < time {
         let text = mutant(samples, &mut random);
         for (name, read) in readers {
             let begun = Instant::now();
             let is_bad = |message: &String| {
-                message.chars().count() > MESSAGE || message.chars().any(char::is_control)
+                message.chars().count() > MESSAGE || message.chars().any(is_hidden)
             };
             let fault = match catch_unwind(AssertUnwindSafe(|| read(&text))) {
                 Err(_) => Some("panicked".to_owned()),

@@ -114,10 +114,7 @@ fn long_chains_and_rings_end() {
     assert!(taken.notes.iter().any(|note| note.starts_with("100 of SphereGeometry left out")));
     let deep = format!("{{\"object\": {}{}}}", "{\"children\": [".repeat(many), "]}".repeat(many));
     let error = read("three", &deep).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "in:1:1027: no JSON: brackets stand in each other more than 127 deep here"
-    );
+    assert_eq!(error.to_string(), "in:1:894: no JSON: brackets are nested more than 127 deep here");
 }
 
 #[test]
