@@ -3,7 +3,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
 use roxmltree::{Document as Xml, Node};
 
-use super::file::File;
+use super::file::{File, number};
 use super::shapes::{Shapes, shapes};
 use super::tags;
 use crate::FileError;
@@ -37,7 +37,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         notes.push("the lens's aperture is left out: a pinhole is sharp everywhere".to_owned());
     }
     let image = image(&file, sensor, &mut notes)?;
-    let viewport = viewport(&file, sensor, image, at_hand.viewport.distance)?;
+    let viewport = viewport(&file, sensor, image, at_hand.viewport.distance, &mut notes)?;
     for name in ["principal_point_offset_x", "principal_point_offset_y"] {
         if let Some(node) = file.named(sensor, name)
             && file.number(node)? != 0.0
@@ -114,31 +114,52 @@ fn pose<'x>(
     pose.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
 }
 
+/// The lens in millimetres, as in `35mm`.
+fn focal_length<'x>(file: &File<'_, 'x>, lens: Node<'x, 'x>) -> Result<f64, FileError> {
+    let value = file.attribute(lens, "value");
+    let length = number(value.strip_suffix("mm").unwrap_or(value).trim());
+    length.filter(|length| *length > 0.0).ok_or_else(|| {
+        let right = "it must be millimetres greater than 0, as 50mm";
+        file.fault(lens, "focal_length", &format!("{value:?}"), right)
+    })
+}
+
+/// The viewport by `fov` along `fov_axis`, or by a lens before a film of 36 mm by 24 mm: its picture and
+/// the film have the same diagonal (Mitsuba 3's plugins, *Perspective pinhole camera*).
 fn viewport<'x>(
     file: &File<'_, 'x>,
     sensor: Node<'x, 'x>,
     image: ImageSize,
     distance: f64,
+    notes: &mut Vec<String>,
 ) -> Result<Viewport, FileError> {
-    if let Some(node) = file.named(sensor, "focal_length") {
-        let value = node.attribute("value").unwrap_or_default();
-        return Err(file.fault(
-            node,
-            "focal_length",
-            value,
-            "the field of view must be given by fov",
-        ));
-    }
-    let node = file
-        .named(sensor, "fov")
-        .ok_or_else(|| file.missing("fov is missing: the field of view must be given by it"))?;
-    let fov = file.number(node)?;
-    if !(fov > 0.0 && fov < 180.0) {
-        return Err(file.fault(node, "fov", &n(fov), "it must be between 0 and 180 degrees"));
-    }
     let axis = file.named(sensor, "fov_axis").map_or("x", |node| file.attribute(node, "value"));
+    let (across, axis) = match (file.named(sensor, "fov"), file.named(sensor, "focal_length")) {
+        (Some(_), Some(lens)) => {
+            let right = "fov is given too: only one of them may be";
+            return Err(file.fault(lens, "focal_length", file.attribute(lens, "value"), right));
+        }
+        (Some(node), None) => {
+            let fov = file.number(node)?;
+            if !(fov > 0.0 && fov < 180.0) {
+                let right = "it must be between 0 and 180 degrees";
+                return Err(file.fault(node, "fov", &n(fov), right));
+            }
+            (extent(fov, distance), axis)
+        }
+        (None, lens) => {
+            let length = match lens {
+                Some(lens) => focal_length(file, lens)?,
+                None => {
+                    let said = "fov is not given: focal_length 50mm, which is Mitsuba's own, taken";
+                    notes.push(said.to_owned());
+                    50.0
+                }
+            };
+            (distance * 36_f64.hypot(24.0) / length, "diagonal")
+        }
+    };
     let aspect = image.aspect();
-    let across = extent(fov, distance);
     let is_wide = aspect >= 1.0;
     let horizontal = match axis {
         "x" => true,

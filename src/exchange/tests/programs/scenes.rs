@@ -1,6 +1,7 @@
 //! Scenes of pbrt and Mitsuba as people have them: old spellings, groups, instances, parts of pictures.
 
 use pinhole_core::DVec3;
+use pinhole_exchange::FileError;
 
 use super::read;
 
@@ -46,6 +47,35 @@ fn mitsuba_s_old_spelling_is_read_too() {
                   <scale value=\"2\"/></transform></shape>";
     let taken = read("mitsuba", &mitsuba("0.5.0", "fovAxis", "toWorld", scaled)).unwrap();
     assert_eq!((taken.spheres.len(), taken.notes.len()), (0, 1));
+}
+
+/// A lens stands before a film of 36 mm by 24 mm, whose diagonal is the picture's.
+#[test]
+fn mitsuba_s_lens_is_read_and_is_50_mm_where_nothing_is_said() {
+    let fov = "<float name=\"fov\" value=\"40\"/>";
+    let with = |lens: &str| {
+        let taken = read("mitsuba", &perspective("").replace(fov, lens))?;
+        let viewport = taken.camera.viewport;
+        assert!((viewport.width / viewport.height - 2.0).abs() < 1e-12);
+        let diagonal = viewport.width.hypot(viewport.height) / viewport.distance;
+        Ok::<_, FileError>((36_f64.hypot(24.0) / diagonal, taken.notes))
+    };
+    let lens = |value: &str| format!("<string name=\"focal_length\" value=\"{value}\"/>");
+    for (given, millimetres) in [("35mm", 35.0), ("85.5 mm", 85.5), ("50", 50.0)] {
+        let (length, notes) = with(&lens(given)).unwrap();
+        assert!((length - millimetres).abs() < 1e-12, "{given}: {length}");
+        assert_eq!(notes, [""; 0]);
+    }
+    let (length, notes) = with("").unwrap();
+    assert!((length - 50.0).abs() < 1e-12, "{length}");
+    assert_eq!(notes, ["fov is not given: focal_length 50mm, which is Mitsuba's own, taken"]);
+    for (given, said) in [
+        (lens("0mm"), "focal_length is \"0mm\": it must be millimetres greater than 0, as 50mm"),
+        (lens("wide"), "focal_length is \"wide\": it must be millimetres greater than 0, as 50mm"),
+        (lens("35mm") + fov, "focal_length is 35mm: fov is given too: only one of them may be"),
+    ] {
+        assert_eq!(with(&given).unwrap_err().problem, said);
+    }
 }
 
 #[test]
