@@ -205,7 +205,7 @@ fn size(
 const AGREE: f64 = 1e-6;
 
 /// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix; R as a matrix, by Rodrigues' vector, or by
-/// both where they agree.
+/// both where they agree. A calibration gives neither: its camera's frame is the world's.
 fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3), FileError> {
     let whole = reader.one_of(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = reader.one_of(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
@@ -218,6 +218,12 @@ fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3),
         let affine = Affine::from_rows(whole.numbers)
             .ok_or_else(|| reader.fault(whole.field, "its last row must be 0 0 0 1"))?;
         return Ok((rows(&affine), affine.at));
+    }
+    if matrix.is_none() && vector.is_none() && translation.is_none() {
+        let said = "R and t are not given: the eye is taken at the origin, looking along +z with y down, as \
+                    OpenCV's camera does";
+        notes.push(said.to_owned());
+        return Ok((rows(&Affine::IDENTITY), DVec3::ZERO));
     }
     let by_matrix =
         matrix.map(|m| (m.field, [0, 3, 6].map(|k| DVec3::from_slice(&m.numbers[k..]))));

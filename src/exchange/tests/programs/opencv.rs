@@ -45,6 +45,26 @@ fn json_and_yaml_in_the_forms_that_opencv_writes() {
     assert!(notes[2].starts_with("distortion_coefficients is left out"), "{notes:?}");
 }
 
+/// As `cv::calibrateCamera` and ROS have it.
+#[test]
+fn k_without_r_and_t_is_a_camera_at_the_origin() {
+    let yaml = "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\ncamera_matrix: !!opencv-matrix\n   \
+                rows: 3\n   cols: 3\n   dt: d\n   data: [ 500., 0., 319.5, 0., 510., 239.5, 0., 0., 1. ]\n";
+    let json =
+        "{\"width\": 640, \"height\": 480, \"K\": [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]}";
+    let statement = "K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]\nwidth = 640\nheight = 480";
+    for text in [yaml, json, statement] {
+        let (taken, notes) = camera(text);
+        let basis = *taken.resolve().unwrap().basis();
+        assert_eq!((taken.eye, basis.u), (DVec3::ZERO, DVec3::X));
+        assert_eq!((basis.v, basis.w), (DVec3::NEG_Y, DVec3::NEG_Z));
+        assert_eq!(taken.viewport.width / taken.viewport.distance, 640.0 / 500.0);
+        let note = "R and t are not given: the eye is taken at the origin, looking along +z with y down, as \
+                    OpenCV's camera does";
+        assert_eq!(notes, [note]);
+    }
+}
+
 #[test]
 fn what_is_given_twice_or_makes_no_camera_is_refused() {
     for (text, message) in [
