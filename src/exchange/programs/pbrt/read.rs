@@ -9,7 +9,7 @@ use super::tokens::{Parameters, Reader, Token};
 use crate::FileError;
 use crate::error::one_line;
 use crate::format::affine::Affine;
-use crate::format::image_size::image_of;
+use crate::format::image_size::{image_of, size_note};
 use crate::format::pose::{MIRRORED, Pose, mirrored};
 use crate::format::text::n;
 use crate::format::viewport::{extent, in_ratio};
@@ -295,6 +295,14 @@ impl<'t> Found<'t> {
         let (width, height) = (size("xresolution", 1280.0), size("yresolution", 720.0));
         let image = image_of(width, height)
             .map_err(|right| format!("xresolution, yresolution: {right}"))?;
+        let unsaid: Vec<&str> = ["xresolution", "yresolution"]
+            .into_iter()
+            .filter(|name| film(name).is_empty())
+            .collect();
+        if !unsaid.is_empty() {
+            let unsaid = format!("Film does not give {}", unsaid.join(" and "));
+            self.notes.push(size_note(&unsaid, image, ", as in pbrt, taken"));
+        }
         for (name, whole) in
             [("cropwindow", [0.0, 1.0, 0.0, 1.0]), ("pixelbounds", [0.0, width, 0.0, height])]
         {

@@ -95,7 +95,7 @@ fn an_object_that_cannot_be_read_leaves_the_camera() {
     let pbrt = "Camera \"perspective\"\nShape \"sphere\" \"float radius\" -1\n\
                 Scale 1 2 1\nShape \"sphere\"\n";
     assert_eq!(
-        read("pbrt", pbrt).unwrap().notes[..2],
+        read("pbrt", pbrt).unwrap().notes[1..3],
         [
             "1 of sphere left out: line 2: radius is -1: it must be greater than 0",
             "1 of sphere left out: scaled to an ellipsoid"

@@ -5,7 +5,8 @@ use pinhole_exchange::FileError;
 
 use super::read;
 
-const LOOK: &str = "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 30\n";
+const LOOK: &str = "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 30\n\
+                    Film \"rgb\" \"integer xresolution\" 60 \"integer yresolution\" 40\n";
 
 fn pbrt(film: &str, world: &str) -> (Vec<[f64; 3]>, Vec<String>) {
     let text = format!("Scale -1 1 1\n{LOOK}{film}\nWorldBegin\n{world}");
@@ -206,6 +207,23 @@ fn pbrt_s_objects_stand_where_they_belong_or_are_told() {
 }
 
 #[test]
+fn pbrt_s_film_is_told_where_its_size_is_not_given() {
+    let camera = "Camera \"perspective\"\n";
+    for (film, size, note) in [
+        ("", [1280, 720], "xresolution and yresolution: 1280 × 720, as in pbrt, taken"),
+        (
+            "Film \"rgb\" \"integer xresolution\" 400",
+            [400, 720],
+            "yresolution: 400 × 720, as in pbrt, taken",
+        ),
+    ] {
+        let taken = read("pbrt", &format!("{camera}{film}")).unwrap();
+        assert_eq!([taken.camera.image.width(), taken.camera.image.height()], size);
+        assert_eq!(taken.notes[0], format!("Film does not give {note}"));
+    }
+}
+
+#[test]
 fn pbrt_s_scene_without_motion_may_name_its_times() {
     let world = "ActiveTransform All\nTranslate 1 2 3\nShape \"sphere\"";
     assert_eq!(pbrt("TransformTimes 0 1", world), (vec![[1.0, 2.0, 3.0]], vec![]));
@@ -242,7 +260,7 @@ fn pbrt_s_camera_is_that_of_its_own_transformation() {
         ("LookAt 1 2 5 0 0 0 0 1 0\nIdentity", [0.0; 3]),
     ] {
         // A mirror of every z comes with each of these left-handed cameras.
-        let taken = read("pbrt", &format!("{before}\n{camera}")).unwrap();
+        let taken = read("pbrt", &format!("{before}\n{camera}\n{size}")).unwrap();
         assert_eq!(taken.camera.eye.to_array(), eye, "{before}");
         assert_eq!(taken.notes.len(), 1, "{:?}", taken.notes);
     }
