@@ -1,6 +1,6 @@
 //! Reading a POV-Ray scene: its camera, spheres and planes, where they are given by plain numbers.
 
-use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
+use pinhole_core::{Basis, BasisError, Camera, DVec3, ImageSize, Viewport};
 
 use super::blocks::Blocks;
 use super::objects::objects;
@@ -55,7 +55,8 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         Some(image) => (View::read(&code, &values, camera)?, image, values),
         None => by_ratio(&code, values, camera, at_hand.image, &mut notes)?,
     };
-    let View { location: eye, right, up, direction, .. } = view.turned();
+    let view = view.turned(&mut notes).map_err(|error| no_aim(&code, camera, &error))?;
+    let View { location: eye, right, up, direction, .. } = view;
     let viewport = Viewport {
         width: tidy(right.length()),
         height: tidy(up.length()),
@@ -218,19 +219,40 @@ impl View {
 
     /// Turns the camera towards `look_at` as POV-Ray does: right, up and direction keep their lengths, and
     /// the camera its handedness.
-    fn turned(self) -> View {
+    /// Where `look_at` lies along sky, right stays as it is given; POV-Ray 3.7 warns of it, too.
+    ///
+    /// # Errors
+    /// Returns an error if location and `look_at` give no direction, or sky none.
+    fn turned(self, notes: &mut Vec<String>) -> Result<View, BasisError> {
         let View { right, up, direction, .. } = self;
-        let Some(at) = self.look_at else { return self };
+        let Some(at) = self.look_at else { return Ok(self) };
         let left_handed = up.cross(direction).dot(right) > 0.0;
-        let ahead = (at - self.location).normalize_or_zero();
-        let side = self.sky.cross(ahead).normalize_or_zero();
-        let above = ahead.cross(side);
+        let (side, above, ahead) = match Basis::from_eye_at_up(self.location, at, self.sky) {
+            Ok(Basis { u, v, w }) => (-u, v, -w),
+            Err(BasisError::UpParallelToView { view, .. }) => {
+                let said = "look_at lies straight along sky: right is taken as it is given, as POV-Ray does";
+                notes.push(said.to_owned());
+                let (side, ahead) = (right.normalize_or_zero(), view.normalize_or_zero());
+                (side, ahead.cross(side), ahead)
+            }
+            Err(other) => return Err(other),
+        };
         let side = if left_handed { side } else { -side };
-        View {
+        Ok(View {
             right: side * right.length(),
             up: above * up.length(),
             direction: ahead * direction.length(),
             ..self
-        }
+        })
     }
+}
+
+/// The error of a camera that cannot be turned towards `look_at`.
+fn no_aim(code: &Code, camera: Piece, error: &BasisError) -> FileError {
+    let right = match error {
+        BasisError::EyeIsAt { .. } => "it must be another point than location",
+        BasisError::UpIsZero => "sky must not be <0, 0, 0>",
+        other => &other.to_string(),
+    };
+    code.fault("look_at", value(camera, "look_at").unwrap_or(camera), right)
 }

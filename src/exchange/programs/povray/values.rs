@@ -242,7 +242,7 @@ impl Reader<'_, '_, '_> {
         }
     }
 
-    /// Numbers between commas, up to the bracket that closes them.
+    /// Numbers up to the bracket that closes them. A comma may stand between two, or none.
     fn list(&mut self, close: char) -> Option<Value> {
         let mut values = Vec::new();
         while values.len() < MOST_NUMBERS {
@@ -250,9 +250,7 @@ impl Reader<'_, '_, '_> {
             if self.takes(close) {
                 return Some(values);
             }
-            if !self.takes(',') {
-                return None;
-            }
+            self.takes(',');
         }
         None
     }

@@ -145,3 +145,63 @@ fn an_image_without_a_size_goes_with_right_and_up() {
     assert_eq!(size("right x*image_width/image_height"), (400, 400));
     assert_eq!(size("right <3, 0, 0> up <0, 2, 0> angle 60"), (600, 400));
 }
+
+#[test]
+fn commas_between_numbers_may_be_left_out() {
+    let text = |comma: &str| {
+        let vector = |numbers: [&str; 3]| format!("<{}>", numbers.join(comma));
+        format!(
+            "camera {{ location {} right -x up y look_at {} }}\n\
+             sphere {{ {}, 2 pigment {{ color rgb {} }} }} // +W10 +H10\n",
+            vector(["1", "2*(3 - 1)", "5"]),
+            vector(["0.5", "x.x", "0"]),
+            vector(["1", "2", "3"]),
+            vector(["1", "0", "0"]),
+        )
+    };
+    let [with, without] = [", ", " "].map(|comma| read("povray", &text(comma)).unwrap());
+    assert_eq!(without.camera, with.camera);
+    assert_eq!(without.camera.eye, DVec3::new(1.0, 4.0, 5.0));
+    assert_eq!(without.spheres, with.spheres);
+    assert_eq!(without.spheres[0].color, Some([255, 0, 0]));
+    // 1 -2 is one number, as it is for POV-Ray.
+    let refused = read("povray", "camera { location <1 -2 3> }").unwrap_err();
+    let said = "location is <1 -2 3>: it must be a vector of numbers, as <1, 2, 3>";
+    assert_eq!(refused.problem, said);
+}
+
+#[test]
+fn a_look_at_without_a_direction_is_told() {
+    for (camera, said) in [
+        (
+            "location <1, 2, 3> look_at <1, 2, 3>",
+            "look_at is <1, 2, 3>: it must be another point than location",
+        ),
+        ("sky 0 look_at z", "look_at is z: sky must not be <0, 0, 0>"),
+    ] {
+        let refused = read("povray", &format!("camera {{ {camera} }}")).unwrap_err();
+        assert_eq!(refused.problem, said);
+    }
+}
+
+/// POV-Ray 3.7 shows +x on the right both times, and +z above and below.
+#[test]
+fn straight_along_sky_the_picture_goes_with_right() {
+    let along = "look_at lies straight along sky: right is taken as it is given, as POV-Ray does";
+    for (right, z_in_picture) in [("x", 1.0), ("-x", -1.0)] {
+        let text = format!(
+            "camera {{ location 9*y right {right} up y look_at 0 }}\n\
+             sphere {{ 2*x, 1 }} sphere {{ 2*z, 1 }} // +W40 +H40"
+        );
+        let taken = read("povray", &text).unwrap();
+        assert!(taken.notes.contains(&along.to_owned()), "{:?}", taken.notes);
+        let camera = taken.camera.resolve().unwrap();
+        let uv = |k: usize| camera.project(taken.spheres[k].shape.center).uv * 4.5;
+        assert_eq!([uv(0).to_array(), uv(1).to_array()], [[1.0, 0.0], [0.0, z_in_picture]]);
+    }
+    // However near it is, any other has a roll.
+    let near = read("povray", "camera { look_at <1e-9, 9, 0> }").unwrap();
+    assert!(!near.notes.contains(&along.to_owned()));
+    let refused = read("povray", "camera { look_at y right x + y }").unwrap_err().problem;
+    assert!(refused.starts_with("camera is no rotation: "), "{refused}");
+}
