@@ -218,8 +218,8 @@ impl View {
     }
 
     /// Turns the camera towards `look_at` as POV-Ray does: right, up and direction keep their lengths, and
-    /// the camera its handedness.
-    /// Where `look_at` lies along sky, right stays as it is given; POV-Ray 3.7 warns of it, too.
+    /// the camera its handedness. Where `look_at` lies along sky, right stays as it is given; POV-Ray 3.7
+    /// warns of it, too.
     ///
     /// # Errors
     /// Returns an error if location and `look_at` give no direction, or sky none.
