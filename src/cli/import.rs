@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Input;
-use pinhole_exchange::programs::importer_of_file;
+use pinhole_exchange::programs::{file_text, importer_of_file};
 use pinhole_exchange::{FileError, atomic, limits, scene_file};
 
 use super::console::{is_standard, read, to_stdout, warn};
@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
         None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
         Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
     }
-    taken.notes.iter().for_each(|note| warn(note));
+    source.notes.iter().chain(&taken.notes).for_each(|note| warn(note));
     Ok(())
 }
 
@@ -51,10 +51,11 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
 const BINARY_MODEL: &str =
     "binary: `colmap model_converter --output_type TXT` writes the model as text";
 
-/// A text, and where it is one of COLMAP's two files after the other: their folder, and how many lines
-/// the first one has.
+/// A text with the notes on its bytes, and where it is one of COLMAP's two files after the other: their
+/// folder, and how many lines the first one has.
 struct Source {
     text: String,
+    notes: Vec<String>,
     pair: Option<(PathBuf, usize)>,
 }
 
@@ -80,25 +81,26 @@ fn read_source(path: &Path) -> Result<Source, FileError> {
         Some(name) if PAIR.contains(&name) => path.parent(),
         _ => None,
     };
-    let Some(folder) = folder else { return Ok(Source { text: read_text(path)?, pair: None }) };
+    let mut notes = Vec::new();
+    let Some(folder) = folder else {
+        return Ok(Source { text: read_text(path, &mut notes)?, notes, pair: None });
+    };
     let binary = folder.join("cameras.bin");
     if binary.exists() && !folder.join(PAIR[0]).exists() {
         return Err(FileError::of_file(&binary, BINARY_MODEL));
     }
-    let cameras = read_text(&folder.join(PAIR[0]))? + "\n";
-    let images = read_text(&folder.join(PAIR[1]))?;
+    let cameras = read_text(&folder.join(PAIR[0]), &mut notes)? + "\n";
+    let images = read_text(&folder.join(PAIR[1]), &mut notes)?;
     let lines = cameras.matches('\n').count();
-    Ok(Source { text: cameras + &images, pair: Some((folder.to_owned(), lines)) })
+    Ok(Source { text: cameras + &images, notes, pair: Some((folder.to_owned(), lines)) })
 }
 
-fn read_text(path: &Path) -> Result<String, FileError> {
+fn read_text(path: &Path, notes: &mut Vec<String>) -> Result<String, FileError> {
     let (path, bytes) = read(path, limits::TEXT)?;
-    if bytes.starts_with(b"glTF") {
-        return Err(FileError::of_file(path, "binary glTF: save it as .gltf, which is text"));
-    }
     if ["cameras.bin", "images.bin"].iter().any(|name| path.ends_with(name)) {
         return Err(FileError::of_file(path, BINARY_MODEL));
     }
-    String::from_utf8(bytes)
-        .map_err(|_| FileError::of_file(path, "not UTF-8 text: a camera is read from text"))
+    let (text, note) = file_text(path, bytes)?;
+    notes.extend(note);
+    Ok(text)
 }

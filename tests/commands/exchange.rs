@@ -170,10 +170,32 @@ fn what_cannot_be_said_or_read_is_an_error() {
     run("import b.c").failed(1, "b.c:2:1: gluLookAt(1, 2): it must have 9 numbers");
     run("import b.c --from pbrt").failed(1, "b.c:1:1: gluPerspective(60,: no directive of pbrt");
     assert_eq!(entries(folder.path()), ["a.dat", "a.txt", "b.c"]);
-    fs::write(folder.path().join("c.c"), [0xff, 0xfe]).unwrap();
-    run("import c.c").failed(1, "c.c: not UTF-8 text: a camera is read from text");
+    fs::write(folder.path().join("c.c"), [0xff, 0xfe, b'g', 0]).unwrap();
+    run("import c.c").failed(1, "c.c: not text: a camera is read from text in UTF-8");
     fs::write(folder.path().join("d.glb"), b"glTF\x02\0\0\0\xff").unwrap();
-    run("import d.glb").failed(1, "d.glb: binary glTF: save it as .gltf, which is text");
+    run("import d.glb").failed(
+        1,
+        "d.glb: binary glTF: the header with that of the JSON is 20 bytes, and 9 are there: is all of \
+         the file there?",
+    );
+}
+
+#[test]
+fn binary_gltf_and_latin_1_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |line: &str| run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+    run("export look-at --to gltf --camera-only -o a.gltf");
+    let json = fs::read(folder.path().join("a.gltf")).unwrap();
+    let [length, whole] = [json.len(), json.len() + 20].map(|n| (n as u32).to_le_bytes());
+    let binary = [&b"glTF"[..], &2_u32.to_le_bytes(), &whole, &length, b"JSON", &json].concat();
+    fs::write(folder.path().join("a.glb"), binary).unwrap();
+    assert_eq!(run("import a.glb").done(), run("import a.gltf").done());
+    fs::write(folder.path().join("a.c"), [&b"// \xe9\n"[..], CANONICAL.as_bytes()].concat())
+        .unwrap();
+    fs::write(folder.path().join("b.c"), CANONICAL).unwrap();
+    let told = run("import a.c");
+    assert_eq!(told.stdout, run("import b.c").done());
+    assert_eq!(told.stderr, "pinhole: note: it is not UTF-8: read as Latin-1\n");
 }
 
 #[test]

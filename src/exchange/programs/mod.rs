@@ -12,6 +12,7 @@
 mod blender;
 mod colmap;
 mod course;
+mod file_text;
 mod gltf;
 mod literal;
 mod mitsuba;
@@ -23,6 +24,7 @@ mod povray;
 mod three;
 mod weekend;
 
+pub use self::file_text::file_text;
 use crate::FileError;
 use crate::format::{Format, Importer, Input};
 
@@ -85,7 +87,7 @@ pub fn importer_of_file(text: &Input) -> Result<&'static Importer, FileError> {
     let ending = text.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     // Other endings are those of a language.
     let name = match ending {
-        "gltf" => "gltf",
+        "gltf" | "glb" => "gltf",
         "pov" => "povray",
         "pbrt" => "pbrt",
         _ => "",

@@ -1,11 +1,13 @@
 //! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos, *glTF
 //! 2.0 Specification*, section 3.10). Spheres are meshes there, and written only when asked for.
 
+mod binary;
 mod mesh;
 
 use pinhole_core::{Camera, DVec3, Viewport};
 use serde_json::Value;
 
+pub(super) use self::binary::{MAGIC, json_of};
 use self::mesh::Meshes;
 use crate::FileError;
 use crate::format::affine::Affine;

@@ -3,6 +3,7 @@
 
 mod colmap;
 mod faults;
+mod file_text;
 mod habits;
 mod literal;
 mod objects;
