@@ -10,9 +10,10 @@ use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic, limits};
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
-use super::console::{is_standard, named, read, to_json, to_stdout};
+use super::console::{named, read, to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{apart, files_of, load, once, pose};
+use super::standard::is_standard;
 use crate::cli::arguments::CheckArguments;
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.

@@ -7,11 +7,7 @@ use pinhole_exchange::{FileError, legible, limits};
 use serde::Serialize;
 
 use super::error::CommandError;
-
-/// Returns true for `-`, which stands for standard input or output.
-pub(super) fn is_standard(path: &Path) -> bool {
-    path == Path::new("-")
-}
+use super::standard::is_standard;
 
 /// Reads a file of at most so many bytes, or standard input for `-`. Returns the name of the file in
 /// messages, too.

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::builder::Styles;
 use pinhole_exchange::{FileError, legible};
 
-use super::console::is_standard;
+use super::standard::is_standard;
 
 /// The reason why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]

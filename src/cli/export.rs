@@ -2,9 +2,10 @@
 
 use pinhole_exchange::format::{ExportScene, Include};
 
-use super::console::{is_standard, to_stdout, warn};
+use super::console::{to_stdout, warn};
 use super::error::{CommandError, scene_fault};
 use super::load::{self, apart, load, pose};
+use super::standard::is_standard;
 use crate::cli::arguments::ExportArguments;
 use crate::model::files::{files_of, save_written};
 

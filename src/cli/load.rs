@@ -8,8 +8,9 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, limits, scene_file};
 
-use super::console::{is_standard, read};
+use super::console::read;
 use super::error::{CommandError, scene_fault};
+use super::standard::is_standard;
 use crate::model::session::Selection;
 
 /// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.

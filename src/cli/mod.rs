@@ -1,6 +1,6 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 //!
-//! `error`, `load`, `console`, `size` and `progress` are what they share.
+//! `error`, `load`, `console`, `standard`, `size` and `progress` are what they share.
 
 pub mod arguments;
 mod check;
@@ -20,6 +20,7 @@ pub mod render_view;
 mod report;
 mod scenes;
 mod size;
+mod standard;
 mod trace;
 
 pub use self::console::print;

@@ -5,12 +5,13 @@ use std::io::{BufWriter, Write};
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::images::png;
 
-use super::console::{is_standard, named, to_stdout};
+use super::console::{named, to_stdout};
 use super::error::{CommandError, not_built, scene_fault};
 use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use super::size::size;
+use super::standard::is_standard;
 use crate::cli::arguments::{RenderArguments, View};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {

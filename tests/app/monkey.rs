@@ -3,6 +3,7 @@
 //!
 //! A run takes ten seconds with a fixed seed, and ten more with that of `PROPTEST_RNG_SEED`, if there is one;
 //! with `PINHOLE_MONKEY_SECONDS=600` it takes ten minutes. What the monkey did last is printed where it fails.
+#![expect(clippy::print_stdout, reason = "a failure is found by what the monkey did")]
 
 use std::fmt::Debug;
 use std::fs;

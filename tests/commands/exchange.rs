@@ -195,7 +195,7 @@ fn binary_gltf_and_latin_1_are_read() {
     fs::write(folder.path().join("b.c"), CANONICAL).unwrap();
     let told = run("import a.c");
     assert_eq!(told.stdout, run("import b.c").done());
-    assert_eq!(told.stderr, "pinhole: note: it is not UTF-8: read as Latin-1\n");
+    assert_eq!(told.stderr, "note: it is not UTF-8: read as Latin-1\n");
 }
 
 #[test]
