@@ -112,10 +112,12 @@ impl Monkey {
             .harness
             .root()
             .children_recursive()
-            .filter(|node| CONTROLS.contains(&node.accesskit_node().role()))
-            .map(|node| {
+            .filter_map(|node| {
                 let of = node.accesskit_node();
-                (of.role(), of.label().unwrap_or_default(), node.rect())
+                let bounds = of.bounding_box().filter(|_| CONTROLS.contains(&of.role()))?;
+                let corner = |x: f64, y: f64| Pos2::new(x as f32, y as f32);
+                let (from, to) = (corner(bounds.x0, bounds.y0), corner(bounds.x1, bounds.y1));
+                Some((of.role(), of.label().unwrap_or_default(), Rect::from_two_pos(from, to)))
             })
             .filter(|(_, label, _)| !LEFT_ALONE.iter().any(|word| label.contains(word)))
             .collect();

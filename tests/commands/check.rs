@@ -199,7 +199,8 @@ fn a_viewport_of_twice_the_size_is_named() {
     let run = check(folder.path(), &[]);
     assert_eq!(run.status, 1);
     let told = "mistake: viewport-scaled\n  Look at a factor 2 in u and v: across the viewport, u \
-                goes from -width/2 to width/2, and v from height/2 to -height/2.\n";
+                goes from -width/2 to width/2, and v from height/2 to -height/2. Or the distance is twice or \
+                half of what it is.\n";
     assert!(run.stdout.ends_with(told), "{}", run.stdout);
     let found = json_of(&check(folder.path(), &["--json"]));
     assert_eq!(found["mistakes"], json!(["viewport-scaled"]));

@@ -158,7 +158,7 @@ fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String>
         [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find(|(sign, _)| has_known(*sign));
     Some(match other {
         Some((_, separators)) => separated_by(separators),
-        None => format!("the first line must name columns out of {}", names.join(",")),
+        None => format!("the first line must be a header with columns out of {}", names.join(",")),
     })
 }
 

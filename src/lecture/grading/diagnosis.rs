@@ -26,6 +26,9 @@ pub struct Diagnosis {
     pub counted_from_zero: bool,
     /// Objects are counted from 1.
     pub objects_from_one: bool,
+    /// Every wrong answer is a miss or a hit of what lies behind, as of a program that does not see the
+    /// nearer object, for whatever reason.
+    pub may_be_unseen: bool,
     /// The step between answers held against the pipeline that is named: 1, all of them, unless
     /// they are so many, and spheres too, that it would take minutes.
     pub of_every: usize,
@@ -51,6 +54,12 @@ pub(super) trait Fits: Sync {
 
     /// Returns whether the pipeline may have given this answer.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
+
+    /// Returns whether a program that does not see the object that is hit first may have given this
+    /// answer.
+    fn may_be_unseen(&self, _index: usize) -> bool {
+        false
+    }
 
     /// The verdict on this answer, and its distance from the truth.
     fn judged(&self, index: usize) -> Judged;
@@ -139,6 +148,7 @@ impl Diagnosis {
             counted_from_one: false,
             counted_from_zero: false,
             objects_from_one: false,
+            may_be_unseen: false,
             of_every,
         }
     }

@@ -60,21 +60,41 @@ impl FirstHits {
         direction: DVec3,
         tolerance: f64,
     ) -> FirstHits {
-        let length = length(direction);
-        if !(direction.is_finite() && length > 0.0 && camera.eye.is_finite()) {
-            return FirstHits::default();
+        match Sight::new(camera, direction, tolerance) {
+            Some(sight) => sight.first_of(sight.hits_of_all(scene)),
+            None => FirstHits::default(),
         }
-        let sight = Sight { camera, tolerance, direction, length };
-        let mut all = Vec::new();
-        sight.for_each_sphere(scene, |index, sphere| sight.sphere(index, sphere, &mut all));
-        for (index, plane) in (scene.spheres().len() as u32..).zip(scene.planes()) {
-            sight.plane(index, plane, &mut all);
-        }
-        sight.first_of(all)
     }
 }
 
-impl Sight<'_> {
+/// Finds where the ray with this direction meets each object by itself.
+pub(super) fn hits_of_each(
+    scene: &Scene,
+    camera: &PipelineCamera,
+    direction: DVec3,
+    tolerance: f64,
+) -> Vec<PossibleHit> {
+    let sight = Sight::new(camera, direction, tolerance);
+    sight.map(|sight| sight.hits_of_all(scene)).unwrap_or_default()
+}
+
+impl<'a> Sight<'a> {
+    /// `None` of what is no ray.
+    fn new(camera: &'a PipelineCamera, direction: DVec3, tolerance: f64) -> Option<Sight<'a>> {
+        let length = length(direction);
+        let is_ray = direction.is_finite() && length > 0.0 && camera.eye.is_finite();
+        is_ray.then_some(Sight { camera, tolerance, direction, length })
+    }
+
+    fn hits_of_all(&self, scene: &Scene) -> Vec<PossibleHit> {
+        let mut all = Vec::new();
+        self.for_each_sphere(scene, |index, sphere| self.sphere(index, sphere, &mut all));
+        for (index, plane) in (scene.spheres().len() as u32..).zip(scene.planes()) {
+            self.plane(index, plane, &mut all);
+        }
+        all
+    }
+
     /// Every sphere that the ray's line may be said to meet.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };

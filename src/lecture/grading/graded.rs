@@ -253,7 +253,8 @@ impl Graded {
         said.chain(self.alternatives())
     }
 
-    /// A caveat on the diagnosis: misses alone look alike, whatever they come from.
+    /// A caveat on the diagnosis: misses alone, and what is seen behind an object, look alike, whatever
+    /// they come from.
     fn caveat(&self) -> Option<&'static str> {
         let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
         let is_miss = |index: usize| match &self.answers {
@@ -262,10 +263,18 @@ impl Graded {
             Answers::Basis(_) | Answers::Rays(_) => false,
         };
         let mut wrong = (0..is_right.len()).filter(|index| !is_right[*index]);
-        let is_guess = !diagnosis.mistakes.is_empty() && wrong.all(is_miss);
-        is_guess.then_some(
-            "This is a guess: all wrong answers are misses, and a program may miss for other reasons.",
-        )
+        if diagnosis.mistakes.is_empty() {
+            None
+        } else if wrong.all(is_miss) {
+            Some(
+                "This is a guess: all wrong answers are misses, and a program may miss for other reasons.",
+            )
+        } else {
+            diagnosis.may_be_unseen.then_some(
+                "This is a guess: every wrong answer is what lies behind the right object, or a miss: \
+                 that object may not be tested at all.",
+            )
+        }
     }
 
     /// Other sets of mistakes that explain the answers as well: `negative-t; far-root +

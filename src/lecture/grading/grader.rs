@@ -211,7 +211,10 @@ impl<'a> Grader<'a> {
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()
         } else {
-            diagnose(&self.given, answers, &is_right, self.may_be_single)
+            let may_be_unseen =
+                (0..is_right.len()).all(|k| is_right[k] || answers.may_be_unseen(k));
+            let found = diagnose(&self.given, answers, &is_right, self.may_be_single);
+            Diagnosis { may_be_unseen, ..found }
         };
         let worst = worst_of(&judged);
         Grade {

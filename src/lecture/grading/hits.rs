@@ -5,7 +5,7 @@ use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Sce
 
 use super::answers::{GivenHit, HitAnswer, WrittenVector};
 use super::diagnosis::Fits;
-use super::first_hits::{FirstHits, PossibleHit, work};
+use super::first_hits::{FirstHits, PossibleHit, hits_of_each, work};
 use super::grade::{Digits, Hit, Judged, Right, Truth};
 use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
@@ -39,6 +39,18 @@ impl Fits for Hits<'_> {
             None => first.may_miss,
             Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
         }
+    }
+
+    fn may_be_unseen(&self, index: usize) -> bool {
+        let HitAnswer { pixel, hit } = self.answers[index];
+        let (Some(truth), Some(given)) = (self.first[index], hit) else {
+            return self.first[index].is_some();
+        };
+        let camera = self.given.camera_of(Pipeline::RIGHT);
+        let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
+        hits_of_each(self.scene, &camera, direction, self.tolerance)
+            .iter()
+            .any(|hit| hit.object != truth.object && self.is(&camera, direction, hit, &given))
     }
 
     fn judged(&self, index: usize) -> Judged {

@@ -456,7 +456,7 @@ mistakes! {
     /// Half the viewport, or twice.
     ViewportScaled "viewport-scaled" {
         advice: "Look at a factor 2 in u and v: across the viewport, u goes from -width/2 to width/2, \
-                 and v from height/2 to -height/2.",
+                 and v from height/2 to -height/2. Or the distance is twice or half of what it is.",
         ways: &[|p| p.extent = Extent::Half, |p| p.extent = Extent::Twice],
     }
 

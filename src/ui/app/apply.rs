@@ -181,12 +181,16 @@ impl App {
         let dialog = self.take_theirs(ctx);
         if dialog.is_none() {
             let file = title_of(self.scene.open.origin());
-            let title = format!("{file} was changed by another program, and read again");
-            let camera = self.scene.open.document.camera;
-            let notice = Notice { title, notes: Vec::new(), worked: true, camera, shown_at: None };
-            self.scene.session.translator.notice = Some(notice);
+            self.say(format!("{file} was changed by another program, and read again"));
         }
         dialog
+    }
+
+    /// Says in passing what was done.
+    fn say(&mut self, title: String) {
+        let camera = self.scene.open.document.camera;
+        let notice = Notice { title, notes: Vec::new(), worked: true, camera, shown_at: None };
+        self.scene.session.translator.notice = Some(notice);
     }
 
     fn ask_whose(&self, saves: bool, then: Option<Leave>) -> Dialog {
@@ -273,7 +277,13 @@ impl App {
             FigureAction::ExportAnimation { order, frames, path } => {
                 self.playback.export(order, frames, path, scene)
             }
-            FigureAction::Copy => screen.copy(),
+            FigureAction::Copy => {
+                let problem = screen.copy();
+                if problem.is_none() {
+                    self.say("The figure is on the clipboard".to_owned());
+                }
+                problem
+            }
             FigureAction::CopyDerivation(markup) => {
                 let derivation = derivation_of(&scene.open.document, &scene.session);
                 ctx.copy_text(derivation.written_in(markup));

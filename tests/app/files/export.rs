@@ -145,6 +145,7 @@ fn the_layouts_figure_is_copied_as_a_picture() {
             }
         }
     }
+    assert_says(&window, "The figure is on the clipboard");
     let image = copied.expect("a picture on the clipboard");
     assert_eq!(image.size, [shown.x, shown.y].map(|points| points.round() as usize));
     let colors: HashSet<Color32> = image.pixels.iter().copied().collect();

@@ -42,7 +42,10 @@ fn bad_files_are_told_line_column_and_value() {
         ),
         ("x,y,z,r,colour\n", "1:9: column \"colour\" is unknown: did you mean color?"),
         ("x,y,z,r,x\n", "1:9: column x is there twice"),
-        ("1,2,3,4\n", "1:1: the first line must name columns out of x,y,z,r,color,name"),
+        (
+            "1,2,3,4\n",
+            "1:1: the first line must be a header with columns out of x,y,z,r,color,name",
+        ),
         (
             "x;y;z;r\n1;2;3;4\n",
             "1:1: the first line has semicolons: commas must stand between cells, and a point in a number",
@@ -84,7 +87,8 @@ fn bad_files_are_told_line_column_and_value() {
 fn what_is_no_table_is_not_shown() {
     for text in ["root:$6$secret:20228:0:::\n", "secret\n", "secret,more\n1,2\n", "a;secret\n"] {
         let message = parse(text).unwrap_err().to_string();
-        let expected = "balls.csv:1:1: the first line must name columns out of x,y,z,r,color,name";
+        let expected =
+            "balls.csv:1:1: the first line must be a header with columns out of x,y,z,r,color,name";
         assert_eq!(message, expected, "{text}");
     }
 }

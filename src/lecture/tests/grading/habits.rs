@@ -224,3 +224,26 @@ fn a_point_is_right_where_each_coordinate_is() {
     let grade = graded(&exercise, &Answers::Hits(hits.collect()));
     assert_eq!(grade.right_digits, Some(4), "{}", grade.advice());
 }
+
+/// A program that has planes alone sees the wall behind every ball.
+#[test]
+fn what_lies_behind_alone_is_a_guess() {
+    let exercise = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [1.0; 3],
+        spheres: vec![([0.0, 0.0, -5.0], 1.0)],
+        planes: vec![([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])],
+        ..general()
+    };
+    let without = Exercise { spheres: vec![], ..exercise.clone() };
+    let student = Student { exercise: &without, mistakes: &[] };
+    let answers = only_t(student.hits(), Written::exactly);
+    let grade = graded(&exercise, &answers);
+    assert!(!grade.diagnosis.mistakes.is_empty());
+    let image = camera_of(&exercise).image;
+    let advice = Graded { answers, grade, image, count_from: 0 }.advice();
+    let guess = "This is a guess: every wrong answer is what lies behind";
+    assert!(advice.contains(guess), "{advice}");
+}
