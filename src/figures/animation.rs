@@ -52,11 +52,10 @@ impl Frames {
     /// # Errors
     /// Returns an error, as a sentence with what would do, if they cannot.
     pub fn check(&self, path: &Path, transparent: bool) -> Result<(), String> {
-        let is = |ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
-        if is("png") || is("apng") {
+        if has_ending(path, "png") || has_ending(path, "apng") {
             return Ok(());
         }
-        if !is("gif") {
+        if !has_ending(path, "gif") {
             return Err(
                 "writes animations as PNG or GIF: end the name with .png or .gif".to_owned()
             );
@@ -133,7 +132,7 @@ impl Recorder {
                 let Order { size, transparent, .. } = animation.order;
                 let loops = animation.loops;
                 let why = |error| FileError::unwritable(&path, &error).to_string();
-                if path.extension().is_some_and(|own| own.eq_ignore_ascii_case("gif")) {
+                if has_ending(&path, "gif") {
                     let animated = gif::Animated::new(out, size, per_second, loops);
                     Sink::Gif(Box::new(animated.map_err(why)?), draft)
                 } else {
@@ -210,6 +209,10 @@ impl Recorder {
         written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
         draft.finish().map_err(|error| error.to_string())
     }
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
 }
 
 /// Path of frame `k`, counted from 1.

@@ -4,7 +4,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use egui::OutputCommand;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -14,7 +13,7 @@ use pinhole::ui::app::App;
 use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::{SceneSource, builtin};
 
-use super::harness::{assert_says, says, texts_with, type_into, unfolded};
+use super::harness::{assert_says, copied_text, says, texts_with, type_into, unfolded};
 use crate::support::{self, whole_window};
 
 const HEADING: &str = "Pinhole met a fault of its own";
@@ -81,15 +80,7 @@ fn the_scene_is_kept_the_reason_is_shown_and_the_window_goes_on() {
     assert!(is_there());
 
     window.get_by_role_and_label(Role::Button, "Copy a report").click();
-    let mut copied = String::new();
-    for _ in 0..4 {
-        window.step();
-        for command in &window.output().platform_output.commands {
-            if let OutputCommand::CopyText(text) = command {
-                copied.clone_from(text);
-            }
-        }
-    }
+    let copied = copied_text(&mut window);
     assert!(copied.contains("a planted fault") && copied.contains("eye = [0.375"), "{copied}");
 
     press(&mut window, "Go on");

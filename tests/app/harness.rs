@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, vec2};
+use egui::{Key, Modifiers, OutputCommand, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::files::OpenDocument;
@@ -135,6 +135,20 @@ pub(crate) fn drag_from(harness: &mut Harness<'_, App>, from: egui::Pos2, by: eg
     harness.run();
     harness.drop_at(from + by);
     harness.run();
+}
+
+/// Returns the text that the next frames put on the clipboard.
+pub(crate) fn copied_text(harness: &mut Harness<'_, App>) -> String {
+    let mut copied = String::new();
+    for _ in 0..4 {
+        harness.step();
+        for command in &harness.output().platform_output.commands {
+            if let OutputCommand::CopyText(text) = command {
+                copied.clone_from(text);
+            }
+        }
+    }
+    copied
 }
 
 /// Types the path into the dialog that is open, and presses Enter, which is answered in the next frame.

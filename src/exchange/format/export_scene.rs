@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
     Camera, DVec3, Intrinsics, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere,
     Viewport,
@@ -192,17 +193,6 @@ impl<'a> ExportScene<'a> {
         // A thousand times as far as anything that matters, and round.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
-}
-
-/// The length of a vector whose squares may be beyond the range of numbers.
-fn length(v: DVec3) -> f64 {
-    let length = v.length();
-    if length.is_finite() { length } else { v.x.hypot(v.y).hypot(v.z) }
-}
-
-/// A vector of length 1, of one that is not zero, however long or short.
-pub(crate) fn unit(v: DVec3) -> DVec3 {
-    v.try_normalize().unwrap_or_else(|| (v / v.abs().max_element()).normalize())
 }
 
 /// Returns the note on a square that stands for a plane.

@@ -21,8 +21,8 @@ use crate::error::one_line;
 use crate::{FileError, Location, legible};
 
 pub use conventions::{Axis, Conventions, PixelConvention};
+pub(crate) use export_scene::square_note;
 pub use export_scene::{ExportScene, Include, Unsupported};
-pub(crate) use export_scene::{square_note, unit};
 pub use pose::MIRRORED;
 pub use text::Text;
 

@@ -26,8 +26,8 @@ pub struct Diagnosis {
     pub counted_from_zero: bool,
     /// Objects are counted from 1.
     pub objects_from_one: bool,
-    /// Every wrong answer is a miss or a hit of what lies behind, as of a program that does not see the
-    /// nearer object, for whatever reason.
+    /// There are mistakes, and every wrong answer is a miss or a hit of what lies behind, as of a program
+    /// that does not see the nearer object, for whatever reason.
     pub may_be_unseen: bool,
     /// The step between answers held against the pipeline that is named: 1, all of them, unless
     /// they are so many, and spheres too, that it would take minutes.
@@ -83,6 +83,13 @@ pub(super) fn diagnose(
     may_be_single: bool,
 ) -> Diagnosis {
     let looks = first_looks(is_right);
+    let named = |found: Vec<_>| {
+        let may_be_unseen = !found.is_empty()
+            && (0..is_right.len())
+                .into_par_iter()
+                .all(|index| is_right[index] || answers.may_be_unseen(index));
+        Diagnosis { may_be_unseen, ..Diagnosis::new(found) }
+    };
     let mut known = Mistake::GRADED.to_vec();
     known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
     if !answers.shows_basis() {
@@ -103,12 +110,7 @@ pub(super) fn diagnose(
             && (is_found(Pipeline::count_objects_from_one)
                 || is_found(Pipeline::count_all_from_one));
         let counted_from_zero = is_found(|pipeline| pipeline.move_in_pixel(1.0, 1.0));
-        return Diagnosis {
-            counted_from_one,
-            counted_from_zero,
-            objects_from_one,
-            ..Diagnosis::new(found)
-        };
+        return Diagnosis { counted_from_one, counted_from_zero, objects_from_one, ..named(found) };
     }
     sets.clear();
     for (k, first) in known.iter().enumerate() {
@@ -123,7 +125,7 @@ pub(super) fn diagnose(
         mistake.pipelines().any(|pipeline| explains(given, answers, &looks, &pipeline))
     };
     let other = OTHERS.iter().find(explains_all).copied();
-    Diagnosis { other, ..Diagnosis::new(explaining(given, answers, &looks, &sets)) }
+    Diagnosis { other, ..named(explaining(given, answers, &looks, &sets)) }
 }
 
 /// Mistakes that rays show as two of [`Mistake::GRADED`].

@@ -211,10 +211,7 @@ impl<'a> Grader<'a> {
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()
         } else {
-            let may_be_unseen =
-                (0..is_right.len()).all(|k| is_right[k] || answers.may_be_unseen(k));
-            let found = diagnose(&self.given, answers, &is_right, self.may_be_single);
-            Diagnosis { may_be_unseen, ..found }
+            diagnose(&self.given, answers, &is_right, self.may_be_single)
         };
         let worst = worst_of(&judged);
         Grade {

@@ -13,7 +13,9 @@ use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
-use crate::harness::{assert_says, export_to, says, show, texts_with, type_into, window};
+use crate::harness::{
+    assert_says, copied_text, export_to, says, show, texts_with, type_into, window,
+};
 
 fn open_dialog(window: &mut Harness<'_, App>) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);
@@ -160,15 +162,7 @@ fn the_derivation_is_copied_as_latex_and_as_markdown() {
         window.get_by_label("Copy the derivation as").click();
         window.run();
         window.get_by_label(name).click();
-        let mut copied = String::new();
-        for _ in 0..4 {
-            window.step();
-            for command in &window.output().platform_output.commands {
-                if let OutputCommand::CopyText(text) = command {
-                    copied.clone_from(text);
-                }
-            }
-        }
+        let copied = copied_text(&mut window);
         assert!(copied.contains(part) && copied.contains(r"\mathbf{w}"), "{name}: {copied}");
     }
 }

@@ -11,12 +11,13 @@ mod read;
 mod source;
 mod values;
 
+use pinhole_core::arithmetic::unit;
 use pinhole_core::{BACKGROUND, Sphere};
 
 use self::read::read;
 use crate::format::text::{commas, flipped_all, light, n, one_line};
 use crate::format::{
-    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported, unit,
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
 };
 
 pub(super) const FORMAT: Format = Format {
