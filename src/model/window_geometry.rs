@@ -10,15 +10,22 @@ pub struct WindowGeometry {
     pub position: Option<[f32; 2]>,
     /// True if the window is maximised.
     pub maximized: bool,
+    /// Pixels per point of the screen that the window was on.
+    pub scale: f32,
 }
 
 impl Default for WindowGeometry {
     fn default() -> Self {
-        Self { inner_size: [1280.0, 800.0], position: None, maximized: false }
+        Self { inner_size: [1280.0, 800.0], position: None, maximized: false, scale: 1.0 }
     }
 }
 
 impl WindowGeometry {
+    /// Returns the scale of the screen, within what screens have.
+    pub fn screen_scale(&self) -> f32 {
+        self.scale.clamp(0.5, 8.0)
+    }
+
     /// Takes over the window's present place and size. Called each frame, so that it holds the
     /// geometry to save on exit. Ignores the size and place of a maximised, minimised or
     /// full-screen window, so that the normal ones are kept.
@@ -30,6 +37,7 @@ impl WindowGeometry {
                 return;
             }
             self.maximized = viewport.maximized == Some(true);
+            self.scale = viewport.native_pixels_per_point.unwrap_or(self.scale);
             if self.maximized {
                 return;
             }

@@ -10,6 +10,7 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
+use super::first_pass::MAX_TEXTURE_SIDE;
 use super::surface::{Frame, PaintTimes, Surface, timed};
 use crate::view::painter::{Canvas, Painter, PixelRect};
 
@@ -18,9 +19,6 @@ type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
 
 /// Number of consecutive frames that may fail to reach the display, after which the window ends.
 const PATIENCE: u32 = 5;
-
-/// Maximum side of egui's textures of glyphs and pictures.
-const MAX_TEXTURE_SIDE: usize = 16_384;
 
 /// A window's surface in memory.
 pub(super) struct Cpu {

@@ -1,7 +1,8 @@
 //! The log of the window's frame times, written to a file for measurements.
 //!
 //! `PINHOLE_FRAME_TIMES=times.csv pinhole` writes, when the window is closed, the time of each frame,
-//! input to presented, in milliseconds. `tests/drag-latency.sh` takes the medians of it.
+//! input to presented, in milliseconds. The first frame is without the pass that ran while the window
+//! opened. `tests/drag-latency.sh` takes the medians of it.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;

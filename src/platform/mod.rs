@@ -10,12 +10,15 @@
 //! Both use the same event loop (`window.rs`, `open.rs`), so everything else about the window is
 //! the same. Only `gpu.rs` uses wgpu.
 //!
+//! The app's first pass runs while the window opens (`first_pass.rs`).
+//!
 //! egui's own framework for windows cannot fall back to another renderer in the same process, so one
 //! event loop of ours drives both.
 
 mod cpu;
 mod display;
 mod error;
+mod first_pass;
 mod frame_log;
 #[cfg(feature = "wgpu")]
 mod gpu;

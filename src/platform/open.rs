@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 
 use egui::epaint::textures::TexturesDelta;
 use egui::{
-    FullOutput, ScreenshotCallback, ViewportCommand, ViewportEvent, ViewportId, ViewportInfo,
+    FullOutput, OrderedViewportIdMap, ScreenshotCallback, ViewportCommand, ViewportEvent,
+    ViewportId, ViewportInfo, ViewportOutput,
 };
 use egui_winit::{ActionRequested, accesskit_winit};
 use winit::event::WindowEvent;
@@ -14,6 +15,7 @@ use winit::window::Window;
 
 use super::display::UserEvent;
 use super::error::PresentError;
+use super::first_pass::FirstPass;
 use super::frame_log::{FrameLog, FrameTimes};
 use super::repeats;
 use super::start::{Drawn, pace};
@@ -53,13 +55,13 @@ pub(super) struct Open {
 const LOOK: Duration = Duration::from_secs(1);
 
 impl Open {
-    /// Gives the app a window that is not shown yet.
+    /// Gives the app, after its first pass, a window that is not shown yet.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
         Drawn { window, surface, renderer, detail }: Drawn,
         proxy: EventLoopProxy<UserEvent>,
-        mut app: App,
+        first_pass: FirstPass,
         log: Option<FrameLog>,
     ) -> Self {
         let mut state = egui_winit::State::new(
@@ -71,6 +73,7 @@ impl Open {
             surface.max_texture_side(),
         );
         state.init_accesskit(event_loop, &window, proxy);
+        let (mut app, first) = first_pass.end();
         let mut info = ViewportInfo::default();
         egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
         // Computed before the input is locked, because it takes the same lock.
@@ -79,15 +82,14 @@ impl Open {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
             input.pixels_per_point = pixels_per_point;
         });
-        App::set_up(&ctx, &app.session().settings);
         app.drawn_by(format!("{renderer} ({detail})"));
-        Self {
+        let mut open = Self {
             app,
             log,
             state,
             ctx,
             info,
-            delta: TexturesDelta::default(),
+            delta: first.textures_delta,
             actions: Vec::new(),
             repaint_at: None,
             asked: false,
@@ -99,7 +101,9 @@ impl Open {
             looked: Instant::now(),
             surface,
             window,
-        }
+        };
+        open.apply(commands(first.viewport_output));
+        open
     }
 
     /// Ends the app: its last chance to save.
@@ -227,11 +231,7 @@ impl Open {
         self.keep_pointer(zoom);
         self.info.events.clear();
         let ui_done = began.elapsed();
-        let commands = output
-            .viewport_output
-            .remove(&ViewportId::ROOT)
-            .map(|viewport| viewport.commands)
-            .unwrap_or_default();
+        let commands = commands(std::mem::take(&mut output.viewport_output));
         if closing && !commands.contains(&ViewportCommand::CancelClose) {
             output.drop_without_applying_deltas();
             return Ok(true);
@@ -353,6 +353,11 @@ impl Open {
         }
         self.actions = later;
     }
+}
+
+/// Returns the app's requests to the window.
+fn commands(mut outputs: OrderedViewportIdMap<ViewportOutput>) -> Vec<ViewportCommand> {
+    outputs.remove(&ViewportId::ROOT).map(|output| output.commands).unwrap_or_default()
 }
 
 /// Returns the requests for a picture of the next frame, and drops the requests that only ask for a

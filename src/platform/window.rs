@@ -13,6 +13,7 @@ use winit::window::WindowId;
 
 use super::display::{UserEvent, event_loop};
 use super::error::PresentError;
+use super::first_pass::FirstPass;
 use super::frame_log::FrameLog;
 use super::open::Open;
 use super::{signals, start};
@@ -29,12 +30,21 @@ pub(super) fn run(
     app: App,
     log: Option<FrameLog>,
 ) -> Result<(), PresentError> {
-    let event_loop = event_loop()?;
+    let ctx = start::context();
+    let first_pass = FirstPass::start(ctx.clone(), app, geometry);
+    let event_loop = match event_loop() {
+        Ok(event_loop) => event_loop,
+        Err(error) => {
+            first_pass.discard();
+            return Err(error);
+        }
+    };
     event_loop.set_control_flow(ControlFlow::Wait);
     let mut handler = Handler {
         choice,
         geometry,
-        app: Some((app, log)),
+        ctx,
+        first: Some((first_pass, log)),
         proxy: event_loop.create_proxy(),
         open: None,
         failure: None,
@@ -50,8 +60,9 @@ pub(super) fn run(
 struct Handler {
     choice: Option<Renderer>,
     geometry: WindowGeometry,
-    /// The app and its log until the window is open.
-    app: Option<(App, Option<FrameLog>)>,
+    ctx: egui::Context,
+    /// The app's first pass and the log until the window is open.
+    first: Option<(FirstPass, Option<FrameLog>)>,
     proxy: EventLoopProxy<UserEvent>,
     open: Option<Open>,
     failure: Option<PresentError>,
@@ -59,12 +70,14 @@ struct Handler {
 
 impl Handler {
     fn start(&mut self, event_loop: &ActiveEventLoop) -> Result<(), PresentError> {
-        let Some((app, log)) = self.app.take() else { return Ok(()) };
-        let ctx = start::context();
+        if self.first.is_none() {
+            return Ok(());
+        }
         let builder = start::builder(self.geometry, event_loop);
-        let drawn = start::surface(self.choice, &ctx, event_loop, &builder)?;
+        let drawn = start::surface(self.choice, &self.ctx, event_loop, &builder)?;
+        let Some((first_pass, log)) = self.first.take() else { return Ok(()) };
         let proxy = Mutex::new(self.proxy.clone());
-        ctx.set_request_repaint_callback(move |info| {
+        self.ctx.set_request_repaint_callback(move |info| {
             let when = Instant::now() + info.delay;
             let event = UserEvent::Repaint { when, pass: info.current_cumulative_pass_nr };
             // Sending fails only at the very end, when nothing needs to be painted.
@@ -72,7 +85,8 @@ impl Handler {
         });
         let proxy = self.proxy.clone();
         signals::end_window_by(move || drop(proxy.send_event(UserEvent::End)));
-        let mut open = Open::new(event_loop, ctx, drawn, self.proxy.clone(), app, log);
+        let (ctx, proxy) = (self.ctx.clone(), self.proxy.clone());
+        let mut open = Open::new(event_loop, ctx, drawn, proxy, first_pass, log);
         open.maximizing = self.geometry.maximized;
         // Paint before showing the window, to avoid a flash of an empty window.
         let closed = open.frame(event_loop, true)?;
@@ -101,6 +115,9 @@ impl Handler {
     }
 
     fn finish(&mut self) {
+        if let Some((first_pass, _)) = self.first.take() {
+            first_pass.discard();
+        }
         if let Some(open) = self.open.take() {
             open.end();
         }

@@ -1,0 +1,109 @@
+//! The app's first pass, which runs while the window opens.
+//!
+//! It reads the fonts, draws the glyphs and traces the pictures: most of what a first frame costs. If
+//! the window gets the size that it was closed with, its first frame has only to show them.
+
+use std::panic::resume_unwind;
+use std::thread::{JoinHandle, sleep, spawn};
+use std::time::Duration;
+
+use egui::{Context, FullOutput, RawInput, Rect, Vec2, ViewportId, ViewportInfo};
+
+use crate::model::window_geometry::WindowGeometry;
+use crate::ui::app::App;
+
+/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. With another
+/// one, the first frame would draw its glyphs again.
+pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
+
+/// A first pass that may still be running.
+pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);
+
+impl FirstPass {
+    /// Starts the first pass for a window as the last run left it.
+    pub(super) fn start(ctx: Context, mut app: App, geometry: WindowGeometry) -> FirstPass {
+        App::set_up(&ctx, &app.session().settings);
+        let input = input(geometry, ctx.zoom_factor());
+        FirstPass(spawn(move || {
+            let output = ctx.run_ui(input, |ui| app.ui(ui));
+            (app, output)
+        }))
+    }
+
+    /// Waits for the end of the pass, and does its parallel work meanwhile: this thread is one of those
+    /// who share it, and on one processor the only one. Returns the app and what it wants of the window.
+    pub(super) fn end(self) -> (App, FullOutput) {
+        while !self.0.is_finished() {
+            if rayon::yield_now() != Some(rayon::Yield::Executed) {
+                sleep(Duration::from_micros(100));
+            }
+        }
+        self.0.join().unwrap_or_else(|panic| resume_unwind(panic))
+    }
+
+    /// Ends the app where no window opens.
+    pub(super) fn discard(self) {
+        let (_, output) = self.end();
+        output.drop_without_applying_deltas();
+    }
+}
+
+/// Returns the input of a window that nobody has touched yet.
+fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
+    let info = ViewportInfo {
+        native_pixels_per_point: Some(geometry.screen_scale()),
+        maximized: Some(geometry.maximized),
+        ..ViewportInfo::default()
+    };
+    let size = Vec2::from(geometry.inner_size).clamp(Vec2::splat(64.0), Vec2::splat(4096.0)) / zoom;
+    RawInput {
+        screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, size)),
+        max_texture_side: Some(MAX_TEXTURE_SIDE),
+        time: Some(0.0),
+        viewports: [(ViewportId::ROOT, info)].into_iter().collect(),
+        ..RawInput::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_exchange::document::Document;
+    use pinhole_exchange::scenes::SceneSource;
+
+    use super::*;
+    use crate::model::files::OpenDocument;
+    use crate::model::store::Remembered;
+
+    /// Returns the window's context and the app, as they are when the window has opened.
+    fn opened(geometry: WindowGeometry) -> (Context, App) {
+        let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
+        let app = App::new(open, Remembered::default(), None);
+        let ctx = crate::platform::start::context();
+        let (app, output) = FirstPass::start(ctx.clone(), app, geometry).end();
+        assert!(!output.textures_delta.set.is_empty(), "glyphs and pictures are to be uploaded");
+        output.drop_without_applying_deltas();
+        (ctx, app)
+    }
+
+    #[test]
+    fn a_window_of_the_same_size_has_nothing_to_trace_or_draw_in_its_first_frame() {
+        let geometry = WindowGeometry { scale: 1.5, ..WindowGeometry::default() };
+        let (ctx, mut app) = opened(geometry);
+        let traced = app.pictures_traced();
+        assert!(traced > 0);
+        let input = RawInput { time: Some(0.1), ..input(geometry, ctx.zoom_factor()) };
+        let output = ctx.run_ui(input, |ui| app.ui(ui));
+        assert_eq!(app.pictures_traced(), traced);
+        assert!(output.textures_delta.set.is_empty(), "{:?}", output.textures_delta);
+    }
+
+    #[test]
+    fn a_remembered_geometry_that_no_screen_has_opens_a_window() {
+        for inner_size in [[0.0; 2], [-5.0, 1e30], [f32::INFINITY; 2]] {
+            for scale in [0.0, -1.0, 1e30] {
+                let geometry = WindowGeometry { inner_size, scale, ..WindowGeometry::default() };
+                opened(geometry);
+            }
+        }
+    }
+}
