@@ -310,3 +310,99 @@ impl<S: Simd> Doubles<S> {
         (-self.minus_square2).store_slice(&mut outlines.square[2][half][..n]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::camera::image::ImageSize;
+    use crate::camera::viewport::Viewport;
+    use crate::render::outline::{Outline, Outlines};
+
+    /// Spheres by coordinate: x, y, z and the radius.
+    type Spheres = [[f64; MOST_SINGLE_LANES]; 4];
+
+    /// Finds the outlines of spheres, both as small ones and by themselves. Returns the lanes of a vector
+    /// of `f64`, too.
+    #[inline(always)]
+    fn both<S: Simd>(
+        simd: S,
+        space: &CameraSpace,
+        spheres: &Spheres,
+    ) -> (SmallOutlines, [Outlines; 2], usize) {
+        let n = S::f64s::LEN;
+        let half = |k: usize| spheres.each_ref().map(|x| &x[k * n..(k + 1) * n]);
+        let mut small = SmallOutlines::default();
+        small.find(simd, space, &[half(0), half(1)]);
+        let mut outlines = [Outlines::default(), Outlines::default()];
+        for (k, outlines) in outlines.iter_mut().enumerate() {
+            outlines.find(simd, space, &half(k));
+        }
+        (small, outlines, n)
+    }
+
+    fn assert_near(name: &str, a: f64, b: f64, tolerance: f64) {
+        assert!((a - b).abs() <= tolerance, "{name}: {a} and {b}");
+    }
+
+    /// Asserts that two outlines of a sphere are one.
+    fn assert_same(small: &SmallOutlines, lane: usize, n: usize, outline: &Outline) {
+        let get = |x: &Halves| x[lane / n][lane % n];
+        let (column, j) = (get(&small.column), 0.37);
+        assert_near("row", get(&small.row), outline.row, 1e-9);
+        assert_near("middle", get(&small.middle), outline.column, 1e-9);
+        assert_near("shear", get(&small.shear), outline.shear, 1e-12);
+        for (a, b) in small.square.iter().zip(outline.square) {
+            assert_near("w^2", get(a), b, 1e-9 * outline.square[0]);
+        }
+        assert!(f64::from(small.first_row[lane]) <= outline.first_row);
+        assert!(f64::from(small.last_row[lane]) >= outline.last_row);
+
+        let c = column + 0.21;
+        let [square0, square1, square2] = outline.square;
+        let across = c - (outline.column + outline.shear * j);
+        let root = (square0 + (square1 + square2 * j) * j - across * across).max(0.0).sqrt();
+        let b = outline.b0 + outline.b_column * c + outline.b_row * j;
+        let t = outline.numerator / (b + root);
+        let inverse = f64::from(small.inverse_squared[lane]).sqrt();
+        let e = get(&small.slope) * (c - column) + get(&small.row_slope) * j + inverse * root;
+        let quotient = f64::from(small.quotient[0][lane]) + f64::from(small.quotient[1][lane]);
+        assert_near("t", quotient / (1.0 + e), t, 1e-8 * t);
+        assert!(f64::from(small.nearest[lane]) <= t && outline.nearest <= t);
+    }
+
+    #[test]
+    fn a_small_sphere_has_the_same_outline_as_any_other() {
+        let image = ImageSize::new(400, 300).unwrap();
+        let viewport = Viewport { width: 2.0, height: 1.1, distance: 0.8 };
+        let camera = Camera { image, viewport, ..Camera::CANONICAL };
+        let space = CameraSpace::new(&camera.resolve().unwrap());
+        let mut compared = 0;
+        for seed in 0..40 {
+            let between = |k: usize, low: f64, high: f64| {
+                let turn = (f64::from(seed * 100 + k as i32) * 0.754_877_666).fract();
+                low + (high - low) * turn
+            };
+            let mut spheres = [[0.0; MOST_SINGLE_LANES]; 4];
+            for lane in 0..MOST_SINGLE_LANES {
+                let z = between(lane, 2.0, 40.0);
+                spheres[0][lane] = between(2 * lane, -1.0, 1.0) * z;
+                spheres[1][lane] = between(3 * lane, -0.6, 0.6) * z;
+                spheres[2][lane] = -z;
+                spheres[3][lane] = between(5 * lane, 0.002, 0.03) * z;
+            }
+            let (small, outlines, n) =
+                dispatch!(Level::new(), simd => both(simd, &space, &spheres));
+            for lane in (0..2 * n).filter(|lane| small.is_small >> lane & 1 == 1) {
+                let outlines = &outlines[lane / n];
+                if outlines.is_plain >> (lane % n) & 1 == 1 {
+                    assert_same(&small, lane, n, &outlines.one(lane % n));
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 100, "{compared}");
+    }
+}

@@ -190,8 +190,8 @@ impl OwnRows {
     }
 }
 
-/// The ends of a row of each sphere of half a vector.
-struct RowEnds<S: Simd> {
+/// The ends of a row of each small sphere of half a vector.
+struct SmallRowEnds<S: Simd> {
     first: S::f64s,
     last: S::f64s,
     left: S::f64s,
@@ -201,7 +201,7 @@ struct RowEnds<S: Simd> {
     is_thick: <S::f64s as SimdBase<S>>::Mask,
 }
 
-impl<S: Simd> RowEnds<S> {
+impl<S: Simd> SmallRowEnds<S> {
     #[inline(always)]
     fn new(simd: S, outlines: &SmallOutlines, half: usize, j: S::f64s) -> Self {
         let SmallOutlines { column, middle, shear, square, thin, slope, row_slope, .. } = outlines;
@@ -214,7 +214,7 @@ impl<S: Simd> RowEnds<S> {
         let (first, last) = (start.ceil(), end.floor());
         let (left, right) = (first - start, end - last);
         let moved = (first - load(column)) * load(slope) + j * load(row_slope);
-        RowEnds { first, last, left, right, moved, is_thick: squared.simd_ge(load(thin)) }
+        SmallRowEnds { first, last, left, right, moved, is_thick: squared.simd_ge(load(thin)) }
     }
 }
 
@@ -251,8 +251,8 @@ impl Runs {
             |half_number: usize| S::f64s::from_slice(simd, &outlines.row[half_number][..half]);
         let (low_number, high_number) = rows.number.widen();
         let (low_j, high_j) = ((low_number - middle) - row(0), (high_number - middle) - row(1));
-        let low = RowEnds::<S>::new(simd, outlines, 0, low_j);
-        let high = RowEnds::<S>::new(simd, outlines, 1, high_j);
+        let low = SmallRowEnds::<S>::new(simd, outlines, 0, low_j);
+        let high = SmallRowEnds::<S>::new(simd, outlines, 1, high_j);
         let (first, last) = (low.first.narrow(high.first), low.last.narrow(high.last));
         let (left, right) = (low.left.narrow(high.left), low.right.narrow(high.right));
         let moved = low.moved.narrow(high.moved);
