@@ -313,6 +313,8 @@ impl<S: Simd> Doubles<S> {
 
 #[cfg(test)]
 mod tests {
+    use std::array::from_fn;
+
     use fearless_simd::{Level, dispatch};
 
     use super::*;
@@ -375,24 +377,23 @@ mod tests {
 
     #[test]
     fn a_small_sphere_has_the_same_outline_as_any_other() {
-        let image = ImageSize::new(400, 300).unwrap();
+        let image = ImageSize::new(400, 300).expect("a size");
         let viewport = Viewport { width: 2.0, height: 1.1, distance: 0.8 };
         let camera = Camera { image, viewport, ..Camera::CANONICAL };
-        let space = CameraSpace::new(&camera.resolve().unwrap());
+        let space = CameraSpace::new(&camera.resolve().expect("a camera"));
         let mut compared = 0;
         for seed in 0..40 {
             let between = |k: usize, low: f64, high: f64| {
                 let turn = (f64::from(seed * 100 + k as i32) * 0.754_877_666).fract();
                 low + (high - low) * turn
             };
-            let mut spheres = [[0.0; MOST_SINGLE_LANES]; 4];
-            for lane in 0..MOST_SINGLE_LANES {
-                let z = between(lane, 2.0, 40.0);
-                spheres[0][lane] = between(2 * lane, -1.0, 1.0) * z;
-                spheres[1][lane] = between(3 * lane, -0.6, 0.6) * z;
-                spheres[2][lane] = -z;
-                spheres[3][lane] = between(5 * lane, 0.002, 0.03) * z;
-            }
+            let depth = |lane| between(lane, 2.0, 40.0);
+            let spheres = [
+                from_fn(|lane| between(2 * lane, -1.0, 1.0) * depth(lane)),
+                from_fn(|lane| between(3 * lane, -0.6, 0.6) * depth(lane)),
+                from_fn(|lane| -depth(lane)),
+                from_fn(|lane| between(5 * lane, 0.002, 0.03) * depth(lane)),
+            ];
             let (small, outlines, n) =
                 dispatch!(Level::new(), simd => both(simd, &space, &spheres));
             for lane in (0..2 * n).filter(|lane| small.is_small >> lane & 1 == 1) {
