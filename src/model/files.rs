@@ -64,6 +64,11 @@ impl Stamp {
     }
 }
 
+/// Returns the stamp of a document's table of spheres, if it has one.
+fn csv_stamp(document: &Document) -> Option<Stamp> {
+    document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
+}
+
 /// The open document, with all that saving it and detecting changes needs.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
@@ -76,6 +81,8 @@ pub struct OpenDocument {
     text: Option<String>,
     /// That of the source when it was read or written here; `None` if there was no file.
     stamp: Option<Stamp>,
+    /// That of the table of spheres.
+    csv_stamp: Option<Stamp>,
     /// The document's origin.
     origin: Origin,
     /// True if changes may be lost without a question: the document comes from a lesson's step,
@@ -86,21 +93,23 @@ pub struct OpenDocument {
 impl OpenDocument {
     /// Creates the open document from one that was just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
-        let stamp = source.scene_file().and_then(Stamp::of);
+        let (stamp, csv_stamp) = (source.scene_file().and_then(Stamp::of), csv_stamp(&document));
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
         };
         let origin = Origin::Scene(source);
-        OpenDocument { saved: document.clone(), document, text, stamp, origin, forgiving: false }
+        let saved = document.clone();
+        OpenDocument { document, saved, text, stamp, csv_stamp, origin, forgiving: false }
     }
 
     /// Creates the open document of the lesson's step with this title. While the lesson is open,
     /// its changes do not count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
         let origin = Origin::Step(title);
-        let (text, stamp) = (None, None);
-        OpenDocument { saved: document.clone(), document, text, stamp, origin, forgiving: true }
+        let (text, stamp, csv_stamp) = (None, None, None);
+        let saved = document.clone();
+        OpenDocument { document, saved, text, stamp, csv_stamp, origin, forgiving: true }
     }
 
     /// Creates the open document from one with unsaved changes, which belongs to `source` if that can
@@ -179,17 +188,31 @@ impl OpenDocument {
         self.stamp
     }
 
-    /// Returns the stamp of the scene's file if it is another than when it was read or written here.
-    /// Asks for time and size alone.
-    pub fn touched(&self) -> Option<Stamp> {
-        let now = Stamp::of(self.scene_file()?)?;
-        (self.stamp != Some(now)).then_some(now)
+    /// Returns the stamps of the scene's file and of its table of spheres if one is another than when it
+    /// was read or written here. Asks for time and size alone.
+    pub fn touched(&self) -> Option<[Option<Stamp>; 2]> {
+        let scene = Stamp::of(self.scene_file()?)?;
+        let now = [Some(scene), csv_stamp(&self.saved)];
+        (now != [self.stamp, self.csv_stamp]).then_some(now)
+    }
+
+    /// Returns the name of what another program has changed since it was read: the scene's file or its
+    /// table of spheres.
+    pub fn changed_by_others(&mut self) -> Option<String> {
+        if self.was_changed_by_others() {
+            return Some(title_of(&self.origin));
+        }
+        let csv = self.saved.csv_spheres.as_ref()?;
+        (csv_stamp(&self.saved) != self.csv_stamp).then(|| csv.path.clone())
     }
 
     /// Returns true if another program has changed the content of the scene's file since it was read or
     /// written here.
     pub fn was_changed_by_others(&mut self) -> bool {
-        let Some(now) = self.touched() else { return false };
+        let Some(now) = self.scene_file().and_then(Stamp::of) else { return false };
+        if self.stamp == Some(now) {
+            return false;
+        }
         let text = self.scene_file().and_then(|path| limits::read_text(path).ok());
         let is_same = text.is_some() && text == self.text;
         if is_same {
@@ -201,6 +224,7 @@ impl OpenDocument {
     /// Takes note of what another program has written: saving may replace it.
     pub fn keep_mine(&mut self) {
         self.stamp = self.scene_file().and_then(Stamp::of);
+        self.csv_stamp = csv_stamp(&self.saved);
     }
 
     /// Refuses to write something else over a file that the scene is read from.
@@ -251,6 +275,7 @@ impl OpenDocument {
         self.saved = self.document.clone();
         self.text = Some(saved.text);
         self.stamp = Stamp::of(path);
+        self.csv_stamp = csv_stamp(&self.saved);
         self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
         self.forgiving = false;
         Ok(())

@@ -170,17 +170,14 @@ impl App {
         Ok(self.scene.restore(open))
     }
 
-    /// Takes over what another program has written into the scene's file; asks where there are changes.
+    /// Takes over what another program has written into the scene's files; asks where there are changes.
     fn look(&mut self, ctx: &Context) -> Option<Dialog> {
-        if !self.scene.open.was_changed_by_others() {
-            return None;
-        }
+        let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
-            return Some(self.ask_whose(false, None));
+            return Some(Dialog::Theirs { title: file, saves: false, then: None });
         }
         let dialog = self.take_theirs(ctx);
         if dialog.is_none() {
-            let file = title_of(self.scene.open.origin());
             self.say(format!("{file} was changed by another program, and read again"));
         }
         dialog
@@ -191,10 +188,6 @@ impl App {
         let camera = self.scene.open.document.camera;
         let notice = Notice { title, notes: Vec::new(), worked: true, camera, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
-    }
-
-    fn ask_whose(&self, saves: bool, then: Option<Leave>) -> Dialog {
-        Dialog::Theirs { title: title_of(self.scene.open.origin()), saves, then }
     }
 
     /// Opens what another program has written into the scene's file, as a step that can be undone.
@@ -219,7 +212,8 @@ impl App {
 
     fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
         if self.scene.open.is_own(path) && self.scene.open.was_changed_by_others() {
-            return Some(self.ask_whose(true, then));
+            let title = title_of(self.scene.open.origin());
+            return Some(Dialog::Theirs { title, saves: true, then });
         }
         if let Err(reason) = self.scene.open.save_to(path) {
             return Some(Dialog::message("The scene was not saved", reason));

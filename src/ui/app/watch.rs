@@ -1,20 +1,23 @@
-//! Noticing that another program has changed the scene's file.
+//! Noticing that another program has changed the scene's files.
 
 use crate::model::files::Stamp;
 
-/// What was seen of the file.
+/// The stamps of the scene's file and of its table of spheres.
+type Stamps = [Option<Stamp>; 2];
+
+/// What was seen of the files.
 #[derive(Default)]
 pub(super) struct Watch {
-    /// The file at the last look, if it was changed.
-    seen: Option<Stamp>,
-    /// The file that was told about.
-    told: Option<Stamp>,
+    /// The files at the last look, if one was changed.
+    seen: Option<Stamps>,
+    /// The files that were told about.
+    told: Option<Stamps>,
 }
 
 impl Watch {
-    /// Takes the stamp of a file that was changed. Returns true if that is to be told: not before the file
+    /// Takes the stamps of files of which one was changed. Returns true if that is to be told: not before it
     /// rests from one look to the next, for it may still be written to; and only once.
-    pub(super) fn is_news(&mut self, touched: Option<Stamp>, may_tell: bool) -> bool {
+    pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {
         let rests = touched.is_some() && touched == self.seen;
         self.seen = touched;
         let is_news = rests && may_tell && touched != self.told;

@@ -69,6 +69,37 @@ fn it_is_read_again_in_one_step_where_nothing_is_unsaved() {
 }
 
 #[test]
+fn its_table_of_spheres_is_read_again_too_and_saving_leaves_it_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, table] = ["mine.toml", "balls.csv"].map(|name| folder.path().join(name));
+    let one = "x,y,z,r\n0,0,-5,1\n";
+    fs::write(&table, one).unwrap();
+    fs::write(&path, MINE.replace("\n[camera]", "spheres = \"balls.csv\"\n\n[camera]")).unwrap();
+    let remembered = Remembered { settings: unfolded(), ..Remembered::default() };
+    let mut window = window_with(&path, remembered, None);
+    let count = |window: &Harness<'_, App>| window.state().document().object_count();
+    assert!(!look(&mut window), "nobody has changed it");
+    let two = format!("{one}2,0,-5,1\n");
+    fs::write(&table, &two).unwrap();
+    assert!(look(&mut window));
+    assert_eq!(count(&window), 2);
+    assert_says(&window, "balls.csv was changed by another program, and read again");
+
+    type_into(&mut window, "eye x", "3");
+    fs::write(&table, one).unwrap();
+    save(&mut window);
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 3.0);
+    assert_eq!(fs::read_to_string(&table).unwrap(), one);
+    type_into(&mut window, "eye x", "4");
+    fs::write(&table, two).unwrap();
+    look(&mut window);
+    assert_says(&window, "Another program has changed balls.csv");
+    press(&mut window, "Keep mine");
+    assert!(!look(&mut window), "answered");
+    assert_eq!(eye_x(&window), 4.0);
+}
+
+#[test]
 fn a_file_that_was_only_touched_is_no_news() {
     let (_folder, path, mut window) = opened();
     fs::write(&path, MINE).unwrap();
