@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use crate::FileError;
-use crate::temporary::{Known, Temporary, builder, folder_of, live};
+use crate::temporary::{Known, Temporary, builder, folder_of, live, sync};
 
 /// Writes a file as a whole or not at all.
 ///
@@ -96,11 +96,7 @@ impl Batch {
         let folders: BTreeSet<PathBuf> =
             self.files.iter().map(|file| folder_of(&file.target).to_owned()).collect();
         place(self.files)?;
-        for folder in folders {
-            // The new names are on the disk only when the directory is; not every system lets a
-            // directory be opened, and the content is safe either way.
-            let _ = File::open(folder).and_then(|folder| folder.sync_all());
-        }
+        folders.iter().for_each(|folder| sync(folder));
         Ok(())
     }
 }

@@ -1,8 +1,8 @@
 //! Temporary files and folders: this run's, which are gone when it ends, and those that others have left.
 
 use std::collections::BTreeSet;
-use std::fs::{self, Permissions};
-use std::io;
+use std::fs::{self, File, Permissions};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
@@ -53,44 +53,60 @@ pub struct DraftFolder {
 }
 
 impl DraftFolder {
-    /// Makes one in this folder.
+    /// Makes one in the folder where files beside this one will be.
     ///
     /// # Errors
     /// Returns an error if nothing can be written there.
-    pub fn create_in(folder: &Path) -> Result<DraftFolder, FileError> {
-        let folder = folder_of(&folder.join("-")).to_owned();
-        clear_abandoned(&folder);
+    pub fn create_beside(path: &Path) -> Result<DraftFolder, FileError> {
+        let folder = folder_of(path);
+        clear_abandoned(folder);
         let mut live = live();
-        let made = builder().tempdir_in(&folder);
-        let made = made.map_err(|error| FileError::unwritable(&folder, &error))?;
+        let made = builder().tempdir_in(folder);
+        let made = made.map_err(|error| FileError::unwritable(path, &error))?;
         live.insert(made.path().to_owned());
         let name = Known(made.path().to_owned());
         Ok(DraftFolder { folder: made, _name: name })
     }
 
-    /// Its path.
-    pub fn path(&self) -> &Path {
-        self.folder.path()
+    fn file(&self, number: usize) -> PathBuf {
+        self.folder.path().join(number.to_string())
     }
 
-    /// Gives its files names outside of it, all of them or none.
+    /// Writes the file of this number onto the disk.
+    ///
+    /// # Errors
+    /// Returns an error if it cannot be written.
+    pub fn write(&self, number: usize, content: &[u8]) -> io::Result<()> {
+        let mut file = File::create(self.file(number))?;
+        file.write_all(content)?;
+        file.sync_all()
+    }
+
+    /// Gives its files names outside of it, in the order of their numbers from 0: all of them or none.
     ///
     /// # Errors
     /// Returns an error if one cannot get its name, or there is such a file.
-    pub fn rename_all(&self, names: &[(PathBuf, PathBuf)]) -> Result<(), FileError> {
+    pub fn rename_all(&self, names: &[PathBuf]) -> Result<(), FileError> {
         let _live = live();
-        for (index, (from, to)) in names.iter().enumerate() {
-            let renamed = match fs::symlink_metadata(to) {
+        for (number, name) in names.iter().enumerate() {
+            let renamed = match fs::symlink_metadata(name) {
                 Ok(_) => Err(io::ErrorKind::AlreadyExists.into()),
-                Err(_) => fs::rename(from, to),
+                Err(_) => fs::rename(self.file(number), name),
             };
             if let Err(error) = renamed {
-                names[..index].iter().for_each(|(_, to)| drop(fs::remove_file(to)));
-                return Err(FileError::unwritable(to, &error));
+                names[..number].iter().for_each(|name| drop(fs::remove_file(name)));
+                return Err(FileError::unwritable(name, &error));
             }
         }
+        names.first().into_iter().for_each(|name| sync(folder_of(name)));
         Ok(())
     }
+}
+
+/// Writes the names in a folder onto the disk. Not every system lets a folder be opened, and the files' content is
+/// safe either way.
+pub(crate) fn sync(folder: &Path) {
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 
 /// The temporary files and folders of this run.

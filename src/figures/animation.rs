@@ -1,6 +1,6 @@
 //! Animations as files: a figure for each phase, in one animated PNG or GIF, or in numbered PNGs.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
@@ -146,8 +146,9 @@ impl Recorder {
                 if let Some(taken) = taken {
                     return Err(format!("{} exists: choose another name", taken.display()));
                 }
-                let folder = path.parent().unwrap_or(Path::new("."));
-                Sink::Numbered(DraftFolder::create_in(folder).map_err(|error| error.to_string())?)
+                Sink::Numbered(
+                    DraftFolder::create_beside(&path).map_err(|error| error.to_string())?,
+                )
             }
         };
         Ok(Recorder { animation, done: 0, path, sink })
@@ -184,8 +185,7 @@ impl Recorder {
             Sink::Png(animated, _) => animated.push(&figure.to_srgba()),
             Sink::Gif(animated, _) => animated.push(&figure.to_srgba()),
             Sink::Numbered(folder) => {
-                let path = folder.path().join(self.done.to_string());
-                fs::write(path, figure.to_file(Format::Png)?)
+                folder.write(self.done as usize, &figure.to_file(Format::Png)?)
             }
         };
         self.done += 1;
@@ -201,8 +201,7 @@ impl Recorder {
             Sink::Png(animated, draft) => (animated.finish(), draft),
             Sink::Gif(animated, draft) => (animated.finish(), draft),
             Sink::Numbered(folder) => {
-                let name = |k: u32| (folder.path().join(k.to_string()), numbered(&self.path, k));
-                let names: Vec<_> = (0..self.done).map(name).collect();
+                let names: Vec<_> = (0..self.done).map(|k| numbered(&self.path, k)).collect();
                 return folder.rename_all(&names).map_err(|error| error.to_string());
             }
         };
