@@ -1,7 +1,7 @@
 //! Unsaved changes, written aside while they are made, for the next start to offer them.
 //!
-//! Each window has a numbered slot in a folder: a scene file, what it was made from, and a lock that
-//! the system releases however the window ends.
+//! Each window has a numbered slot in a folder: a scene file, which tells in its last line what it was
+//! made from, and a lock that the system releases however the window ends.
 
 use std::fs::{self, File, TryLockError};
 use std::io::Write as _;
@@ -11,7 +11,7 @@ use std::time::{Duration, SystemTime};
 use pinhole_core::DVec3;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{atomic, scene_file};
+use pinhole_exchange::{FileError, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
 use super::files::{OpenDocument, Stamp, argument_of, title_of};
@@ -19,11 +19,13 @@ use super::files::{OpenDocument, Stamp, argument_of, title_of};
 /// Maximum number of slots; windows beyond them write nothing aside.
 const SLOTS: usize = 64;
 
+/// Begins the last line of a slot's scene file, a comment; a [`Source`] as JSON follows.
+const SOURCE: &str = "\n# unsaved changes to: ";
+
 /// A window's slot, locked as long as this value lives.
 #[derive(Debug)]
 pub struct Slot {
     scene: PathBuf,
-    source: PathBuf,
     /// Keeps the lock.
     _lock: File,
 }
@@ -32,6 +34,8 @@ pub struct Slot {
 #[derive(Debug)]
 pub struct Found {
     slot: Slot,
+    /// The text of the scene file.
+    text: Result<String, FileError>,
     source: Source,
     /// Time that has passed since the last change was written.
     pub age: Duration,
@@ -119,55 +123,60 @@ impl Unsaved {
         let mut document = open.document.clone();
         let source = Source {
             title: title_of(origin),
-            argument: argument_of(origin),
+            // Another name cannot be written; a scene without one can.
+            argument: argument_of(origin).filter(|path| path.to_str().is_some()),
             stamp: open.stamp(),
             faults: Faults::take(&mut document),
         };
         Unsaved { document, source }
     }
 
-    /// Writes the changes into a slot; each of its two files completely or not at all.
+    /// Writes the changes into a slot, completely or not at all.
     ///
     /// # Errors
-    /// Returns the reason if a file could not be written, or the document could not be read back from
+    /// Returns the reason if the file could not be written, or the document could not be read back from
     /// it; what was there before then stays.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
-        let source = serde_json::to_vec(&self.source).map_err(|error| error.to_string())?;
-        atomic::write(&slot.source, |file| file.write_all(&source))
-            .map_err(|error| error.to_string())?;
-        let saved = scene_file::save_over(&self.document, &slot.scene, None);
-        saved.map(drop).map_err(|error| error.to_string())
+        let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
+        let prepared = scene_file::prepare(&self.document, &slot.scene, None);
+        let text = prepared.map_err(|error| error.to_string())?.text + SOURCE + &source;
+        atomic::write(&slot.scene, |file| file.write_all(text.as_bytes()))
+            .map_err(|error| error.to_string())
     }
 }
 
 impl Slot {
-    /// Returns a free slot in this folder, if there is one, and what ended windows have left in others.
-    pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>) {
-        let (mut own, mut found) = (None, Vec::new());
+    /// Returns a free slot in this folder, if there is one, what ended windows have left in others, and
+    /// the first error, if a slot could not be opened.
+    pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
+        let (mut own, mut found, mut fault) = (None, Vec::new(), None);
         for number in 0..SLOTS {
             let is_known = folder.join(format!("{number}.lock")).exists();
             match Slot::at(folder, number) {
-                Some(slot) if slot.scene.exists() => found.extend(Found::of(slot)),
-                Some(slot) => own = own.or(Some(slot)),
-                None => {}
+                Ok(Some(slot)) if slot.scene.exists() => found.extend(Found::of(slot)),
+                Ok(slot) => own = own.or(slot),
+                Err(error) => fault = fault.or(Some(error)),
             }
             if !is_known && own.is_some() {
                 break;
             }
         }
         found.sort_by_key(|found| found.age);
-        (own, found)
+        (own, found, fault)
     }
 
     /// Locks a slot, unless another window has it.
-    fn at(folder: &Path, number: usize) -> Option<Slot> {
-        let path = |ending: &str| folder.join(format!("{number}.{ending}"));
-        fs::create_dir_all(folder).ok()?;
-        let options = File::options().create(true).write(true).truncate(false).open(path("lock"));
-        let lock = options.ok()?;
-        match lock.try_lock() {
-            Ok(()) => Some(Slot { scene: path("toml"), source: path("json"), _lock: lock }),
-            Err(TryLockError::WouldBlock | TryLockError::Error(_)) => None,
+    fn at(folder: &Path, number: usize) -> Result<Option<Slot>, FileError> {
+        let [scene, lock] =
+            ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")));
+        fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;
+        let why = |error| FileError::unwritable(&lock, &error);
+        let options = File::options().create(true).write(true).truncate(false).open(&lock);
+        let file = options.map_err(why)?;
+        match file.try_lock() {
+            Ok(()) => Ok(Some(Slot { scene, _lock: file })),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(error)) => Err(why(error)),
         }
     }
 
@@ -175,7 +184,6 @@ impl Slot {
     pub fn clear(&self) {
         // What is not there needs no removing; what cannot be removed is offered once more.
         let _ = fs::remove_file(&self.scene);
-        let _ = fs::remove_file(&self.source);
     }
 }
 
@@ -183,10 +191,16 @@ impl Found {
     fn of(slot: Slot) -> Option<Found> {
         let written = fs::metadata(&slot.scene).and_then(|data| data.modified()).ok()?;
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
-        let source = fs::read(&slot.source).unwrap_or_default();
-        let source = serde_json::from_slice(&source);
+        let (mut source, mut text) = (None, limits::read_text(&slot.scene));
+        if let Some((at, text)) =
+            text.as_mut().ok().and_then(|text| Some((text.rfind(SOURCE)?, text)))
+        {
+            source = serde_json::from_str(&text[at + SOURCE.len()..]).ok();
+            // A name may have characters in it that no comment may.
+            text.truncate(at);
+        }
         let unknown = || Source { title: "a scene".to_owned(), ..Source::default() };
-        Some(Found { source: source.unwrap_or_else(|_| unknown()), age, slot })
+        Some(Found { source: source.unwrap_or_else(unknown), age, slot, text })
     }
 
     /// Returns the name of the scene that was changed.
@@ -205,7 +219,9 @@ impl Found {
     /// # Errors
     /// Returns the reason if it cannot be read; it is then kept.
     pub fn restore(self, beside: bool) -> Result<(OpenDocument, Slot), String> {
-        let mut document = scene_file::load(&self.slot.scene).map_err(|error| error.to_string())?;
+        let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
+        let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
+        let mut document = document.map_err(|error| error.to_string())?;
         let Source { title, argument, stamp, faults } = self.source;
         faults.put_into(&mut document);
         let open = if beside {
@@ -249,15 +265,15 @@ mod tests {
     #[test]
     fn a_slot_belongs_to_one_window_until_it_ends() {
         let folder = tempfile::tempdir().unwrap();
-        let (first, found) = Slot::open(folder.path());
+        let (first, found, _) = Slot::open(folder.path());
         assert!(found.is_empty());
         let first = first.unwrap();
         changed().write(&first).unwrap();
-        let (second, found) = Slot::open(folder.path());
+        let (second, found, _) = Slot::open(folder.path());
         assert!(found.is_empty(), "its window is still open");
         changed().write(&second.unwrap()).unwrap();
         drop(first);
-        let (_, found) = Slot::open(folder.path());
+        let (_, found, _) = Slot::open(folder.path());
         assert_eq!(found.len(), 2);
         for found in found {
             let (open, slot) = found.restore(false).unwrap();
@@ -265,6 +281,52 @@ mod tests {
             slot.clear();
         }
         assert!(Slot::open(folder.path()).1.is_empty());
+    }
+
+    #[test]
+    fn a_slot_that_cannot_be_opened_is_told() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let (own, found, fault) = Slot::open(file.path());
+        assert!(own.is_none() && found.is_empty());
+        let message = fault.unwrap().to_string();
+        assert!(message.starts_with(file.path().to_str().unwrap()), "{message}");
+        assert!(message.contains(": cannot be written: "), "{message}");
+    }
+
+    /// On disk, and in the line that tells of it.
+    #[cfg(unix)]
+    #[test]
+    fn changes_to_a_file_of_any_name_are_found() {
+        use std::os::unix::ffi::OsStrExt as _;
+
+        for name in [&b"a\x7f\n.toml"[..], b"\xff.toml"] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join(std::ffi::OsStr::from_bytes(name));
+            let mut document = Document::default();
+            scene_file::save(&document, &path).unwrap();
+            document.camera.eye.x = 0.5;
+            let source = Some(SceneSource::File(path.clone()));
+            let open = OpenDocument::changed(document.clone(), source, None);
+            let (slot, ..) = Slot::open(folder.path());
+            Unsaved::of(&open).write(&slot.unwrap()).unwrap();
+            let (_, mut found, _) = Slot::open(folder.path());
+            let found = found.remove(0);
+            assert_eq!(found.title(), title_of(open.origin()));
+            assert_eq!(found.file(), path.to_str().map(Path::new));
+            assert_eq!(found.restore(false).unwrap().0.document, document);
+        }
+    }
+
+    #[test]
+    fn a_scene_without_its_last_line_is_restored() {
+        let folder = tempfile::tempdir().unwrap();
+        let (slot, ..) = Slot::open(folder.path());
+        let scene = scene_file::to_text(&Document::default(), None);
+        fs::write(slot.unwrap().scene, scene).unwrap();
+        let (_, mut found, _) = Slot::open(folder.path());
+        let found = found.remove(0);
+        assert_eq!(found.title(), "a scene");
+        assert_eq!(found.restore(false).unwrap().0.document, Document::default());
     }
 
     #[test]

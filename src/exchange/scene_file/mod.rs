@@ -90,7 +90,7 @@ pub fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
     read::document(text, path, None)
 }
 
-/// A document as [`save`] wrote it.
+/// A document as [`save`] writes it.
 #[derive(Clone, Debug)]
 pub struct Saved {
     /// The document as a reader of the file finds it. It shares the CSV file's spheres with the one
@@ -110,13 +110,27 @@ pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
 
 /// Writes a scene file, as a whole or not at all.
 ///
+/// # Errors
+/// Returns the errors of [`prepare`], or an error if the file cannot be written; the old file is then as
+/// it was.
+pub fn save_over(
+    document: &Document,
+    path: &Path,
+    previous: Option<&str>,
+) -> Result<Saved, FileError> {
+    let saved = prepare(document, path, previous)?;
+    atomic::write(path, |file| std::io::Write::write_all(file, saved.text.as_bytes()))?;
+    Ok(saved)
+}
+
+/// Returns what is to be written to make a scene file of this path.
+///
 /// The comments and layout of the `previous` text stay where the values have not changed. The
-/// reference to a CSV file is kept, and written so that it means the same file from here.
+/// reference to a CSV file is kept, and written so that it means the same file from there.
 ///
 /// # Errors
-/// Returns an error if a value could not be read back, or the file cannot be written; the old file
-/// is then as it was.
-pub fn save_over(
+/// Returns an error if a value could not be read back.
+pub fn prepare(
     document: &Document,
     path: &Path,
     previous: Option<&str>,
@@ -132,7 +146,6 @@ pub fn save_over(
     let mut written = read::document(&text, path, None)
         .map_err(|error| FileError::of_file(path, format!("not saved: {}", error.problem)))?;
     written.csv_spheres = document.csv_spheres;
-    atomic::write(path, |file| std::io::Write::write_all(file, text.as_bytes()))?;
     Ok(Saved { document: written, text })
 }
 

@@ -43,7 +43,10 @@ impl Recovery {
     /// Finds what other windows have left.
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
-        let (slot, found) = Slot::open(&store.unsaved());
+        let (slot, found, fault) = Slot::open(&store.unsaved());
+        if let Some(fault) = fault {
+            complain(&format!("unsaved changes may not be written aside, or offered: {fault}"));
+        }
         Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
 
