@@ -8,6 +8,7 @@
 mod app;
 mod commands;
 mod doors;
+mod fault_injection;
 mod files;
 mod layout;
 mod licences;

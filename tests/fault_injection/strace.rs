@@ -1,0 +1,95 @@
+//! The file calls of a process, listed and made to fail by `strace`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Every call by which a file is opened, changed, named or removed; with `?`, those that not every processor has.
+const TRACED: &str = "trace=?open,openat,?creat,close,write,writev,pwrite64,copy_file_range,sendfile,\
+                      ftruncate,fallocate,fchmod,?chmod,fchmodat,fsync,fdatasync,?rename,renameat,\
+                      renameat2,?link,linkat,symlinkat,?unlink,unlinkat,?mkdir,mkdirat,?rmdir";
+
+/// A call on a file in the folder that is watched.
+#[derive(Clone, Debug)]
+pub(super) struct Call {
+    pub(super) name: String,
+    /// Its number among the calls of this name of its thread, from 1; those elsewhere count.
+    number: usize,
+    /// Its paths in the folder.
+    pub(super) paths: Vec<PathBuf>,
+    /// True if it opens a folder to read the names in it.
+    pub(super) lists: bool,
+    pub(super) injected: bool,
+}
+
+impl Call {
+    /// Has `strace` do this at the call: `signal=KILL` before it, or `error=EIO` in its place.
+    pub(super) fn inject(&self, fault: &str) -> String {
+        format!("inject={}:{fault}:when={}", self.name, self.number)
+    }
+
+    pub(super) fn is_any_of(&self, names: &[&str]) -> bool {
+        names.contains(&self.name.as_str())
+    }
+}
+
+/// Runs a program under `strace`, with what is injected; the calls on files in this folder.
+pub(super) fn run(program: &Command, inject: Option<&str>, folder: &Path) -> (Output, Vec<Call>) {
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let mut strace = Command::new("strace");
+    strace.args(["-f", "-y", "-s", "0", "-e", TRACED]);
+    if !inject.is_some_and(|inject| inject.contains("signal")) {
+        // Stops at these calls alone; signals sent there do not arrive.
+        strace.arg("--seccomp-bpf");
+    }
+    strace.args(inject.into_iter().flat_map(|inject| ["-e", inject]));
+    strace.arg("-o").arg(log.path()).arg(program.get_program()).args(program.get_args());
+    for (name, value) in program.get_envs() {
+        strace.env(name, value.unwrap());
+    }
+    // Cargo's folders, in each of which every library is looked for.
+    let output = strace.env_remove("LD_LIBRARY_PATH").current_dir("/").output().unwrap();
+    (output, calls(&fs::read_to_string(log.path()).unwrap(), folder))
+}
+
+fn calls(log: &str, folder: &Path) -> Vec<Call> {
+    let (mut numbers, mut calls) = (BTreeMap::new(), Vec::<Call>::new());
+    // The index of each thread's last call, if it is one of them: other threads may come before its end.
+    let mut last = BTreeMap::new();
+    for line in log.lines() {
+        let (thread, call) = line.split_once(' ').unwrap();
+        let call = call.trim_start();
+        if let Some((name, rest)) = call.split_once('(').filter(|_| !call.starts_with('<')) {
+            let number = numbers.entry((thread, name)).or_insert(0);
+            *number += 1;
+            let parts = rest.split(['"', '<', '>']).map(PathBuf::from);
+            let paths: Vec<_> = parts.filter(|path| path.starts_with(folder)).collect();
+            last.remove(thread);
+            if !paths.is_empty() {
+                last.insert(thread, calls.len());
+                let (name, lists) = (name.to_owned(), rest.contains("O_DIRECTORY"));
+                calls.push(Call { name, number: *number, paths, lists, injected: false });
+            }
+        }
+        if let (true, Some(index)) = (call.ends_with("(INJECTED)"), last.get(thread)) {
+            calls[*index].injected = true;
+        }
+    }
+    calls
+}
+
+/// Whether processes can be traced here. Where they must be, as the environment says, it fails the test if not.
+pub(super) fn is_there() -> bool {
+    let tried =
+        Command::new("strace").args(["-f", "-o", "/dev/null", "-e", TRACED, "true"]).output();
+    let problem = match tried {
+        Ok(output) if output.status.success() => return true,
+        Ok(output) => String::from_utf8_lossy(&output.stderr).into_owned(),
+        Err(error) => format!("strace cannot be started: {error}"),
+    };
+    let required = std::env::var_os("PINHOLE_TEST_STRACE").is_some();
+    assert!(!required, "PINHOLE_TEST_STRACE asks for faults at file calls: {problem}");
+    println!("no faults are injected: {}", problem.trim_end());
+    false
+}
