@@ -29,8 +29,9 @@ pub fn write(
     batch.finish()
 }
 
-/// Several files that are written together: all of them as a whole, or none. Dropped before it is
-/// finished, it leaves nothing.
+/// Several files that are written together: each as a whole, and all of them or none. Dropped before it is
+/// finished, it leaves nothing. Killed, or without power, while the files get their names one after the other,
+/// the first ones are new and the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
     /// Files that are complete but for their names.

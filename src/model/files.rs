@@ -296,6 +296,11 @@ pub fn remember(recent: &mut Vec<PathBuf>, path: &Path) {
     recent.truncate(RECENT);
 }
 
+/// Returns true if a path can be remembered in a file: it is text.
+pub fn is_text(path: &Path) -> bool {
+    path.to_str().is_some()
+}
+
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

@@ -14,7 +14,7 @@ use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
-use super::files::{OpenDocument, Stamp, argument_of, title_of};
+use super::files::{OpenDocument, Stamp, argument_of, is_text, title_of};
 
 /// Maximum number of slots; windows beyond them write nothing aside.
 const SLOTS: usize = 64;
@@ -123,8 +123,7 @@ impl Unsaved {
         let mut document = open.document.clone();
         let source = Source {
             title: title_of(origin),
-            // Another name cannot be written; a scene without one can.
-            argument: argument_of(origin).filter(|path| path.to_str().is_some()),
+            argument: argument_of(origin).filter(|path| is_text(path)),
             stamp: open.stamp(),
             faults: Faults::take(&mut document),
         };

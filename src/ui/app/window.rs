@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::{Context, ViewportCommand};
 
 use super::scene::OpenScene;
-use crate::model::files::{argument_of, remember, title_of};
+use crate::model::files::{argument_of, is_text, remember, title_of};
 use crate::model::session::Settings;
 use crate::model::store::{Remembered, Store};
 use crate::model::window_geometry::WindowGeometry;
@@ -105,9 +105,11 @@ impl AppWindow {
             settings: settings_to_remember(scene),
             window: self.geometry,
             selection: argument.is_some().then(|| scene.session.selection.into()),
-            recent: self.recent.clone(),
+            recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             renderer: self.renderer.clone(),
-            last: argument.or_else(|| scene.lessons.scene_before.clone()),
+            last: argument
+                .or_else(|| scene.lessons.scene_before.clone())
+                .filter(|path| is_text(path)),
             lesson: scene.lessons.remembered(),
         };
         if let Err(error) = store.save(&remembered) {

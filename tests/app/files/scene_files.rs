@@ -166,6 +166,24 @@ fn settings_scene_and_ray_are_remembered() {
     assert_eq!(again.state().session().selection, window.state().session().selection);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_name_that_is_no_text_costs_no_settings() {
+    use std::os::unix::ffi::OsStrExt as _;
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(std::ffi::OsStr::from_bytes(b"\xff.toml"));
+    scene_file::save(&Document::default(), &path).unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let recent = vec![path.clone(), folder.path().join("other.toml")];
+    let remembered = Remembered { recent, settings: unfolded(), ..Remembered::default() };
+    let mut window = window_with(&path, remembered, Some(store.clone()));
+    command(&mut window, "shading normals");
+    window.state_mut().on_exit();
+    assert_eq!(store.load().settings, window.state().session().settings);
+    assert_eq!(store.load().recent, [folder.path().join("other.toml")]);
+}
+
 #[test]
 fn a_broken_store_is_no_reason_not_to_start() {
     let folder = tempfile::tempdir().unwrap();
