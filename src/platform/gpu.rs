@@ -1,16 +1,17 @@
 //! The window drawn by a graphics adapter. Only this file uses wgpu.
 
 use std::num::NonZeroU32;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use egui::ViewportId;
 use egui::epaint::textures::TexturesDelta;
 use egui_wgpu::{
-    RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
-    winit::Painter,
+    RendererOptions, SurfaceConfig, SurfaceErrorAction, WgpuConfiguration, WgpuError, WgpuSetup,
+    WgpuSetupCreateNew, winit::Painter,
 };
-use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
+use wgpu::{self, Adapter, AdapterInfo, Backend, CurrentSurfaceTexture, DeviceType};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
@@ -33,7 +34,14 @@ pub(super) struct Gpu {
     painter: Painter,
     size: [u32; 2],
     failure: Failure,
+    /// Set if the display took the surface away instead of a frame.
+    took_surface: Arc<AtomicBool>,
+    /// Number of consecutive frames for which it did.
+    retries: u32,
 }
+
+/// Number of consecutive frames that may find no surface, after which the adapter has failed.
+const PATIENCE: u32 = 5;
 
 /// The error that the driver reported, from any thread.
 type Failure = Arc<Mutex<Option<String>>>;
@@ -60,10 +68,20 @@ impl Gpu {
         let mut setup = WgpuSetupCreateNew::from_display_handle(event_loop.owned_display_handle());
         setup.native_adapter_selector =
             Some(Arc::new(move |adapters, surface| best(adapters, surface, software)));
+        let took_surface = Arc::new(AtomicBool::new(false));
+        let default = WgpuConfiguration::default();
+        let (notes, usual) = (Arc::clone(&took_surface), default.on_surface_status);
         let config = WgpuConfiguration {
             surface: SurfaceConfig::LOW_LATENCY,
             wgpu_setup: WgpuSetup::CreateNew(setup),
-            ..WgpuConfiguration::default()
+            on_surface_status: Arc::new(move |status| match status {
+                CurrentSurfaceTexture::Lost => {
+                    notes.store(true, Ordering::Relaxed);
+                    // egui would make another one, and tell nobody if there is none.
+                    SurfaceErrorAction::SkipFrame
+                }
+                status => usual(status),
+            }),
         };
         // Without dithering, the picture's pixels reach the screen unchanged.
         let options = RendererOptions { dithering: false, ..RendererOptions::default() };
@@ -74,7 +92,7 @@ impl Gpu {
         let failure = watch(&state.device);
         let description = describe(&state.adapter.get_info());
         let size = window.inner_size().into();
-        Ok((Self { painter, size, failure }, description))
+        Ok((Self { painter, size, failure, took_surface, retries: 0 }, description))
     }
 
     /// Uploads changed textures before painting would, so that the upload can be timed.
@@ -87,14 +105,9 @@ impl Gpu {
             }
         }
     }
-}
 
-impl Surface for Gpu {
-    fn max_texture_side(&self) -> Option<usize> {
-        self.painter.max_texture_side()
-    }
-
-    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+    /// Draws a frame and presents it, or asks for another one on a new surface.
+    fn try_paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);
             if let (Some(width), Some(height)) = (width, height) {
@@ -112,14 +125,44 @@ impl Surface for Gpu {
             frame.screenshots,
             frame.window,
         );
-        match self.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            Some(failure) => Err(failure),
-            None => {
-                let wait = Duration::try_from_secs_f32(waited).unwrap_or_default();
-                Ok(PaintTimes { upload, wait })
+        if self.took_surface.swap(false, Ordering::Relaxed) {
+            self.retries += 1;
+            if self.retries >= PATIENCE {
+                return Err("the display gives no surface".to_owned());
             }
+            let window = Arc::clone(frame.window);
+            let painter = &mut self.painter;
+            pollster::block_on(async {
+                painter.set_window(ViewportId::ROOT, None).await?;
+                painter.set_window(ViewportId::ROOT, Some(window)).await
+            })
+            .map_err(|error| error.to_string())?;
+            frame.window.request_redraw();
+        } else {
+            self.retries = 0;
         }
+        let wait = Duration::try_from_secs_f32(waited).unwrap_or_default();
+        Ok(PaintTimes { upload, wait })
     }
+}
+
+impl Surface for Gpu {
+    fn max_texture_side(&self) -> Option<usize> {
+        self.painter.max_texture_side()
+    }
+
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+        // On a lost device, egui's painter panics.
+        let painted = without_panic(|| self.try_paint(frame)).flatten();
+        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
+        failure.map_or(painted, Err).map_err(|reason| innermost(&reason))
+    }
+}
+
+/// Returns the last line of a message, which is the cause of the others.
+fn innermost(message: &str) -> String {
+    let last = message.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
+    last.trim().trim_end_matches('.').to_owned()
 }
 
 /// Returns the reason why there is no adapter, in words for the user.

@@ -5,7 +5,7 @@
 //! - a graphics adapter, through wgpu, if there is one that is hardware;
 //! - otherwise [`painter`](crate::view::painter), on the CPU: if there is no adapter, if the adapter fails to start, and
 //!   if it is itself software, because software drivers take many times as long for the same
-//!   picture.
+//!   picture. It also takes over the open window if the adapter fails later.
 //!
 //! Both use the same event loop (`window.rs`, `open.rs`), so everything else about the window is
 //! the same. Only `gpu.rs` uses wgpu.
@@ -28,4 +28,5 @@ mod repeats;
 pub mod signals;
 mod start;
 mod surface;
+mod textures;
 mod window;

@@ -13,20 +13,25 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::Window;
 
-use super::display::UserEvent;
+use super::cpu::Cpu;
+use super::display::{UserEvent, without_panic};
 use super::error::PresentError;
 use super::first_pass::FirstPass;
 use super::frame_log::{FrameLog, FrameTimes};
 use super::repeats;
 use super::start::{Drawn, pace};
 use super::surface::{Frame, PaintTimes, Surface};
+use super::textures::Textures;
+use crate::cli::arguments::Renderer;
 use crate::ui::app::{App, complain};
 
 /// The open window.
 ///
 /// The fields are dropped in this order: the window comes last.
 pub(super) struct Open {
-    surface: Box<dyn Surface>,
+    /// `None` only if the last one is lost.
+    surface: Option<Box<dyn Surface>>,
+    renderer: Renderer,
     app: App,
     log: Option<FrameLog>,
     state: egui_winit::State,
@@ -34,6 +39,8 @@ pub(super) struct Open {
     info: ViewportInfo,
     /// Changes of textures that no frame has uploaded yet.
     delta: TexturesDelta,
+    /// What the surface's textures hold.
+    textures: Textures,
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
     /// True if the next `RedrawRequested` was requested here.
@@ -90,6 +97,7 @@ impl Open {
             ctx,
             info,
             delta: first.textures_delta,
+            textures: Textures::default(),
             actions: Vec::new(),
             repaint_at: None,
             asked: false,
@@ -99,7 +107,8 @@ impl Open {
             began: Instant::now(),
             pace: pace(renderer, &window),
             looked: Instant::now(),
-            surface,
+            surface: Some(surface),
+            renderer,
             window,
         };
         open.apply(commands(first.viewport_output));
@@ -288,7 +297,9 @@ impl Open {
         if size.width == 0 || size.height == 0 {
             return Ok(());
         }
+        let Some(surface) = &mut self.surface else { return Ok(()) };
         let primitives = self.ctx.tessellate(shapes, pixels_per_point);
+        self.textures.note(&self.delta);
         let frame = Frame {
             window: &self.window,
             size: [size.width, size.height],
@@ -300,7 +311,10 @@ impl Open {
             exposed,
             is_timed: self.log.is_some(),
         };
-        let PaintTimes { upload, wait } = self.surface.paint(frame).map_err(PresentError::Lost)?;
+        let PaintTimes { upload, wait } = match surface.paint(frame) {
+            Ok(times) => times,
+            Err(reason) => return self.go_on_without(event_loop, reason),
+        };
         if self.shown.is_none() {
             self.shown = Some(Instant::now());
             self.window.set_visible(true);
@@ -317,6 +331,39 @@ impl Open {
             let times = FrameTimes { since_input, frame, ui, upload, paint, wait };
             log.push(times, self.app.work_presented());
         }
+        Ok(())
+    }
+
+    /// Has the CPU draw the window from now on, because the graphics driver failed.
+    fn go_on_without(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        reason: String,
+    ) -> Result<(), PresentError> {
+        // Whatever else fails now, unsaved changes are kept.
+        self.app.rest();
+        self.delta.clear();
+        let lost = self.surface.take();
+        if self.renderer == Renderer::Cpu {
+            return Err(PresentError::Lost(reason));
+        }
+        // First of all, because some displays let only one of both draw to a window. A driver may fail
+        // at that, too.
+        let _ = without_panic(|| drop(lost));
+        let cpu = Cpu::new(event_loop, &self.window)
+            .map_err(|error| PresentError::Lost(format!("{reason}; on the CPU: {error}")))?;
+        if let Some(side) = cpu.max_texture_side() {
+            self.state.set_max_texture_side(side);
+        }
+        self.surface = Some(Box::new(cpu));
+        self.renderer = Renderer::Cpu;
+        self.pace = pace(self.renderer, &self.window);
+        self.delta.append(self.textures.all(&self.ctx));
+        self.app.drawn_by(format!("{} (the graphics driver failed: {reason})", self.renderer));
+        let why = format!("The graphics driver failed: {reason}");
+        self.app.say("The window is drawn on the CPU now".to_owned(), vec![why]);
+        // The app's pass that shows it.
+        self.ctx.request_repaint();
         Ok(())
     }
 

@@ -20,9 +20,19 @@ impl<'a> Heard<'a> {
     pub(crate) fn open(screen: &'a Screen, arguments: &[&OsStr], state: &Path) -> Heard<'a> {
         let name = "every driver hidden, heard";
         let setting = Setting { name, arguments: &[], environment: NO_DRIVER, drawn_by: "cpu (" };
-        println!("real window, {name}: {arguments:?}");
+        Heard::open_as(&setting, screen, arguments, state)
+    }
+
+    /// Opens it in this way, and waits as well.
+    pub(crate) fn open_as(
+        setting: &Setting,
+        screen: &'a Screen,
+        arguments: &[&OsStr],
+        state: &Path,
+    ) -> Heard<'a> {
+        println!("real window, {}: {arguments:?}", setting.name);
         let reader = Reader::start(&screen.bus);
-        let heard = Heard { window: Window::open(screen, arguments, state, &setting), reader };
+        let heard = Heard { window: Window::open(screen, arguments, state, setting), reader };
         heard.wait("anything at all", |nodes| (nodes.len() > 10).then_some(()));
         heard
     }

@@ -12,6 +12,7 @@ mod dying;
 mod fields;
 mod hands;
 mod hearing;
+mod losing;
 mod memory;
 mod pen;
 mod pointing;
@@ -94,6 +95,12 @@ fn a_vote_is_given_and_told_by_a_key() {
 #[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
 fn unsaved_changes_are_offered_however_the_window_ended() {
     dying::in_every_way();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus, at-spi2-core, lavapipe, gcc and Vulkan's headers: .ci/run installs them"]
+fn the_window_goes_on_when_its_graphics_driver_fails() {
+    losing::device_and_surface();
 }
 
 #[test]

@@ -13,12 +13,12 @@ use pinhole_exchange::scenes::builtin;
 use crate::screen::{Running, Screen, signal, wait_for};
 
 /// One way to start the program.
-pub(crate) struct Setting {
-    pub(crate) name: &'static str,
-    pub(crate) arguments: &'static [&'static str],
-    pub(crate) environment: &'static [(&'static str, &'static str)],
+pub(crate) struct Setting<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) arguments: &'a [&'a str],
+    pub(crate) environment: &'a [(&'a str, &'a str)],
     /// What the program then says that drew it.
-    pub(crate) drawn_by: &'static str,
+    pub(crate) drawn_by: &'a str,
 }
 
 /// Folders without any driver in them.

@@ -142,8 +142,8 @@ pub struct Notice {
     pub notes: Vec<String>,
     /// True if it went well.
     pub worked: bool,
-    /// The camera after that; the notice is outdated once the camera has changed.
-    pub camera: Camera,
+    /// The camera after that, if it is about the camera; the notice is outdated once it has changed.
+    pub camera: Option<Camera>,
     /// Time in seconds at which this was first shown.
     pub shown_at: Option<f64>,
 }
@@ -157,7 +157,7 @@ const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the ca
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     let failed = |title: &str, note: String| {
         let (title, notes) = (title.to_owned(), vec![note]);
-        (None, Notice { title, notes, worked: false, camera: *at_hand, shown_at: None })
+        (None, Notice { title, notes, worked: false, camera: Some(*at_hand), shown_at: None })
     };
     if text.len() > limits::PASTE {
         let problem = format!("it is too large: at most {} MiB are read", limits::PASTE >> 20);
@@ -202,7 +202,7 @@ fn taken_over(
         let noun = if objects == 1 { "object is" } else { "objects are" };
         notes.push(format!("{objects} {noun} left out: a paste sets only the camera"));
     }
-    (Some(camera), Notice { title, notes, worked: true, camera, shown_at: None })
+    (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
 }
 
 /// Reads a scene file of this program, if the text is one.

@@ -178,15 +178,15 @@ impl App {
         }
         let dialog = self.take_theirs(ctx);
         if dialog.is_none() {
-            self.say(format!("{file} was changed by another program, and read again"));
+            let title = format!("{file} was changed by another program, and read again");
+            self.say(title, Vec::new());
         }
         dialog
     }
 
-    /// Says in passing what was done.
-    fn say(&mut self, title: String) {
-        let camera = self.scene.open.document.camera;
-        let notice = Notice { title, notes: Vec::new(), worked: true, camera, shown_at: None };
+    /// Says in passing what was done, with notes on it.
+    pub(crate) fn say(&mut self, title: String, notes: Vec<String>) {
+        let notice = Notice { title, notes, worked: true, camera: None, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
     }
 
@@ -274,7 +274,7 @@ impl App {
             FigureAction::Copy => {
                 let problem = screen.copy();
                 if problem.is_none() {
-                    self.say("The figure is on the clipboard".to_owned());
+                    self.say("The figure is on the clipboard".to_owned(), Vec::new());
                 }
                 problem
             }

@@ -23,11 +23,12 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     })
 }
 
-/// Tells what was done last that nobody sees else, until the camera is another one.
+/// Tells what was done last that nobody sees else; of a camera, until it is another one.
 pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
     let notice = &mut scene.session.translator.notice;
     let was_there = notice.is_some();
-    if notice.as_ref().is_some_and(|said| said.camera != scene.open.document.camera) {
+    let camera = notice.as_ref().and_then(|said| said.camera);
+    if camera.is_some_and(|camera| camera != scene.open.document.camera) {
         *notice = None;
     }
     translator::notice(ctx, notice);

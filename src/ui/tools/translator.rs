@@ -257,7 +257,7 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// Shows the notice over the window's lower edge, until the camera changes or the user closes it.
+/// Shows the notice over the window's lower edge, until it was read or the user closes it.
 pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
     let Some(shown) = notice else { return };
     let now = ctx.input(|i| i.time);
