@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use egui_winit::accesskit_winit;
+use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
 use super::error::PresentError;
@@ -63,6 +64,15 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     let result = catch_unwind(AssertUnwindSafe(run));
     std::panic::set_hook(hook);
     result.map_err(|panic| text_of(&*panic))
+}
+
+/// Returns the reason why the event loop ended without being asked to, in words for the user.
+pub(super) fn reason_of_end(error: &EventLoopError) -> String {
+    match error {
+        // winit says nothing more about a connection that has failed.
+        EventLoopError::ExitFailure(_) => "the connection to the display was lost".to_owned(),
+        error => cause(error),
+    }
 }
 
 /// Returns the error without winit's file and line: `os error at FILE.rs:LINE: TEXT`.

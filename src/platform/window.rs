@@ -11,7 +11,7 @@ use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::WindowId;
 
-use super::display::{UserEvent, event_loop};
+use super::display::{UserEvent, event_loop, reason_of_end};
 use super::error::PresentError;
 use super::first_pass::FirstPass;
 use super::frame_log::FrameLog;
@@ -49,7 +49,7 @@ pub(super) fn run(
         open: None,
         failure: None,
     };
-    let ended = caught(|| event_loop.run_app(&mut handler).map_err(|error| error.to_string()));
+    let ended = caught(|| event_loop.run_app(&mut handler).map_err(|error| reason_of_end(&error)));
     handler.finish();
     match handler.failure {
         Some(failure) => Err(failure),

@@ -1,7 +1,9 @@
 //! Every way in which a window ends without being asked: its unsaved changes are offered at the next start.
 
+use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt as _;
 use std::path::Path;
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -13,9 +15,10 @@ use pinhole::ui::app::App;
 use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::SceneSource;
 
-use crate::screen::{Screen, wait_for};
+use crate::reader::{BUTTON, Node, Reader};
+use crate::screen::{Running, Screen, signal, wait_for, wait_or_say};
 use crate::whole_window;
-use crate::window::{NO_DRIVER, Setting, Window, built_in};
+use crate::window::{NO_DRIVER, Setting, Window, binary, built_in};
 
 /// No way of dying may cost more work than that of this time.
 const MOST: Duration = Duration::from_secs(5);
@@ -88,6 +91,63 @@ fn die(screen: &Screen, way: Way) {
     next.run();
     let restored = next.state().document();
     assert_eq!(restored.spheres.len(), document.spheres.len() + 1);
+}
+
+pub(crate) fn with_its_compositor() {
+    println!("real window, Wayland's compositor gone");
+    let folder = tempfile::tempdir().unwrap();
+    let compositor = Command::new("weston")
+        .args([
+            "--backend=headless-backend.so",
+            "--socket=wl-test",
+            "--width=1400",
+            "--height=1000",
+        ])
+        .env("XDG_RUNTIME_DIR", folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .map(Running)
+        .expect("weston is installed: .ci/run does it");
+    wait_for("the compositor", || folder.path().join("wl-test").exists().then_some(()));
+    // What tells readers of programs itself needs an X display.
+    let screen = Screen::start();
+    let reader = Reader::start(&screen.bus);
+    let scene = built_in(folder.path(), "look-at");
+    let said = folder.path().join("said");
+    let mut program = Command::new(binary())
+        .arg(&scene)
+        .envs(NO_DRIVER.iter().copied())
+        .env("XDG_RUNTIME_DIR", folder.path())
+        .env("WAYLAND_DISPLAY", "wl-test")
+        .env_remove("DISPLAY")
+        .env("DBUS_SESSION_BUS_ADDRESS", &screen.bus.address)
+        .env("XDG_STATE_HOME", folder.path())
+        .stderr(File::create(&said).unwrap())
+        .spawn()
+        .map(Running)
+        .unwrap();
+    let press = || {
+        let nodes = reader.nodes()?;
+        let is_it = |node: &&Node| node.role == BUTTON && node.name == "Canonical camera";
+        reader.press(nodes.iter().find(is_it)?)
+    };
+    wait_or_say("a button, pressed", press, || format!("in {:#?}", reader.nodes()));
+    wait_for("the change", || {
+        reader.nodes()?.iter().any(|node| node.name == "scene.toml*").then_some(())
+    });
+    signal(&compositor, "KILL");
+    let status = wait_for("the program to end", || program.0.try_wait().unwrap());
+    let said = fs::read_to_string(said).unwrap();
+    assert_eq!(status.code(), Some(1), "{said}");
+    let reason =
+        "error: the window can no longer be drawn: the connection to the display was lost;";
+    assert!(said.contains(reason) && !said.contains("fault"), "{said}");
+    let mut next = next_start(folder.path(), &scene);
+    next.get_by_label("Restore").click();
+    next.run();
+    let before = scene_file::load(&scene).unwrap();
+    assert!(next.state().document().camera != before.camera);
 }
 
 /// The next window, in memory.

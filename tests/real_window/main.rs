@@ -98,6 +98,12 @@ fn unsaved_changes_are_offered_however_the_window_ended() {
 }
 
 #[test]
+#[ignore = "needs weston, dbus and at-spi2-core: .ci/run installs them"]
+fn unsaved_changes_are_offered_when_the_wayland_compositor_is_gone() {
+    dying::with_its_compositor();
+}
+
+#[test]
 #[ignore = "needs Xvfb, openbox, xdotool, dbus, at-spi2-core, lavapipe, gcc and Vulkan's headers: .ci/run installs them"]
 fn the_window_goes_on_when_its_graphics_driver_fails() {
     losing::device_and_surface();

@@ -103,6 +103,12 @@ impl Reader {
         Some(Rect::from_min_size(pos2(x, y), vec2(width, height)))
     }
 
+    /// Presses it, where there is neither a mouse nor a key.
+    pub(crate) fn press(&self, node: &Node) -> Option<()> {
+        let press = call(&self.bus, &node.address, "org.a11y.atspi.Action", "DoAction", &0_i32);
+        block_on(press).ok().filter(|was_done| *was_done).map(|_: bool| ())
+    }
+
     /// The number that it stands at.
     pub(crate) fn number(&self, node: &Node) -> Option<f64> {
         let properties = "org.freedesktop.DBus.Properties";
