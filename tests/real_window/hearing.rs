@@ -81,6 +81,14 @@ impl<'a> Heard<'a> {
         self.window.screen.press("click", "1");
     }
 
+    /// Has something do what a click on it does, once it is there, however slow the window is.
+    #[track_caller]
+    pub(crate) fn press(&self, name: &str) {
+        self.wait(name, |nodes| {
+            nodes.iter().filter(|node| node.name == name).find_map(|node| self.reader.press(node))
+        });
+    }
+
     /// Presses a key, as xdotool calls it; what follows is to be waited for.
     pub(crate) fn key(&self, key: &str) {
         self.window.screen.press("key", key);

@@ -12,8 +12,8 @@ use pinhole_exchange::scene_file;
 use tempfile::TempDir;
 
 use crate::hearing::{Heard, says};
-use crate::screen::{Dots, Screen, wait_for};
-use crate::window::{Setting, Window, built_in};
+use crate::screen::{Dots, Screen, wait_for, wait_or_say};
+use crate::window::{Setting, built_in};
 
 /// A layer over the driver that has it fail on demand.
 struct FailingDriver(TempDir);
@@ -55,11 +55,12 @@ const LAYER: &str = "VK_LAYER_TEST_failing_driver";
 /// Where the mouse points at nothing, and a little beside.
 const NOWHERE: [egui::Pos2; 2] = [pos2(200.0, 700.0), pos2(210.0, 700.0)];
 
-fn add_sphere(window: &Window) {
-    window.key("ctrl+p");
-    window.write("add sphere");
-    window.key("Return");
-    window.point_at(NOWHERE[0]);
+/// Opens the window with its list of objects, and points at nothing.
+fn open<'a>(setting: &Setting, screen: &'a Screen, scene: &Path, state: &Path) -> Heard<'a> {
+    let heard = Heard::open_as(setting, screen, &[scene.as_os_str()], state);
+    heard.press("Objects");
+    heard.window.point_at(NOWHERE[0]);
+    heard
 }
 
 /// The screen as soon as it stays as it is.
@@ -69,6 +70,15 @@ fn settled(screen: &Screen) -> Dots {
         sleep(Duration::from_secs(2));
         (before == screen.dots()).then_some(before)
     })
+}
+
+/// Where two pictures of the screen differ.
+fn difference(a: &Dots, b: &Dots) -> String {
+    let rows: Vec<usize> = (0..a.len()).filter(|&y| a[y] != b[y]).collect();
+    let columns: Vec<usize> =
+        (0..a[0].len()).filter(|&x| rows.iter().any(|&y| a[y][x] != b[y][x])).collect();
+    let ends = |all: &[usize]| (all.first().copied(), all.last().copied());
+    format!("differs in rows {:?}, columns {:?}", ends(&rows), ends(&columns))
 }
 
 /// The screen after one edit and after another, if the CPU has drawn it all the time.
@@ -82,9 +92,9 @@ fn as_by_cpu() -> [Dots; 2] {
         environment: &[],
         drawn_by: "cpu (",
     };
-    let mut heard = Heard::open_as(&setting, &screen, &[scene.as_os_str()], folder.path());
+    let mut heard = open(&setting, &screen, &scene, folder.path());
     let pictures = [(); 2].map(|()| {
-        add_sphere(&heard.window);
+        heard.press("+ Sphere");
         settled(&screen)
     });
     assert!(pictures[0] != pictures[1]);
@@ -119,8 +129,8 @@ fn lose(what: &str, expected: &[Dots; 2]) {
         ],
         drawn_by: "cpu (the graphics driver failed: ",
     };
-    let mut heard = Heard::open_as(&setting, &screen, &[scene.as_os_str()], folder.path());
-    add_sphere(&heard.window);
+    let mut heard = open(&setting, &screen, &scene, folder.path());
+    heard.press("+ Sphere");
     settled(&screen);
 
     fs::write(&demand, "").unwrap();
@@ -132,9 +142,10 @@ fn lose(what: &str, expected: &[Dots; 2]) {
         (told && says(nodes, "The window is drawn on the CPU now")).then_some(())
     });
     let is_as_expected = |k: usize| (screen.dots() == expected[k]).then_some(());
-    wait_for("the picture that the CPU draws", || is_as_expected(0));
-    add_sphere(&heard.window);
-    wait_for("the picture of a change", || is_as_expected(1));
+    let differing = |k: usize| difference(&screen.dots(), &expected[k]);
+    wait_or_say("the picture that the CPU draws", || is_as_expected(0), || differing(0));
+    heard.press("+ Sphere");
+    wait_or_say("the picture of a change", || is_as_expected(1), || differing(1));
 
     let spheres_saved = |count: usize| {
         heard.window.key("ctrl+s");
