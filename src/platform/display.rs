@@ -9,6 +9,7 @@ use winit::event_loop::EventLoop;
 
 use super::error::PresentError;
 use crate::model::panics::text_of;
+use crate::ui::dialogs::path_field::FileAnswer;
 
 /// An event, apart from the window's own events, that wakes the event loop.
 #[derive(Debug)]
@@ -21,6 +22,10 @@ pub(super) enum UserEvent {
     },
     /// A signal that ends the program.
     End,
+    /// The desktop has a file dialog.
+    FileDialog,
+    /// The answer of the desktop's file dialog with this number.
+    File(u64, FileAnswer),
     /// A request of a screen reader or a similar tool.
     Accessibility(accesskit_winit::Event),
 }

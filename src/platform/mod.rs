@@ -18,6 +18,7 @@
 mod cpu;
 mod display;
 mod error;
+mod file_dialog;
 mod first_pass;
 mod frame_log;
 #[cfg(feature = "wgpu")]

@@ -16,6 +16,7 @@ use winit::window::Window;
 use super::cpu::Cpu;
 use super::display::{UserEvent, without_panic};
 use super::error::PresentError;
+use super::file_dialog::{self, Asked};
 use super::first_pass::FirstPass;
 use super::frame_log::{FrameLog, FrameTimes};
 use super::repeats;
@@ -24,6 +25,7 @@ use super::surface::{Frame, PaintTimes, Surface};
 use super::textures::Textures;
 use crate::cli::arguments::Renderer;
 use crate::ui::app::{App, complain};
+use crate::ui::dialogs::path_field::FileAnswer;
 
 /// The open window.
 ///
@@ -55,6 +57,10 @@ pub(super) struct Open {
     pace: Duration,
     /// Time of the last look at the scene's file.
     looked: Instant,
+    proxy: EventLoopProxy<UserEvent>,
+    /// The desktop's file dialog that is open, and the number of those opened so far.
+    file_dialog: Option<Asked>,
+    file_dialogs: u64,
     window: Arc<Window>,
 }
 
@@ -79,7 +85,9 @@ impl Open {
             event_loop.system_theme(),
             surface.max_texture_side(),
         );
-        state.init_accesskit(event_loop, &window, proxy);
+        state.init_accesskit(event_loop, &window, proxy.clone());
+        let teller = proxy.clone();
+        file_dialog::look(move || drop(teller.send_event(UserEvent::FileDialog)));
         let (mut app, first) = first_pass.end();
         let mut info = ViewportInfo::default();
         egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
@@ -107,6 +115,9 @@ impl Open {
             began: Instant::now(),
             pace: pace(renderer, &window),
             looked: Instant::now(),
+            proxy,
+            file_dialog: None,
+            file_dialogs: 0,
             surface: Some(surface),
             renderer,
             window,
@@ -237,6 +248,7 @@ impl Open {
         input.viewports.insert(ViewportId::ROOT, self.info.clone());
         let zoom = self.ctx.zoom_factor();
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
+        self.ask_for_file();
         self.keep_pointer(zoom);
         self.info.events.clear();
         let ui_done = began.elapsed();
@@ -252,6 +264,33 @@ impl Open {
         self.paint(event_loop, output, began, ui_done, exposed)?;
         self.apply(commands);
         Ok(false)
+    }
+
+    /// Has the desktop's dialog ask for files.
+    pub(super) fn use_desktop_dialog(&mut self) {
+        self.app.use_desktop_dialog();
+    }
+
+    /// Opens the desktop's dialog where the app wants it, and closes it where it does so no more.
+    fn ask_for_file(&mut self) {
+        let Some(request) = self.app.file_request() else {
+            self.file_dialog = None;
+            return;
+        };
+        if self.file_dialog.is_none() {
+            self.file_dialogs += 1;
+            let (number, proxy) = (self.file_dialogs, self.proxy.clone());
+            let tell = move |answer| drop(proxy.send_event(UserEvent::File(number, answer)));
+            self.file_dialog = Some(file_dialog::ask(request, &self.window, tell));
+        }
+    }
+
+    /// Passes on the answer of the desktop's dialog with this number, if it is still waited for.
+    pub(super) fn answer_file(&mut self, number: u64, answer: FileAnswer) {
+        if number == self.file_dialogs && self.file_dialog.take().is_some() {
+            self.app.answer_file(answer);
+            self.repaint_by(Instant::now());
+        }
     }
 
     /// Keeps the pointer where it is on the screen after a change of the zoom: egui stores its

@@ -157,6 +157,14 @@ impl ApplicationHandler<UserEvent> for Handler {
                 open.wake(when, pass);
                 Ok(false)
             }
+            UserEvent::FileDialog => {
+                open.use_desktop_dialog();
+                Ok(false)
+            }
+            UserEvent::File(number, answer) => {
+                open.answer_file(number, answer);
+                Ok(false)
+            }
             UserEvent::Accessibility(event) => open.accessibility(event_loop, event.window_event),
         });
     }

@@ -16,6 +16,7 @@ mod losing;
 mod memory;
 mod pen;
 mod pointing;
+mod portal;
 mod reader;
 mod repeats;
 mod reveal;
@@ -113,4 +114,22 @@ fn the_window_goes_on_when_its_graphics_driver_fails() {
 #[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
 fn a_held_key_that_does_nothing_costs_no_frame() {
     repeats::cost_no_frame();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn the_desktops_file_dialog_opens_saves_and_exports() {
+    portal::opens_saves_and_exports();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn the_desktops_file_dialog_is_open_once_and_may_be_closed() {
+    portal::is_open_once_and_may_be_closed();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn without_the_desktops_file_dialog_the_window_asks_by_its_own() {
+    portal::is_missing_or_does_not_work();
 }

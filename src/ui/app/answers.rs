@@ -12,10 +12,19 @@ use super::scene::OpenScene;
 use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, Leave};
-use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
+use crate::ui::dialogs::dialog::{Dialog, Message};
+use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 
 /// Maximum size of a file that is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;
+
+const ANSWERS: FileQuestion = FileQuestion {
+    title: "Check a student's answers",
+    verb: "Check",
+    endings: &["csv", "png"],
+    hint: "path of a .csv or .png file of answers",
+    writes: None,
+};
 
 /// Returns the action for a file that is dropped on the window: its first bytes tell.
 pub(super) fn dropped(path: PathBuf) -> Action {
@@ -38,9 +47,7 @@ pub(super) fn apply(scene: &mut OpenScene, action: AnswersAction) -> Option<Dial
         AnswersAction::Ask => {
             // Near the last one, or the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let hint = "path of a .csv or .png file of answers";
-            let field = PathField::new(last.or(scene.open.file()), "", &["csv", "png"], hint);
-            return Some(Dialog::Answers(field));
+            return Some(Dialog::Answers(PathField::new(ANSWERS, last.or(scene.open.file()), "")));
         }
         AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),
         AnswersAction::PutAway => {

@@ -18,7 +18,8 @@ use crate::ui::action::{
     LessonAction, PlayAction,
 };
 use crate::ui::changed::Changed;
-use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
+use crate::ui::dialogs::dialog::{Dialog, Message};
+use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::view::derive::Deriver;
 
 /// Names of the history's steps that put the camera where the ghost is, and that set it from the
@@ -29,8 +30,15 @@ const PASTE: &str = "paste a camera";
 /// Name of the step that takes over what another program has written into the scene's file.
 const RELOAD: &str = "reload the file";
 
-/// Hint in the field of a scene's path.
-const SCENE: &str = "path of a .toml scene";
+const OPEN: FileQuestion = FileQuestion {
+    title: "Open a scene",
+    verb: "Open",
+    endings: &["toml"],
+    hint: "path of a .toml scene",
+    writes: None,
+};
+const SAVE_AS: FileQuestion =
+    FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
 
 impl App {
     /// Does it, or asks what stands in its way; what it may have changed.
@@ -40,8 +48,8 @@ impl App {
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
         self.playback.end(ctx, action.play_end(), &mut self.scene, &mut self.history);
         let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
-        if dialog.is_some() {
-            self.over.dialog = dialog;
+        if let Some(dialog) = dialog {
+            self.over.open(dialog);
         }
         ctx.request_repaint();
         changes
@@ -135,7 +143,7 @@ impl App {
     fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
         match action {
             FileAction::AskOpen => {
-                Some(Dialog::Open(PathField::new(self.scene.open.file(), "", &["toml"], SCENE)))
+                Some(Dialog::Open(PathField::new(OPEN, self.scene.open.file(), "")))
             }
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
@@ -225,7 +233,7 @@ impl App {
 
     fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
         let open = &self.scene.open;
-        let field = PathField::new(open.file(), &open.file_name(), &["toml"], SCENE);
+        let field = PathField::new(SAVE_AS, open.file(), &open.file_name());
         Dialog::SaveAs { field, then }
     }
 

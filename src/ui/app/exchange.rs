@@ -7,7 +7,8 @@ use super::scene::OpenScene;
 use crate::model::files::{files_of, save_written};
 use crate::model::translator::with;
 use crate::ui::changed::Changed;
-use crate::ui::dialogs::dialog::{Dialog, PathField};
+use crate::ui::dialogs::dialog::Dialog;
+use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::tools::translator;
 
 /// A text that was pasted while nothing is typed into.
@@ -51,8 +52,14 @@ pub(super) fn ask_where_to_save(scene: &OpenScene) -> Option<Dialog> {
         // A folder has no ending.
         _ => (target.name(), ""),
     };
-    let field = PathField::new(scene.open.file(), name, &[], "path of the file");
-    Some(Dialog::Translate { field, ending })
+    let question = FileQuestion {
+        title: "Save the camera for another program",
+        verb: "Save",
+        endings: &[],
+        hint: "path of the file",
+        writes: Some(ending),
+    };
+    Some(Dialog::Translate(PathField::new(question, scene.open.file(), name)))
 }
 
 /// Writes the translator's text, or its files into a folder; what there is to tell if that fails.

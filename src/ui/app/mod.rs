@@ -43,6 +43,7 @@ use crate::model::store::{Remembered, Store};
 use crate::ui::action::{Action, FileAction};
 use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::Dialog;
+use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 use crate::ui::frame_times::{FrameWork, WorkTimes};
 use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
@@ -193,6 +194,22 @@ impl App {
         let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
         self.waiting.extend(is_news.then(|| FileAction::Look.into()));
         is_news
+    }
+
+    /// Has the desktop's dialog ask for files from now on: whoever says so looks at
+    /// [`file_request`](App::file_request) after each frame.
+    pub fn use_desktop_dialog(&mut self) {
+        self.over.has_desktop = true;
+    }
+
+    /// The question that the desktop's dialog is to ask; `None` closes it.
+    pub fn file_request(&mut self) -> Option<&FileRequest> {
+        self.over.dialog.as_mut()?.field()?.request()
+    }
+
+    /// Takes the answer of the desktop's dialog. The next frame carries it out.
+    pub fn answer_file(&mut self, answer: FileAnswer) {
+        self.over.answer(answer);
     }
 
     /// Takes note that there may be no frame for a long time.

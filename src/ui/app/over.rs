@@ -10,6 +10,7 @@ use crate::ui::action::{Action, Available, Leave, ObjectAction, Overlay};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::dialog::{self, Dialog};
 use crate::ui::dialogs::palette::{self, Palette};
+use crate::ui::dialogs::path_field::FileAnswer;
 use crate::ui::dialogs::{help, key_list};
 use crate::view::typesetting::theme;
 
@@ -20,6 +21,8 @@ const LISTED_OBJECTS: usize = 200;
 #[derive(Default)]
 pub(super) struct Over {
     pub(super) dialog: Option<Dialog>,
+    /// True if the desktop has a dialog for files.
+    pub(super) has_desktop: bool,
     palette: Option<Palette>,
     shows_keys: bool,
     /// The focus was moved by the keyboard, and is shown by a ring.
@@ -30,6 +33,20 @@ impl Over {
     /// Returns true if something lies over the window, which takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
+    }
+
+    /// Opens a dialog. Where it asks for a file, the desktop's dialog does, if there is one.
+    pub(super) fn open(&mut self, mut dialog: Dialog) {
+        if self.has_desktop {
+            dialog.leave_to_desktop();
+        }
+        self.dialog = Some(dialog);
+    }
+
+    /// Takes the answer of the desktop's dialog. One that does not work is not tried again.
+    pub(super) fn answer(&mut self, answer: FileAnswer) {
+        self.has_desktop &= answer != FileAnswer::Unavailable;
+        dialog::answer(&mut self.dialog, answer);
     }
 
     /// Opens the box.

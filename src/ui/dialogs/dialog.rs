@@ -3,13 +3,12 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Context, Id, Modal, ProgressBar, Ui};
 use pinhole_exchange::scenes::SceneSource;
 
 use super::export::ExportForm;
+use super::path_field::{FileAnswer, PathField};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
-use crate::ui::widgets::spoken::Spoken as _;
-use crate::view::typesetting::theme::error_color;
 
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,9 +19,8 @@ pub(crate) enum Dialog {
     Answers(PathField),
     /// Asks for a file to save to.
     SaveAs { field: PathField, then: Option<Leave> },
-    /// Asks for a file to write the camera to, in another program's format; `ending` is empty for a
-    /// folder.
-    Translate { field: PathField, ending: &'static str },
+    /// Asks for a file or a folder to write the camera to, in another program's format.
+    Translate(PathField),
     /// Asks for a figure and a file to write it to.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
@@ -58,143 +56,46 @@ impl Dialog {
     pub(crate) fn message(title: &str, text: impl ToString) -> Dialog {
         Dialog::Message(Message::new(title, text))
     }
-}
 
-/// A field for a path, typed or chosen from a list.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct PathField {
-    /// The typed text.
-    pub(crate) text: String,
-    /// The extensions of the listed files, and the hint in the empty field.
-    endings: &'static [&'static str],
-    hint: &'static str,
-    /// The listed folder and its entries.
-    folder: PathBuf,
-    entries: Vec<Entry>,
-    /// The path of an existing file that may be overwritten.
-    overwrite: Option<PathBuf>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Entry {
-    name: String,
-    path: PathBuf,
-    is_folder: bool,
-}
-
-impl PathField {
-    /// Creates the field for a file with one of these extensions; starts in the folder of `path`, with
-    /// `name` filled in.
-    pub(crate) fn new(
-        path: Option<&Path>,
-        name: &str,
-        endings: &'static [&'static str],
-        hint: &'static str,
-    ) -> PathField {
-        let folder = path
-            .and_then(Path::parent)
-            .filter(|folder| !folder.as_os_str().is_empty())
-            .map(Path::to_owned)
-            .or_else(|| std::env::current_dir().ok())
-            .unwrap_or_default();
-        let text = match name {
-            "" => String::new(),
-            name => folder.join(name).display().to_string(),
-        };
-        let mut field = PathField {
-            text,
-            endings,
-            hint,
-            folder: PathBuf::new(),
-            entries: Vec::new(),
-            overwrite: None,
-        };
-        field.list(folder);
-        field
+    /// Leaves the question for a file, if it is one, to the desktop's dialog. A figure is described first.
+    pub(crate) fn leave_to_desktop(&mut self) {
+        let at_once = !matches!(self, Dialog::Export(_));
+        if let Some(field) = self.field() {
+            field.leave_to_desktop(at_once);
+        }
     }
 
-    fn list(&mut self, folder: PathBuf) {
-        let mut entries: Vec<Entry> = (std::fs::read_dir(&folder).into_iter().flatten().flatten())
-            .filter_map(|entry| {
-                let path = entry.path();
-                let name = entry.file_name().to_string_lossy().into_owned();
-                let is_folder = path.is_dir();
-                let ending = path.extension().and_then(|ending| ending.to_str());
-                let is_one = ending.is_some_and(|ending| self.endings.contains(&ending));
-                (!name.starts_with('.') && (is_folder || is_one)).then_some(Entry {
-                    name,
-                    path,
-                    is_folder,
-                })
-            })
-            .collect();
-        entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
-        self.entries = entries;
-        self.folder = folder;
-    }
-
-    /// Shows the field and the folder. Returns a path once one is chosen that is no folder.
-    fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
-        let mut chosen = None;
-        let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
-        let response = ui.add(field.desired_width(f32::INFINITY)).named("path");
-        if response.changed() {
-            self.overwrite = None;
+    /// Returns the field for a path, if there is one.
+    pub(crate) fn field(&mut self) -> Option<&mut PathField> {
+        match self {
+            Dialog::Open(field)
+            | Dialog::Answers(field)
+            | Dialog::SaveAs { field, .. }
+            | Dialog::Translate(field) => Some(field),
+            Dialog::Export(form) => Some(form.field()),
+            Dialog::Progress { .. }
+            | Dialog::Unsaved { .. }
+            | Dialog::Found { .. }
+            | Dialog::Theirs { .. }
+            | Dialog::Message(_) => None,
         }
-        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
-        if !entered && ui.memory(|memory| memory.focused().is_none()) {
-            response.request_focus();
-        }
-        ui.horizontal_wrapped(|ui| {
-            if let Some(parent) = self.folder.parent().map(Path::to_owned)
-                && ui.button("Up").on_hover_text("The folder above").clicked()
-            {
-                self.list(parent);
-            }
-            ui.weak(self.folder.display().to_string());
-        });
-        let mut enter = None;
-        let list = ScrollArea::vertical().auto_shrink([false, false]);
-        let height = list_height(ui.ctx());
-        list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
-            for entry in &self.entries {
-                let name =
-                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
-                let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
-                // A double click is also reported as a click.
-                if row.clicked() && entry.is_folder {
-                    enter = Some(entry.path.clone());
-                } else if row.double_clicked() {
-                    chosen = Some(entry.path.clone());
-                } else if row.clicked() {
-                    self.text = entry.path.display().to_string();
-                }
-            }
-        });
-        if let Some(folder) = enter {
-            self.list(folder);
-        }
-        let typed = self.text.trim();
-        let buttons = ui.horizontal(|ui| {
-            let ready = ui.add_enabled(!typed.is_empty(), egui::Button::new(verb)).clicked();
-            *cancel |= ui.button("Cancel").clicked();
-            ready
-        });
-        let ready = buttons.inner || entered;
-        if ready && !typed.is_empty() {
-            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
-        }
-        if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
-            self.list(folder);
-        }
-        chosen
     }
 }
 
-/// Height of the list of files: as high as it needs to be, less where the window is low. Never what an
-/// area has left over, which is known only after some frames.
-fn list_height(ctx: &Context) -> f32 {
-    (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
+/// Gives an open question for a file the answer of the desktop's dialog, and closes what it ends.
+pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
+    let is_figure = matches!(dialog, Some(Dialog::Export(_)));
+    let Some(field) = dialog.as_mut().and_then(Dialog::field) else { return };
+    match answer {
+        FileAnswer::Chosen(path) => field.choose(path),
+        FileAnswer::Cancelled if is_figure => field.close_desktop(),
+        FileAnswer::Cancelled => *dialog = None,
+        FileAnswer::Unavailable => field.ask_by_list(),
+        FileAnswer::Elsewhere(uri) => {
+            let problem = format!("{uri} is in no folder of this computer. Choose one that is.");
+            *dialog = Some(Dialog::message("This place cannot be reached", problem));
+        }
+    }
 }
 
 /// Shows the dialog, if one is open, and closes it when it is answered.
@@ -208,23 +109,19 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         ui.set_width(460.0);
         let answer = match open {
             Dialog::Open(field) => {
-                ui.heading("Open a scene");
-                let path = field.ui(ui, "Open", &mut close);
+                let path = file_ui(ui, field, &mut close);
                 path.map(|path| Leave::Open(SceneSource::File(path)).into())
             }
             Dialog::Answers(field) => {
-                ui.heading("Check a student's answers");
-                let path = field.ui(ui, "Check", &mut close);
+                let path = file_ui(ui, field, &mut close);
                 path.map(|path| AnswersAction::Check(path).into())
             }
             Dialog::SaveAs { field, then } => {
-                ui.heading("Save the scene as");
-                let path = save_ui(ui, field, "Save", "toml", &mut close);
+                let path = file_ui(ui, field, &mut close);
                 path.map(|path| FileAction::SaveAs { path, then: then.take() }.into())
             }
-            Dialog::Translate { field, ending } => {
-                ui.heading("Save the camera for another program");
-                let path = save_ui(ui, field, "Save", ending, &mut close);
+            Dialog::Translate(field) => {
+                let path = file_ui(ui, field, &mut close);
                 path.map(|path| ExchangeAction::Save(path).into())
             }
             Dialog::Export(form) => form.ui(ui, &mut close),
@@ -262,30 +159,9 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     }
 }
 
-/// Shows the field. Returns a path once it is chosen; an existing file must be chosen twice.
-pub(crate) fn save_ui(
-    ui: &mut Ui,
-    field: &mut PathField,
-    verb: &str,
-    ending: &str,
-    cancel: &mut bool,
-) -> Option<PathBuf> {
-    let mut chosen = None;
-    if let Some(mut path) = field.ui(ui, verb, cancel) {
-        if path.extension().is_none() {
-            path.set_extension(ending);
-        }
-        if path.exists() && field.overwrite.as_ref() != Some(&path) {
-            field.overwrite = Some(path);
-        } else {
-            chosen = Some(path);
-        }
-    }
-    if let Some(path) = &field.overwrite {
-        let text = format!("{} exists. {verb} once more to replace it.", path.display());
-        ui.label(RichText::new(text).color(error_color(ui)));
-    }
-    chosen
+fn file_ui(ui: &mut Ui, field: &mut PathField, close: &mut bool) -> Option<PathBuf> {
+    ui.heading(field.question.title);
+    field.ui(ui, close)
 }
 
 fn found_ui(

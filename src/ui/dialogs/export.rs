@@ -8,7 +8,7 @@ use crate::figures::{Content, Frames, Order, Reel, Subject};
 use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
-use crate::ui::dialogs::dialog::{PathField, save_ui};
+use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
@@ -50,15 +50,21 @@ pub(crate) struct ExportForm {
     problem: Option<String>,
 }
 
-/// The extensions of figure files.
-const ENDINGS: [&str; 6] = ["svg", "pdf", "png", "gif", "tex", "md"];
+const FIGURE: FileQuestion = FileQuestion {
+    title: "Export a figure",
+    verb: "Export",
+    endings: &["svg", "pdf", "png", "gif", "tex", "md"],
+    hint: "path of an .svg, .pdf or .png file",
+    writes: Some("svg"),
+};
+const ANIMATION: FileQuestion =
+    FileQuestion { title: "Export the animation", writes: Some("png"), ..FIGURE };
 
 impl ExportForm {
     /// Creates the form with a path near the scene's file. The first subject is chosen.
     pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
-        let hint = "path of an .svg, .pdf or .png file";
         let name = subjects.first().map_or("figure", |first| first.subject.name());
-        let field = PathField::new(scene, &format!("{name}.svg"), &ENDINGS, hint);
+        let field = PathField::new(FIGURE, scene, &format!("{name}.svg"));
         ExportForm {
             field,
             chosen: 0,
@@ -74,19 +80,21 @@ impl ExportForm {
     /// Returns the same form for an animation, with all the frames of its duration.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
         self.animation = Some((kind, Frames::new(kind)));
+        self.field.question = ANIMATION;
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
             self.field.text = format!("{folder}{}.png", kind.name());
         }
         self
     }
 
+    /// Returns the field for the file's path.
+    pub(crate) fn field(&mut self) -> &mut PathField {
+        &mut self.field
+    }
+
     /// Shows the form. Returns the export once it is confirmed.
     pub(crate) fn ui(&mut self, ui: &mut Ui, close: &mut bool) -> Option<Action> {
-        let (heading, ending) = match &self.animation {
-            Some(_) => ("Export the animation", "png"),
-            None => ("Export a figure", "svg"),
-        };
-        ui.heading(heading);
+        ui.heading(self.field.question.title);
         let shown = self.subject(ui)?;
         let mut export = None;
         Grid::new("export").num_columns(2).show(ui, |ui| {
@@ -96,8 +104,8 @@ impl ExportForm {
             }
         });
         let typed = self.field.text.clone();
-        let path = save_ui(ui, &mut self.field, "Export", ending, close);
-        if self.field.text != typed {
+        let path = self.field.ui(ui, close);
+        if self.field.text != typed || self.field.request().is_some() {
             self.problem = None;
         }
         if let Some(path) = path {

@@ -6,3 +6,4 @@ pub mod export;
 pub mod help;
 pub mod key_list;
 pub mod palette;
+pub mod path_field;

@@ -1,6 +1,7 @@
 //! Scenes, figures and animations from files and into them.
 
 mod changed_file;
+mod desktop_dialog;
 mod export;
 mod play_export;
 mod recovery;

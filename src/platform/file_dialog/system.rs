@@ -1,0 +1,50 @@
+//! The file dialog of Windows and macOS.
+
+use rfd::AsyncFileDialog;
+use winit::window::Window;
+
+use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
+
+/// Tells that there is a dialog: these systems always have one.
+pub(crate) fn look(tell: impl FnOnce() + Send + 'static) {
+    tell();
+}
+
+/// An open dialog. The system keeps it before its window until it is answered.
+pub(crate) struct Asked;
+
+/// Opens the dialog over this window, and tells its answer.
+pub(crate) fn ask(
+    request: &FileRequest,
+    window: &Window,
+    tell: impl FnOnce(FileAnswer) + Send + 'static,
+) -> Asked {
+    let question = request.question;
+    let mut dialog = AsyncFileDialog::new()
+        .set_title(question.title)
+        .set_directory(&request.folder)
+        .set_file_name(&request.name)
+        .set_parent(window);
+    if !question.endings.is_empty() {
+        dialog = dialog
+            .add_filter(question.endings.join(", "), question.endings)
+            .add_filter("all files", &["*"]);
+    }
+    // macOS has it begun by the window's thread, and waited for by another.
+    if question.writes.is_some() {
+        wait(dialog.save_file(), tell);
+    } else {
+        wait(dialog.pick_file(), tell);
+    }
+    Asked
+}
+
+fn wait(
+    chosen: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static,
+    tell: impl FnOnce(FileAnswer) + Send + 'static,
+) {
+    std::thread::spawn(move || {
+        let chosen = pollster::block_on(chosen);
+        tell(chosen.map_or(FileAnswer::Cancelled, |file| FileAnswer::Chosen(file.path().into())));
+    });
+}

@@ -1,0 +1,291 @@
+//! The choice of a file: in the window's own list, or in the desktop's dialog where there is one.
+
+use std::path::{Path, PathBuf};
+
+use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
+
+use crate::ui::widgets::spoken::Spoken as _;
+use crate::view::typesetting::theme::error_color;
+
+/// A question for a file to read or to write.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FileQuestion {
+    /// The heading of the dialog.
+    pub title: &'static str,
+    /// The name of the button that answers it.
+    pub verb: &'static str,
+    /// The extensions of the listed files.
+    pub endings: &'static [&'static str],
+    /// The hint in the empty field.
+    pub hint: &'static str,
+    /// The extension that a file to write gets if it has none; `None` for a file to read.
+    pub writes: Option<&'static str>,
+}
+
+/// A question for the desktop's dialog.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileRequest {
+    /// The question.
+    pub question: FileQuestion,
+    /// The folder to begin in.
+    pub folder: PathBuf,
+    /// The proposed name; empty for none.
+    pub name: String,
+}
+
+/// The answer of the desktop's dialog.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileAnswer {
+    /// This file was chosen. About writing over it, the desktop has asked.
+    Chosen(PathBuf),
+    /// A place was chosen that is in no folder of this computer, by its URI.
+    Elsewhere(String),
+    /// The dialog was closed without a choice.
+    Cancelled,
+    /// There is no dialog, or it does not work.
+    Unavailable,
+}
+
+/// Who asks for the file.
+#[derive(Clone, Debug, PartialEq)]
+enum By {
+    /// The field, with its list.
+    Field,
+    /// The desktop's dialog, once the button is clicked.
+    Desktop,
+    /// The desktop's dialog, which is open.
+    OpenDesktop(FileRequest),
+    /// The desktop's dialog, which was answered.
+    Answered(PathBuf),
+}
+
+/// A field for a path, typed or chosen from a list.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PathField {
+    /// The typed text.
+    pub(crate) text: String,
+    pub(crate) question: FileQuestion,
+    by: By,
+    /// The listed folder and its entries.
+    folder: PathBuf,
+    entries: Vec<Entry>,
+    /// The path of an existing file that may be overwritten.
+    overwrite: Option<PathBuf>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    name: String,
+    path: PathBuf,
+    is_folder: bool,
+}
+
+impl PathField {
+    /// Creates the field; starts in the folder of `path`, with `name` filled in.
+    pub(crate) fn new(question: FileQuestion, path: Option<&Path>, name: &str) -> PathField {
+        let folder = path
+            .and_then(Path::parent)
+            .filter(|folder| !folder.as_os_str().is_empty())
+            .map(Path::to_owned)
+            .or_else(|| std::env::current_dir().ok())
+            .unwrap_or_default();
+        let text = match name {
+            "" => String::new(),
+            name => folder.join(name).display().to_string(),
+        };
+        let mut field = PathField {
+            text,
+            question,
+            by: By::Field,
+            folder: PathBuf::new(),
+            entries: Vec::new(),
+            overwrite: None,
+        };
+        field.list(folder);
+        field
+    }
+
+    /// Leaves the question to the desktop's dialog: at once, or once the button is clicked.
+    pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
+        self.by = By::Desktop;
+        if at_once {
+            self.open_desktop();
+        }
+    }
+
+    fn open_desktop(&mut self) {
+        let name = Path::new(&self.text).file_name().unwrap_or_default();
+        let name = name.to_string_lossy().into_owned();
+        let folder = std::path::absolute(&self.folder).unwrap_or_else(|_| self.folder.clone());
+        self.by = By::OpenDesktop(FileRequest { question: self.question, folder, name });
+    }
+
+    /// Returns the question, while the desktop's dialog asks it.
+    pub(crate) fn request(&self) -> Option<&FileRequest> {
+        match &self.by {
+            By::OpenDesktop(request) => Some(request),
+            By::Field | By::Desktop | By::Answered(_) => None,
+        }
+    }
+
+    /// Takes the path that was chosen in the desktop's dialog.
+    pub(crate) fn choose(&mut self, path: PathBuf) {
+        self.by = By::Answered(path);
+    }
+
+    /// Takes note that the desktop's dialog was closed.
+    pub(crate) fn close_desktop(&mut self) {
+        self.by = By::Desktop;
+    }
+
+    /// Asks by the list from now on.
+    pub(crate) fn ask_by_list(&mut self) {
+        self.by = By::Field;
+    }
+
+    fn list(&mut self, folder: PathBuf) {
+        let mut entries: Vec<Entry> = (std::fs::read_dir(&folder).into_iter().flatten().flatten())
+            .filter_map(|entry| {
+                let path = entry.path();
+                let name = entry.file_name().to_string_lossy().into_owned();
+                let is_folder = path.is_dir();
+                let ending = path.extension().and_then(|ending| ending.to_str());
+                let is_one = ending.is_some_and(|ending| self.question.endings.contains(&ending));
+                (!name.starts_with('.') && (is_folder || is_one)).then_some(Entry {
+                    name,
+                    path,
+                    is_folder,
+                })
+            })
+            .collect();
+        entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
+        self.entries = entries;
+        self.folder = folder;
+    }
+
+    /// Shows the choice. Returns a path once it is chosen that is no folder; the list has an existing
+    /// file chosen twice that is to be written.
+    pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
+        let mut chosen = match self.by {
+            By::Field => self.list_ui(ui, cancel),
+            By::Desktop | By::OpenDesktop(_) | By::Answered(_) => self.desktop_ui(ui, cancel),
+        };
+        if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
+            self.list(folder);
+            self.ask_by_list();
+        }
+        match self.question.writes {
+            Some(ending) => self.to_write(ui, chosen, ending),
+            None => chosen,
+        }
+    }
+
+    fn list_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
+        let mut chosen = None;
+        let field = TextEdit::singleline(&mut self.text).hint_text(self.question.hint);
+        let response = ui.add(field.desired_width(f32::INFINITY)).named("path");
+        if response.changed() {
+            self.overwrite = None;
+        }
+        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        if !entered && ui.memory(|memory| memory.focused().is_none()) {
+            response.request_focus();
+        }
+        ui.horizontal_wrapped(|ui| {
+            if let Some(parent) = self.folder.parent().map(Path::to_owned)
+                && ui.button("Up").on_hover_text("The folder above").clicked()
+            {
+                self.list(parent);
+            }
+            ui.weak(self.folder.display().to_string());
+        });
+        let mut enter = None;
+        let list = ScrollArea::vertical().auto_shrink([false, false]);
+        let height = list_height(ui.ctx());
+        list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
+            for entry in &self.entries {
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
+                // A double click is also reported as a click.
+                if row.clicked() && entry.is_folder {
+                    enter = Some(entry.path.clone());
+                } else if row.double_clicked() {
+                    chosen = Some(entry.path.clone());
+                } else if row.clicked() {
+                    self.text = entry.path.display().to_string();
+                }
+            }
+        });
+        if let Some(folder) = enter {
+            self.list(folder);
+        }
+        let typed = self.text.trim();
+        let buttons = ui.horizontal(|ui| {
+            let ready =
+                ui.add_enabled(!typed.is_empty(), Button::new(self.question.verb)).clicked();
+            *cancel |= ui.button("Cancel").clicked();
+            ready
+        });
+        let ready = buttons.inner || entered;
+        if ready && !typed.is_empty() {
+            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
+        }
+        chosen
+    }
+
+    fn desktop_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
+        let chosen = match &self.by {
+            By::Answered(path) => Some(path.clone()),
+            By::Field | By::Desktop | By::OpenDesktop(_) => None,
+        };
+        if let Some(path) = &chosen {
+            self.overwrite = Some(path.clone());
+            self.close_desktop();
+        }
+        let is_open = self.request().is_some();
+        if is_open {
+            ui.label("Choose the file in the dialog of your desktop.");
+        }
+        ui.add_space(8.0);
+        let buttons = ui.horizontal(|ui| {
+            let verb = Button::new(format!("{}…", self.question.verb));
+            let clicked = !is_open && ui.add(verb).clicked();
+            *cancel |= ui.button("Cancel").clicked();
+            clicked
+        });
+        if buttons.inner {
+            self.open_desktop();
+        }
+        chosen
+    }
+
+    /// Returns the path with its ending, once it is clear that it may be written.
+    fn to_write(&mut self, ui: &mut Ui, chosen: Option<PathBuf>, ending: &str) -> Option<PathBuf> {
+        let chosen = chosen.and_then(|mut path| {
+            if path.extension().is_none() {
+                path.set_extension(ending);
+            }
+            if path.exists() && self.overwrite.as_ref() != Some(&path) {
+                self.ask_by_list();
+                self.text = path.display().to_string();
+                self.overwrite = Some(path);
+                return None;
+            }
+            self.overwrite = None;
+            Some(path)
+        });
+        if let Some(path) = &self.overwrite {
+            let verb = self.question.verb;
+            let text = format!("{} exists. {verb} once more to replace it.", path.display());
+            ui.label(RichText::new(text).color(error_color(ui)));
+        }
+        chosen
+    }
+}
+
+/// Height of the list of files: as high as it needs to be, less where the window is low. Never what an
+/// area has left over, which is known only after some frames.
+fn list_height(ctx: &Context) -> f32 {
+    (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
+}
