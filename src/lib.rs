@@ -59,6 +59,7 @@
 //! | a workspace of the window | `ui/workspaces/mod.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |
+//! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name |
 //! | the built-in scenes and lessons | `assets/scenes/`, `assets/lessons/` |
 //! | tests | `tests/` for the program, `tests/` in the folder of each crate |

@@ -12,6 +12,8 @@
 //!
 //! The app's first pass runs while the window opens (`first_pass.rs`).
 //!
+//! Files are asked for by the desktop's own dialog, where there is one (`file_dialog`).
+//!
 //! egui's own framework for windows cannot fall back to another renderer in the same process, so one
 //! event loop of ours drives both.
 

@@ -194,9 +194,16 @@ fn lists_files(heard: &Heard) -> bool {
     nodes.iter().any(|node| node.role == BUTTON && node.name == "Up")
 }
 
+/// Waits until the window's own dialog takes keys.
+fn wait_for_field(heard: &Heard) {
+    heard.wait("the field to take keys", |nodes| {
+        nodes.iter().find(|node| node.has_focus && node.name == "path").map(drop)
+    });
+}
+
 /// Types a path into the window's own dialog.
 fn type_path(heard: &Heard, path: &Path) {
-    wait_for("the window's own dialog", || lists_files(heard).then_some(()));
+    wait_for_field(heard);
     heard.window.key("ctrl+a");
     heard.window.write(path.to_str().unwrap());
     heard.key("Return");
@@ -236,6 +243,7 @@ pub(crate) fn opens_saves_and_exports() {
     portal.asked(Reply::Choose(at("third")), || key("ctrl+shift+s"));
     heard.wait_for_text(&format!("{} exists. Save once more to replace it.", third.display()));
     assert_eq!(fs::read_to_string(&third).unwrap(), builtin::find("canonical").unwrap().text);
+    wait_for_field(&heard);
     heard.key("Return");
     wait_for_title(&heard, "third.toml - ");
     assert_eq!(scene_file::load(&third).unwrap(), look_at);

@@ -175,7 +175,7 @@ impl PathField {
             self.ask_by_list();
         }
         match self.question.writes {
-            Some(ending) => self.to_write(ui, chosen, ending),
+            Some(ending) => self.check_overwriting(ui, chosen, ending),
             None => chosen,
         }
     }
@@ -261,7 +261,12 @@ impl PathField {
     }
 
     /// Returns the path with its ending, once it is clear that it may be written.
-    fn to_write(&mut self, ui: &mut Ui, chosen: Option<PathBuf>, ending: &str) -> Option<PathBuf> {
+    fn check_overwriting(
+        &mut self,
+        ui: &mut Ui,
+        chosen: Option<PathBuf>,
+        ending: &str,
+    ) -> Option<PathBuf> {
         let chosen = chosen.and_then(|mut path| {
             if path.extension().is_none() {
                 path.set_extension(ending);
