@@ -26,6 +26,13 @@ use crate::window::built_in;
 
 const LET_GO: Duration = Duration::from_millis(500);
 
+/// What the portal calls a question, and its interface.
+const HANDLE: &str = "/org/freedesktop/portal/desktop/request/1_1/a";
+const REQUEST: &str = "org.freedesktop.portal.Request";
+
+/// What the window says meanwhile.
+const WAITS: &str = "Choose the file in the dialog of your desktop.";
+
 /// What the user does with the dialog, or the portal instead.
 enum Reply {
     Choose(PathBuf),
@@ -79,21 +86,25 @@ impl FileChooser {
             told.requests.push(request);
             told.replies.pop_front().unwrap()
         };
-        let handle = "/org/freedesktop/portal/desktop/request/1_1/a";
-        let (code, uris) = match reply {
-            Reply::Choose(path) => (0, vec![uri(&path)]),
-            Reply::ChooseUri(uri) => (0, vec![uri.to_owned()]),
-            Reply::Cancel => (1, Vec::new()),
-            Reply::End => (2, Vec::new()),
+        match reply {
             Reply::Error => return Err(fdo::Error::Failed("no backend".to_owned())),
-            Reply::Nothing => return Ok(handle.try_into().unwrap()),
-        };
-        let results = HashMap::from([("uris", Value::from(uris))]);
-        let interface = "org.freedesktop.portal.Request";
-        let body = (code as u32, results);
-        connection.emit_signal(Some(sender), handle, interface, "Response", &body).await?;
-        Ok(handle.try_into().unwrap())
+            reply => respond(connection, sender, reply).await?,
+        }
+        Ok(HANDLE.try_into().unwrap())
     }
+}
+
+/// Sends the response to whoever asked, if there is one.
+async fn respond(connection: &Connection, to: OwnedUniqueName, reply: Reply) -> zbus::Result<()> {
+    let (code, uris) = match reply {
+        Reply::Choose(path) => (0, vec![uri(&path)]),
+        Reply::ChooseUri(uri) => (0, vec![uri.to_owned()]),
+        Reply::Cancel => (1, Vec::new()),
+        Reply::End => (2, Vec::new()),
+        Reply::Nothing | Reply::Error => return Ok(()),
+    };
+    let body = (code as u32, HashMap::from([("uris", Value::from(uris))]));
+    connection.emit_signal(Some(to), HANDLE, REQUEST, "Response", &body).await
 }
 
 fn uri(path: &Path) -> String {
@@ -167,6 +178,29 @@ impl Portal {
         wait_for("the question", || self.told.lock().unwrap().requests.get(before).cloned())
     }
 
+    /// Clicks the window's button until it asks, and replies. Another click asks nothing.
+    fn asked_by(&self, heard: &Heard, button: &str, reply: Reply) -> Request {
+        let before = self.count();
+        self.told.lock().unwrap().replies.push_back(Reply::Nothing);
+        let request = wait_for("the question", || {
+            heard.click(BUTTON, button);
+            sleep(LET_GO);
+            self.told.lock().unwrap().requests.get(before).cloned()
+        });
+        heard.click(BUTTON, button);
+        sleep(LET_GO);
+        assert_eq!(self.count(), before + 1);
+        self.reply(heard, &request, reply);
+        request
+    }
+
+    /// Replies when the window waits, and waits until it has heard.
+    fn reply(&self, heard: &Heard, request: &Request, reply: Reply) {
+        heard.wait_for_text(WAITS);
+        block_on(respond(&self.connection, request.sender.clone(), reply)).unwrap();
+        wait_until_alone(heard);
+    }
+
     /// Waits until whoever asked has left the bus.
     fn wait_for_end(&self, request: &Request) {
         wait_for("the end of the dialog", || {
@@ -186,6 +220,11 @@ fn write_scene(path: &Path, name: &str) {
 fn wait_for_title(heard: &Heard, begins: &str) {
     let title = || heard.window.title().filter(|title| title.starts_with(begins));
     wait_for(begins, title);
+}
+
+/// Waits until the desktop's dialog is closed.
+fn wait_until_alone(heard: &Heard) {
+    heard.wait("the window alone", |nodes| (!says(nodes, WAITS)).then_some(()));
 }
 
 /// Whether the window asks for a file by itself.
@@ -250,16 +289,15 @@ pub(crate) fn opens_saves_and_exports() {
 
     // A figure is described in the window. Nothing is written over the scene.
     heard.key("ctrl+e");
-    let export = || heard.click(BUTTON, "Export…");
-    portal.asked(Reply::Cancel, export);
-    let request = portal.asked(Reply::Choose(third.clone()), export);
+    portal.asked_by(&heard, "Export…", Reply::Cancel);
+    let request = portal.asked_by(&heard, "Export…", Reply::Choose(third.clone()));
     assert_eq!(request.option::<String>("current_name"), "world.svg");
     heard.wait("the reason", |nodes| {
         let reason = |name: &str| name.starts_with("Export writes SVG, PDF or PNG: not ");
         nodes.iter().any(|node| reason(&node.name)).then_some(())
     });
     let figure = at("figure.png");
-    portal.asked(Reply::Choose(figure.clone()), export);
+    portal.asked_by(&heard, "Export…", Reply::Choose(figure.clone()));
     wait_for("the figure", || figure.exists().then_some(()));
     assert_eq!(scene_file::load(&third).unwrap(), look_at);
     heard.window.quit();
@@ -274,8 +312,7 @@ pub(crate) fn is_open_once_and_may_be_closed() {
     let key = |key| heard.key(key);
 
     let request = portal.asked(Reply::Nothing, || key("ctrl+o"));
-    let waits = "Choose the file in the dialog of your desktop.";
-    heard.wait_for_text(waits);
+    heard.wait_for_text(WAITS);
     for again in ["ctrl+o", "ctrl+shift+s"] {
         heard.key(again);
         sleep(LET_GO);
@@ -284,19 +321,21 @@ pub(crate) fn is_open_once_and_may_be_closed() {
     // The window lives, and closes the dialog.
     heard.click(BUTTON, "Cancel");
     portal.wait_for_end(&request);
-    heard.wait("the window alone", |nodes| (!says(nodes, waits)).then_some(()));
+    wait_until_alone(&heard);
 
-    portal.asked(Reply::Cancel, || key("ctrl+o"));
-    heard.wait("the window alone", |nodes| (!says(nodes, waits)).then_some(()));
+    let request = portal.asked(Reply::Nothing, || key("ctrl+o"));
+    portal.reply(&heard, &request, Reply::Cancel);
     assert!(!lists_files(&heard));
     portal.asked(Reply::ChooseUri("sftp://host/scene.toml"), || key("ctrl+o"));
     heard.wait_for_text(
         "sftp://host/scene.toml is in no folder of this computer. Choose one that is.",
     );
     heard.click(BUTTON, "Close");
-    heard.wait("the window alone", |nodes| (!says(nodes, "Close")).then_some(()));
+    heard.wait("the window alone", |nodes| {
+        (!nodes.iter().any(|node| node.role == BUTTON && node.name == "Close")).then_some(())
+    });
 
-    // What waits for saving is not done where nothing is saved.
+    // A window that ends takes its dialog along, and saves nothing.
     heard.window.key("ctrl+p");
     heard.window.write("add sphere");
     heard.key("Return");

@@ -244,13 +244,13 @@ impl PathField {
             self.close_desktop();
         }
         let is_open = self.request().is_some();
-        if is_open {
-            ui.label("Choose the file in the dialog of your desktop.");
-        }
+        // A second click finds the same button at the same place.
+        let waits = "Choose the file in the dialog of your desktop.";
+        ui.label(if is_open { waits } else { self.question.hint });
         ui.add_space(8.0);
         let buttons = ui.horizontal(|ui| {
             let verb = Button::new(format!("{}…", self.question.verb));
-            let clicked = !is_open && ui.add(verb).clicked();
+            let clicked = ui.add_enabled(!is_open, verb).clicked();
             *cancel |= ui.button("Cancel").clicked();
             clicked
         });

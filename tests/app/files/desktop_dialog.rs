@@ -11,7 +11,7 @@ use pinhole::ui::dialogs::path_field::FileAnswer;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 
-use crate::harness::{assert_says, says, texts_with, type_into, window};
+use crate::harness::{assert_says, says, type_into, window};
 
 /// A window on a desktop with a file dialog.
 fn on_desktop(scene: impl AsRef<Path>) -> Harness<'static, App> {
@@ -88,7 +88,7 @@ fn a_folder_and_a_dialog_that_does_not_work_leave_the_list() {
         let mut window = on_desktop(&listed);
         press(&mut window, Modifiers::COMMAND, Key::O);
         answer(&mut window, given);
-        assert_eq!(texts_with(&window, "listed.toml").len(), 2, "the title, and the list");
+        assert!(says(&window, "Up"), "the list");
         window.get_by_label("Cancel").click();
         window.run();
         press(&mut window, Modifiers::COMMAND, Key::O);
