@@ -182,6 +182,13 @@ impl Portal {
     fn asked_by(&self, heard: &Heard, button: &str, reply: Reply) -> Request {
         let before = self.count();
         self.told.lock().unwrap().replies.push_back(Reply::Nothing);
+        // A dialog that is just opening may be told of before it has its size, and so its place.
+        let place = || heard.rect(BUTTON, button);
+        wait_for("the button to rest", || {
+            let seen = place();
+            sleep(LET_GO);
+            (place() == seen).then_some(())
+        });
         let request = wait_for("the question", || {
             heard.click(BUTTON, button);
             sleep(LET_GO);
