@@ -257,6 +257,10 @@ impl PathField {
         if buttons.inner {
             self.open_desktop();
         }
+        if buttons.inner || chosen.is_some() {
+            // What was drawn is over.
+            ui.ctx().request_repaint();
+        }
         chosen
     }
 
