@@ -13,7 +13,7 @@ pub const TEXT: u64 = 64 << 20;
 pub const TABLE: u64 = 1 << 30;
 
 /// Maximum bytes of a text that is pasted.
-pub const PASTE: usize = 1 << 20;
+pub const PASTE: usize = 128 << 10;
 
 /// Maximum bytes of a table's row.
 pub const ROW: usize = 64 << 10;
