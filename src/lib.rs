@@ -61,7 +61,7 @@
 //! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name |
-//! | the built-in scenes and lessons | `assets/scenes/`, `assets/lessons/` |
+//! | the built-in scenes and lessons | `exchange/scenes/builtin/`, `assets/lessons/` |
 //! | tests | `tests/` for the program, `tests/` in the folder of each crate |
 //!
 //! Pure functions stand in the middle; clocks, files and the display at the edge (`model/files.rs`,

@@ -33,3 +33,8 @@ mod suggest;
 pub mod temporary;
 
 pub use error::{FileError, Location, is_hidden, legible};
+
+/// The README's example is run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;

@@ -21,7 +21,7 @@
 //!
 //! # What stays
 //!
-//! As in [`pinhole_core`]. [`Mistake`](mistakes::Mistake), [`Check`](mistakes::Check),
+//! What pinhole-core's changelog says. [`Mistake`](mistakes::Mistake), [`Check`](mistakes::Check),
 //! errors and derivations may grow; the [`exercises`] with their verdicts are
 //! complete: whoever shows them all wants to be told of a new one by the compiler.
 
@@ -39,6 +39,11 @@ pub use derivation::{
     UnitOrigin, VectorAndLength,
 };
 pub use forms::{NumberForm, VectorForm};
+
+/// The README's example is run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;
 
 /// Errors that may grow cannot be matched as if they were complete.
 ///

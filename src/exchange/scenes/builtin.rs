@@ -14,12 +14,12 @@ pub struct Builtin {
     pub text: &'static str,
 }
 
-/// A list of the files `assets/scenes/NAME.toml`.
+/// A list of the files `builtin/NAME.toml`.
 macro_rules! scenes {
     [$($name:literal),* $(,)?] => {
         &[$(Builtin {
             name: $name,
-            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/scenes/", $name, ".toml")),
+            text: include_str!(concat!("builtin/", $name, ".toml")),
         }),*]
     };
 }
