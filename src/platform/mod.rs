@@ -28,6 +28,7 @@ mod gpu;
 mod open;
 pub mod program;
 mod repeats;
+#[cfg_attr(not(unix), path = "no_signals.rs")]
 pub mod signals;
 mod start;
 mod surface;

@@ -25,7 +25,6 @@ pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
 
 /// Waits for the signals beside the program. Those that it was started to ignore, as by `nohup`, stay
 /// ignored.
-#[cfg(unix)]
 pub fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
@@ -55,7 +54,6 @@ pub fn watch() {
 }
 
 /// Ends the program as the signal would have that ended its window, for those who ask how it ended.
-#[cfg(unix)]
 pub fn pass_on() {
     match ENDED_BY.load(Ordering::SeqCst) {
         0 => {}
@@ -64,21 +62,11 @@ pub fn pass_on() {
     }
 }
 
-/// Where there are no such signals, there is nothing to wait for.
-#[cfg(not(unix))]
-pub fn watch() {}
-
-/// Nor to pass on.
-#[cfg(not(unix))]
-pub fn pass_on() {}
-
-#[cfg(unix)]
 fn is_in(signal: i32, set: u64) -> bool {
     set >> (signal - 1) & 1 == 1
 }
 
 /// The set of signals that this process ignores, a bit each; none where the system does not tell.
-#[cfg(unix)]
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

@@ -4,6 +4,7 @@
 //! sets `PINHOLE_BINARY`. Where to click is not written down here: the same window, laid out in
 //! memory at the same size, says where each accessible label is.
 
+#![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a test that cannot drive its window has failed")]
 #![allow(clippy::print_stdout, reason = "says what it ran on, and how fast")]
 
