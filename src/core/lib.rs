@@ -31,6 +31,7 @@
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas beside it, to compare |
 //! | interaction | [`steering`]: a camera taken in the hand |
+//! | files | by the feature `serde`, off by default: cameras, scenes and what they are made of are written and read; what is read passes the checks that it passes in code |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
 //! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), and rays
@@ -187,6 +188,8 @@ mod exact;
 pub mod methods;
 mod render;
 mod scene;
+#[cfg(feature = "serde")]
+mod serialization;
 pub mod steering;
 
 /// The README's example is run with the others.

@@ -26,6 +26,7 @@ mod picture;
 mod readme;
 mod reference;
 mod roots;
+mod serialization;
 mod shading;
 mod steering;
 mod steps;
