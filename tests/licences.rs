@@ -1,4 +1,5 @@
-//! The licences of everything that the program is made of: all of them allowed, and listed.
+//! What the program is made of: its licences are allowed and listed, no crate is there in two versions for
+//! no reason, and all are from crates.io. What is allowed stands in `deny.toml`.
 //! `UPDATE_EXPECT=1` writes the list anew.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -6,23 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use expect_test::expect_file;
-
-/// Licences that ask for no more than that notice and licence go along.
-const ALLOWED: [&str; 13] = [
-    "0BSD",
-    "Apache-2.0",
-    "BSD-2-Clause",
-    "BSD-3-Clause",
-    "BSL-1.0",
-    "CC0-1.0",
-    "ISC",
-    "MIT",
-    "OFL-1.1",
-    "Ubuntu-font-1.0",
-    "Unicode-3.0",
-    "Unlicense",
-    "Zlib",
-];
+use toml_edit::{DocumentMut, Value};
 
 /// What the list says of a licence's name that is not plain.
 const HEAD: &str = "\
@@ -71,48 +56,56 @@ fn packages() -> BTreeSet<Package> {
     tree.lines().map(package).filter(|package| !package.name.starts_with("pinhole")).collect()
 }
 
+fn toml(file: &str) -> DocumentMut {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    std::fs::read_to_string(path).unwrap().parse().unwrap()
+}
+
 /// Whether an expression of SPDX (or its forerunner, in which `/` is a choice) can be satisfied.
 fn is_allowed(expression: &str) -> bool {
+    let deny = toml("deny.toml");
+    let allowed = deny["licenses"]["allow"].as_array().unwrap();
+    let allowed: Vec<&str> = allowed.iter().filter_map(Value::as_str).collect();
     let spaced = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
     let words: Vec<&str> = spaced.split_whitespace().collect();
     let mut rest = &words[..];
-    let allowed = any_of(&mut rest);
+    let is_allowed = any_of(&mut rest, &allowed);
     assert!(rest.is_empty(), "{expression}");
-    allowed
+    is_allowed
 }
 
-fn any_of(words: &mut &[&str]) -> bool {
-    let mut allowed = all_of(words);
+fn any_of(words: &mut &[&str], allowed: &[&str]) -> bool {
+    let mut is_allowed = all_of(words, allowed);
     while words.first() == Some(&"OR") {
         *words = &words[1..];
-        allowed |= all_of(words);
+        is_allowed |= all_of(words, allowed);
     }
-    allowed
+    is_allowed
 }
 
-fn all_of(words: &mut &[&str]) -> bool {
-    let mut allowed = one(words);
+fn all_of(words: &mut &[&str], allowed: &[&str]) -> bool {
+    let mut is_allowed = one(words, allowed);
     while words.first() == Some(&"AND") {
         *words = &words[1..];
-        allowed &= one(words);
+        is_allowed &= one(words, allowed);
     }
-    allowed
+    is_allowed
 }
 
-fn one(words: &mut &[&str]) -> bool {
+fn one(words: &mut &[&str], allowed: &[&str]) -> bool {
     let (first, rest) = words.split_first().unwrap_or((&"", &[]));
     *words = rest;
     if *first == "(" {
-        let allowed = any_of(words);
+        let is_allowed = any_of(words, allowed);
         assert_eq!(words.first(), Some(&")"));
         *words = &words[1..];
-        return allowed;
+        return is_allowed;
     }
     if words.first() == Some(&"WITH") {
         // An exception only ever takes demands away.
         *words = &words[2..];
     }
-    ALLOWED.contains(first)
+    allowed.contains(first)
 }
 
 #[test]
@@ -137,6 +130,53 @@ fn every_licence_is_allowed() {
         .map(|package| format!("{}: {:?}", package.name, package.licence))
         .collect();
     assert!(refused.is_empty(), "{refused:?}");
+}
+
+/// Also those of other systems and of the tests.
+#[test]
+fn no_crate_is_there_in_two_versions_for_no_reason() {
+    let (lock, deny) = (toml("Cargo.lock"), toml("deny.toml"));
+    let mut versions: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for package in lock["package"].as_array_of_tables().unwrap() {
+        let [name, version] = ["name", "version"].map(|key| package[key].as_str().unwrap());
+        versions.entry(name).or_default().insert(version);
+    }
+    let mut needless = Vec::new();
+    for skipped in deny["bans"]["skip"].as_array().unwrap() {
+        let [skipped, reason] = ["crate", "reason"].map(|key| {
+            skipped.as_inline_table().and_then(|entry| entry.get(key)?.as_str()).unwrap()
+        });
+        assert!(!reason.is_empty(), "{skipped}");
+        let (name, begin) = skipped.split_once('@').unwrap();
+        let known = versions.get_mut(name).filter(|known| known.len() > 1);
+        let begin = format!("{begin}.");
+        let found = known.as_ref().and_then(|known| known.iter().find(|v| v.starts_with(&begin)));
+        match found.copied() {
+            Some(version) => drop(known.unwrap().remove(version)),
+            None => needless.push(skipped),
+        }
+    }
+    assert!(needless.is_empty(), "deny.toml skips what is not there twice: {needless:?}");
+    versions.retain(|_, versions| versions.len() > 1);
+    assert!(versions.is_empty(), "in several versions, and not in deny.toml: {versions:?}");
+}
+
+#[test]
+fn everything_is_from_crates_io() {
+    let lock = toml("Cargo.lock");
+    let own = ["pinhole", "core", "exchange", "lecture", "reference", "yardstick"];
+    for package in lock["package"].as_array_of_tables().unwrap() {
+        let name = package["name"].as_str().unwrap();
+        match package.get("source").map(|source| source.as_str().unwrap()) {
+            None => assert!(own.contains(&name.trim_start_matches("pinhole-")), "{name}"),
+            Some(source) => {
+                assert_eq!(
+                    source, "registry+https://github.com/rust-lang/crates.io-index",
+                    "{name}"
+                );
+            }
+        }
+    }
 }
 
 #[test]
@@ -188,11 +228,13 @@ fn a_release_has_the_text_of_every_licence() {
 }
 
 #[test]
-fn the_crate_that_can_be_used_alone_has_its_licences() {
+fn the_crates_that_can_be_used_alone_have_their_licences() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     for name in ["LICENSE-APACHE", "LICENSE-MIT"] {
-        let [own, ours] =
-            ["src/core", "."].map(|folder| std::fs::read(root.join(folder).join(name)).unwrap());
-        assert_eq!(own, ours, "{name}");
+        let ours = std::fs::read(root.join(name)).unwrap();
+        for folder in ["src/core", "src/lecture", "src/exchange"] {
+            let own = std::fs::read(root.join(folder).join(name)).unwrap();
+            assert_eq!(own, ours, "{folder}/{name}");
+        }
     }
 }
