@@ -1,5 +1,5 @@
 //! What the program is made of: its licences are allowed and listed, no crate is there in two versions for
-//! no reason, and all are from crates.io. What is allowed stands in `deny.toml`.
+//! no reason, and all are from crates.io. What is allowed stands in `.cargo/deny.toml`.
 //! `UPDATE_EXPECT=1` writes the list anew.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -63,7 +63,7 @@ fn toml(file: &str) -> DocumentMut {
 
 /// Whether an expression of SPDX (or its forerunner, in which `/` is a choice) can be satisfied.
 fn is_allowed(expression: &str) -> bool {
-    let deny = toml("deny.toml");
+    let deny = toml(".cargo/deny.toml");
     let allowed = deny["licenses"]["allow"].as_array().unwrap();
     let allowed: Vec<&str> = allowed.iter().filter_map(Value::as_str).collect();
     let spaced = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
@@ -135,7 +135,7 @@ fn every_licence_is_allowed() {
 /// Also those of other systems and of the tests.
 #[test]
 fn no_crate_is_there_in_two_versions_for_no_reason() {
-    let (lock, deny) = (toml("Cargo.lock"), toml("deny.toml"));
+    let (lock, deny) = (toml("Cargo.lock"), toml(".cargo/deny.toml"));
     let mut versions: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for package in lock["package"].as_array_of_tables().unwrap() {
         let [name, version] = ["name", "version"].map(|key| package[key].as_str().unwrap());
