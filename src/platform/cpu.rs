@@ -10,8 +10,7 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::first_pass::MAX_TEXTURE_SIDE;
-use super::surface::{Frame, PaintTimes, Surface, timed};
+use super::surface::{Frame, MAX_TEXTURE_SIDE, PaintTimes, Surface, timed};
 use crate::view::painter::{Canvas, Painter, PixelRect};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;

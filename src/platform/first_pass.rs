@@ -9,12 +9,9 @@ use std::time::Duration;
 
 use egui::{Context, FullOutput, RawInput, Rect, Vec2, ViewportId, ViewportInfo};
 
+use super::surface::MAX_TEXTURE_SIDE;
 use crate::model::window_geometry::WindowGeometry;
 use crate::ui::app::App;
-
-/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. With another
-/// one, the first frame would draw its glyphs again.
-pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
 
 /// A first pass that may still be running.
 pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);

@@ -7,6 +7,10 @@ use egui::ScreenshotCallback;
 use egui::epaint::{ClippedPrimitive, textures::TexturesDelta};
 use winit::window::Window;
 
+/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. With another
+/// one than in the first pass, the first frame would draw its glyphs again.
+pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
+
 /// A renderer of the window.
 pub(super) trait Surface {
     /// Returns the maximum side of a texture.

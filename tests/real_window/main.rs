@@ -15,6 +15,10 @@ mod hands;
 mod hearing;
 mod losing;
 mod memory;
+mod monkey;
+#[path = "../../src/exchange/tests/common/mutants.rs"]
+#[allow(dead_code, reason = "the monkey needs its random numbers alone")]
+mod mutants;
 mod pen;
 mod pointing;
 mod portal;
@@ -109,6 +113,12 @@ fn unsaved_changes_are_offered_when_the_wayland_compositor_is_gone() {
 #[ignore = "needs Xvfb, openbox, xdotool, dbus, at-spi2-core, lavapipe, gcc and Vulkan's headers: .ci/run installs them"]
 fn the_window_goes_on_when_its_graphics_driver_fails() {
     losing::device_and_surface();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
+fn a_monkey_at_the_window_finds_no_fault() {
+    monkey::plays_a_while();
 }
 
 #[test]

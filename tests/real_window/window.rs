@@ -57,7 +57,17 @@ impl<'a> Window<'a> {
         state: &Path,
         setting: &Setting,
     ) -> Window<'a> {
-        let mut command = Command::new(binary());
+        Window::open_by(Command::new(binary()), screen, arguments, state, setting)
+    }
+
+    /// Opens it by a command that may say where its messages go.
+    pub(crate) fn open_by(
+        mut command: Command,
+        screen: &'a Screen,
+        arguments: &[&OsStr],
+        state: &Path,
+        setting: &Setting,
+    ) -> Window<'a> {
         command.args(arguments).args(setting.arguments).envs(setting.environment.iter().copied());
         let process = command
             .env("DISPLAY", &screen.display)
@@ -151,6 +161,14 @@ impl<'a> Window<'a> {
         self.screen.press("windowkill", &self.id);
     }
 
+    /// Returns the memory that its process has in use, in MiB.
+    pub(crate) fn memory(&self) -> usize {
+        let status = format!("/proc/{}/status", self.process.0.id());
+        let status = fs::read_to_string(status).unwrap();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap();
+        line.trim().trim_end_matches(" kB").parse::<usize>().unwrap() >> 10
+    }
+
     /// Waits until its process has ended, however.
     pub(crate) fn wait(&mut self) -> ExitStatus {
         wait_for("the program to end", || self.process.0.try_wait().unwrap())
@@ -161,6 +179,13 @@ impl<'a> Window<'a> {
         self.key("ctrl+q");
         let status = wait_for("the program to end", || self.process.0.try_wait().unwrap());
         assert!(status.success(), "{status}");
+    }
+
+    /// Turns the wheel by one step.
+    pub(crate) fn scroll(&self, at: Pos2, up: bool) {
+        self.screen.mouse(&self.id, at);
+        self.screen.press("click", if up { "4" } else { "5" });
+        sleep(Duration::from_millis(100));
     }
 
     pub(crate) fn click(&self, at: Pos2) {
