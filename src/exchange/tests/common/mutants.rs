@@ -146,9 +146,13 @@ fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
             }
         };
         text.splice(from..end, new);
+        text.truncate(LENGTH);
     }
     text
 }
+
+/// Maximum bytes of a text: of what was repeated, some is repeated again, and readers have caps of their own.
+const LENGTH: usize = 256 << 10;
 
 /// Maximum time for a text of some 100 kB, unoptimised on a busy machine: what takes time with the square
 /// of its length takes minutes.
