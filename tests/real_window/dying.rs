@@ -3,7 +3,6 @@
 use std::fs::{self, File};
 use std::os::unix::process::ExitStatusExt as _;
 use std::path::Path;
-use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -17,8 +16,9 @@ use pinhole_exchange::scenes::SceneSource;
 
 use crate::reader::{BUTTON, Node, Reader};
 use crate::screen::{Running, Screen, signal, wait_for, wait_or_say};
+use crate::wayland::Compositor;
 use crate::whole_window;
-use crate::window::{NO_DRIVER, Setting, Window, binary, built_in};
+use crate::window::{NO_DRIVER, Setting, Window, built_in};
 
 /// No way of dying may cost more work than that of this time.
 const MOST: Duration = Duration::from_secs(5);
@@ -96,33 +96,14 @@ fn die(screen: &Screen, way: Way) {
 pub(crate) fn with_its_compositor() {
     println!("real window, Wayland's compositor gone");
     let folder = tempfile::tempdir().unwrap();
-    let compositor = Command::new("weston")
-        .args([
-            "--backend=headless-backend.so",
-            "--socket=wl-test",
-            "--width=1400",
-            "--height=1000",
-        ])
-        .env("XDG_RUNTIME_DIR", folder.path())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .map(Running)
-        .expect("weston is installed: .ci/run does it");
-    wait_for("the compositor", || folder.path().join("wl-test").exists().then_some(()));
+    let compositor = Compositor::headless();
     // What tells readers of programs itself needs an X display.
     let screen = Screen::start();
     let reader = Reader::start(&screen.bus);
     let scene = built_in(folder.path(), "look-at");
     let said = folder.path().join("said");
-    let mut program = Command::new(binary())
-        .arg(&scene)
-        .envs(NO_DRIVER.iter().copied())
-        .env("XDG_RUNTIME_DIR", folder.path())
-        .env("WAYLAND_DISPLAY", "wl-test")
-        .env_remove("DISPLAY")
-        .env("DBUS_SESSION_BUS_ADDRESS", &screen.bus.address)
-        .env("XDG_STATE_HOME", folder.path())
+    let mut program = compositor
+        .program(&screen.bus, &scene, folder.path())
         .stderr(File::create(&said).unwrap())
         .spawn()
         .map(Running)
@@ -136,7 +117,7 @@ pub(crate) fn with_its_compositor() {
     wait_for("the change", || {
         reader.nodes()?.iter().any(|node| node.name == "scene.toml*").then_some(())
     });
-    signal(&compositor, "KILL");
+    signal(&compositor.process, "KILL");
     let status = wait_for("the program to end", || program.0.try_wait().unwrap());
     let said = fs::read_to_string(said).unwrap();
     assert_eq!(status.code(), Some(1), "{said}");

@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::thread::sleep;
-use std::time::Duration;
 
 use egui::pos2;
 use pinhole::model::store::Store;
@@ -12,7 +10,7 @@ use pinhole_exchange::scene_file;
 use tempfile::TempDir;
 
 use crate::hearing::{Heard, says};
-use crate::screen::{Dots, Screen, wait_for, wait_or_say};
+use crate::screen::{Dots, Screen, difference, wait_for, wait_or_say};
 use crate::window::{Setting, built_in};
 
 /// A layer over the driver that has it fail on demand.
@@ -63,24 +61,6 @@ fn open<'a>(setting: &Setting, screen: &'a Screen, scene: &Path, state: &Path) -
     heard
 }
 
-/// The screen as soon as it stays as it is.
-fn settled(screen: &Screen) -> Dots {
-    wait_for("the picture to stay", || {
-        let before = screen.dots();
-        sleep(Duration::from_secs(2));
-        (before == screen.dots()).then_some(before)
-    })
-}
-
-/// Where two pictures of the screen differ.
-fn difference(a: &Dots, b: &Dots) -> String {
-    let rows: Vec<usize> = (0..a.len()).filter(|&y| a[y] != b[y]).collect();
-    let columns: Vec<usize> =
-        (0..a[0].len()).filter(|&x| rows.iter().any(|&y| a[y][x] != b[y][x])).collect();
-    let ends = |all: &[usize]| (all.first().copied(), all.last().copied());
-    format!("differs in rows {:?}, columns {:?}", ends(&rows), ends(&columns))
-}
-
 /// The screen after one edit and after another, if the CPU has drawn it all the time.
 fn as_by_cpu() -> [Dots; 2] {
     let folder = tempfile::tempdir().unwrap();
@@ -95,7 +75,7 @@ fn as_by_cpu() -> [Dots; 2] {
     let mut heard = open(&setting, &screen, &scene, folder.path());
     let pictures = [(); 2].map(|()| {
         heard.press("+ Sphere");
-        settled(&screen)
+        screen.settled()
     });
     assert!(pictures[0] != pictures[1]);
     heard.window.key("ctrl+s");
@@ -131,7 +111,7 @@ fn lose(what: &str, expected: &[Dots; 2]) {
     };
     let mut heard = open(&setting, &screen, &scene, folder.path());
     heard.press("+ Sphere");
-    settled(&screen);
+    screen.settled();
 
     fs::write(&demand, "").unwrap();
     for at in [NOWHERE[1], NOWHERE[0]] {

@@ -28,6 +28,7 @@ mod reveal;
 mod screen;
 mod typing;
 mod vote;
+mod wayland;
 #[path = "../support/whole_window.rs"]
 mod whole_window;
 mod window;
@@ -107,6 +108,12 @@ fn unsaved_changes_are_offered_however_the_window_ended() {
 #[ignore = "needs weston, dbus and at-spi2-core: .ci/run installs them"]
 fn unsaved_changes_are_offered_when_the_wayland_compositor_is_gone() {
     dying::with_its_compositor();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, weston, dbus and at-spi2-core: .ci/run installs them"]
+fn the_picture_is_shown_on_wayland() {
+    wayland::picture();
 }
 
 #[test]

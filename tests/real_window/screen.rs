@@ -93,6 +93,15 @@ impl Screen {
         (0..height).map(|y| row(y).map(|dot| [dot[2], dot[1], dot[0]]).collect()).collect()
     }
 
+    /// What is on the screen as soon as it stays as it is.
+    pub(crate) fn settled(&self) -> Dots {
+        wait_for("the picture to stay", || {
+            let before = self.dots();
+            sleep(Duration::from_secs(2));
+            (before == self.dots()).then_some(before)
+        })
+    }
+
     pub(crate) fn xdotool(&self, arguments: &[&str]) -> Output {
         Command::new("xdotool").args(arguments).env("DISPLAY", &self.display).output().unwrap()
     }
@@ -116,6 +125,15 @@ impl Screen {
     pub(crate) fn press(&self, what: &str, button_or_key: &str) {
         assert!(self.xdotool(&[what, button_or_key]).status.success());
     }
+}
+
+/// Where two pictures of the screen differ.
+pub(crate) fn difference(a: &Dots, b: &Dots) -> String {
+    let rows: Vec<usize> = (0..a.len()).filter(|&y| a[y] != b[y]).collect();
+    let columns: Vec<usize> =
+        (0..a[0].len()).filter(|&x| rows.iter().any(|&y| a[y][x] != b[y][x])).collect();
+    let ends = |all: &[usize]| (all.first().copied(), all.last().copied());
+    format!("differs in rows {:?}, columns {:?}", ends(&rows), ends(&columns))
 }
 
 #[track_caller]
