@@ -60,7 +60,9 @@ impl Stamp {
     /// Returns that of a file as it is now, if there is one.
     fn of(path: &Path) -> Option<Stamp> {
         let data = fs::metadata(path).ok()?;
-        Some(Stamp { modified: data.modified().ok(), length: data.len() })
+        // What is dated before 1970 cannot be written aside.
+        let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
+        Some(Stamp { modified, length: data.len() })
     }
 }
 
@@ -275,7 +277,6 @@ impl OpenDocument {
         self.saved = self.document.clone();
         self.text = Some(saved.text);
         self.stamp = Stamp::of(path);
-        self.csv_stamp = csv_stamp(&self.saved);
         self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
         self.forgiving = false;
         Ok(())

@@ -27,11 +27,7 @@ impl fmt::Display for PresentError {
             Self::NoAdapter(cause) => {
                 write!(f, "no graphics adapter works: {cause}; without one: pinhole --renderer cpu")
             }
-            Self::Lost(cause) => write!(
-                f,
-                "the window can no longer be drawn: {cause}; unsaved changes are offered at the \
-                 next start"
-            ),
+            Self::Lost(cause) => write!(f, "the window can no longer be drawn: {cause}"),
         }
     }
 }

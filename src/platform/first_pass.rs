@@ -69,12 +69,14 @@ mod tests {
 
     use super::*;
     use crate::model::files::OpenDocument;
+    use crate::model::session::Settings;
     use crate::model::store::Remembered;
 
     /// Returns the window's context and the app, as they are when the window has opened.
-    fn opened(geometry: WindowGeometry) -> (Context, App) {
+    fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
         let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
-        let app = App::new(open, Remembered::default(), None);
+        let settings = Settings { zoom, ..Settings::default() };
+        let app = App::new(open, Remembered { settings, ..Remembered::default() }, None);
         let ctx = crate::platform::start::context();
         let (app, output) = FirstPass::start(ctx.clone(), app, geometry).end();
         assert!(!output.textures_delta.set.is_empty(), "glyphs and pictures are to be uploaded");
@@ -84,14 +86,17 @@ mod tests {
 
     #[test]
     fn a_window_of_the_same_size_has_nothing_to_trace_or_draw_in_its_first_frame() {
-        let geometry = WindowGeometry { scale: 1.5, ..WindowGeometry::default() };
-        let (ctx, mut app) = opened(geometry);
-        let traced = app.pictures_traced();
-        assert!(traced > 0);
-        let input = RawInput { time: Some(0.1), ..input(geometry, ctx.zoom_factor()) };
-        let output = ctx.run_ui(input, |ui| app.ui(ui));
-        assert_eq!(app.pictures_traced(), traced);
-        assert!(output.textures_delta.set.is_empty(), "{:?}", output.textures_delta);
+        for zoom in [1.0, 1.3, 0.8] {
+            let geometry = WindowGeometry { scale: 1.5, ..WindowGeometry::default() };
+            let (ctx, mut app) = opened(geometry, zoom);
+            assert_eq!(ctx.zoom_factor(), zoom);
+            let traced = app.pictures_traced();
+            assert!(traced > 0);
+            let input = RawInput { time: Some(0.1), ..input(geometry, zoom) };
+            let output = ctx.run_ui(input, |ui| app.ui(ui));
+            assert_eq!(app.pictures_traced(), traced);
+            assert!(output.textures_delta.set.is_empty(), "{:?}", output.textures_delta);
+        }
     }
 
     #[test]
@@ -99,7 +104,7 @@ mod tests {
         for inner_size in [[0.0; 2], [-5.0, 1e30], [f32::INFINITY; 2]] {
             for scale in [0.0, -1.0, 1e30] {
                 let geometry = WindowGeometry { inner_size, scale, ..WindowGeometry::default() };
-                opened(geometry);
+                opened(geometry, 1.0);
             }
         }
     }

@@ -171,7 +171,7 @@ fn reason(error: &WgpuError) -> String {
         WgpuError::CustomNativeAdapterSelectionError(reason) => reason.clone(),
         // Without any driver, wgpu's own message is an empty list.
         WgpuError::CreateSurfaceError(_) => "no graphics driver found".to_owned(),
-        error => error.to_string(),
+        error => innermost(&error.to_string()),
     }
 }
 

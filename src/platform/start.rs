@@ -98,7 +98,8 @@ pub(super) fn surface(
     builder: &ViewportBuilder,
 ) -> Result<Drawn, PresentError> {
     let open = || {
-        let window = egui_winit::create_window(ctx, event_loop, builder);
+        // By a context without a zoom: the geometry has none, and that of the app's may have one already.
+        let window = egui_winit::create_window(&egui::Context::default(), event_loop, builder);
         window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
     };
     #[cfg(feature = "wgpu")]
@@ -111,6 +112,8 @@ pub(super) fn surface(
             detail,
         }))
     };
+    #[cfg(not(feature = "wgpu"))]
+    let _ = ctx;
     #[cfg(not(feature = "wgpu"))]
     let on_adapter = |_| Ok(Err("this build has no feature wgpu".to_owned()));
     let detail = if choice == Some(Renderer::Cpu) {

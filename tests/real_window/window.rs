@@ -161,12 +161,12 @@ impl<'a> Window<'a> {
         self.screen.press("windowkill", &self.id);
     }
 
-    /// Returns the memory that its process has in use, in MiB.
-    pub(crate) fn memory(&self) -> usize {
+    /// Returns the memory that its process has in use, in MiB; `None` if it has ended.
+    pub(crate) fn memory(&self) -> Option<usize> {
         let status = format!("/proc/{}/status", self.process.0.id());
-        let status = fs::read_to_string(status).unwrap();
-        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).unwrap();
-        line.trim().trim_end_matches(" kB").parse::<usize>().unwrap() >> 10
+        let status = fs::read_to_string(status).ok()?;
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+        Some(line.trim().trim_end_matches(" kB").parse::<usize>().unwrap() >> 10)
     }
 
     /// Waits until its process has ended, however.

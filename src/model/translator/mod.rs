@@ -160,7 +160,11 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
         (None, Notice { title, notes, worked: false, camera: Some(*at_hand), shown_at: None })
     };
     if text.len() > limits::PASTE {
-        let problem = format!("it is too large: at most {} KiB are read", limits::PASTE >> 10);
+        let most = limits::PASTE >> 10;
+        let has = text.len().div_ceil(1 << 10);
+        let problem = format!(
+            "it has {has} KiB, and at most {most} KiB are read: copy the camera's lines alone"
+        );
         return failed("This text was not pasted: nothing was changed", problem);
     }
     if let Some(scene) = own_scene(text) {
@@ -325,7 +329,10 @@ mod tests {
             said.notes.join(" ")
         };
         assert!(told(&sum(30_000)).len() < 300);
-        assert_eq!(told(&sum(40_000)), "it is too large: at most 128 KiB are read");
+        assert_eq!(
+            told(&sum(40_000)),
+            "it has 157 KiB, and at most 128 KiB are read: copy the camera's lines alone"
+        );
     }
 
     #[test]

@@ -107,14 +107,17 @@ impl App {
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
         theme::install_base(ctx);
-        ctx.set_zoom_factor(settings.zoom.clamp(ZOOM.0, ZOOM.1));
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
             // Bars that stay tell that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
         // Its keys stand in the table of commands with all others.
-        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        ctx.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            // Set at once: a change would be taken over in the first pass, with another size of the screen.
+            options.zoom_factor = settings.zoom.clamp(ZOOM.0, ZOOM.1);
+        });
         theme::install(ctx, Look::new(settings, false));
     }
 

@@ -207,8 +207,9 @@ fn theirs_ui(
     );
     ui.add_space(8.0);
     let buttons = ui.horizontal(|ui| {
-        let when = if saves { "Saves" } else { "Lets the next save write" };
-        let mine = ui.button("Keep mine").on_hover_text(format!("{when} yours over theirs"));
+        let what =
+            if saves { "Saves yours over theirs" } else { "Goes on with what is on the screen" };
+        let mine = ui.button("Keep mine").on_hover_text(what);
         let theirs = ui.button("Take theirs");
         let theirs = theirs.on_hover_text("Reads the file again. Undo brings yours back");
         let other = ui.button("Save as…").on_hover_text("Saves yours to another file");

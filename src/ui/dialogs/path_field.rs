@@ -252,12 +252,17 @@ impl PathField {
             let verb = Button::new(format!("{}…", self.question.verb));
             let clicked = ui.add_enabled(!is_open, verb).clicked();
             *cancel |= ui.button("Cancel").clicked();
-            clicked
+            // The desktop's dialog may be on another screen, or never come.
+            (clicked, ui.button("List files here").clicked())
         });
-        if buttons.inner {
+        let (opens, lists) = buttons.inner;
+        if opens {
             self.open_desktop();
         }
-        if buttons.inner || chosen.is_some() {
+        if lists {
+            self.ask_by_list();
+        }
+        if opens || lists || chosen.is_some() {
             // What was drawn is over.
             ui.ctx().request_repaint();
         }

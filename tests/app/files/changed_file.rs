@@ -90,6 +90,8 @@ fn its_table_of_spheres_is_read_again_too_and_saving_leaves_it_alone() {
     save(&mut window);
     assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 3.0);
     assert_eq!(fs::read_to_string(&table).unwrap(), one);
+    assert!(look(&mut window), "a save hides no change of the table");
+    assert_eq!(count(&window), 1);
     type_into(&mut window, "eye x", "4");
     fs::write(&table, two).unwrap();
     look(&mut window);
