@@ -122,7 +122,7 @@ pub(crate) fn with_its_compositor() {
     let said = fs::read_to_string(said).unwrap();
     assert_eq!(status.code(), Some(1), "{said}");
     let reason =
-        "error: the window can no longer be drawn: the connection to the display was lost;";
+        "error: the window can no longer be drawn: the connection to the display was lost\n";
     assert!(said.contains(reason) && !said.contains("fault"), "{said}");
     let mut next = next_start(folder.path(), &scene);
     next.get_by_label("Restore").click();
