@@ -130,9 +130,10 @@ pub struct Ulps {
 }
 
 impl Ulps {
-    /// The same errors in ulps of another precision, of which each of these is `count`.
+    /// Returns the same errors in ulps of another precision, of which each of these is `count`; at most
+    /// [`f64::MAX`].
     pub fn times(self, count: f64) -> Ulps {
-        let times = |error: Option<f64>| error.map(|error| error * count).filter(|x| x.is_finite());
+        let times = |error: Option<f64>| error.map(|error| (error * count).min(f64::MAX));
         Ulps { median: times(self.median), p99: times(self.p99), max: times(self.max) }
     }
 }

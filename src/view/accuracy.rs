@@ -10,7 +10,7 @@ use pinhole_core::{Frame, NO_OBJECT, Raster};
 pub enum PixelError {
     /// The ray hits nothing, and the method agrees.
     Miss,
-    /// The object is right; the value is the error of t in ulps of `f64`.
+    /// The object is right; the value is the error of t in ulps of `f64`, at most [`f64::MAX`].
     Ulps(f64),
     /// The method finds another object, a false hit or a false miss.
     Wrong,
@@ -53,7 +53,7 @@ fn error_of(object: u32, t: f64, by: u32, t_by: f64) -> PixelError {
     if object == NO_OBJECT {
         return PixelError::Miss;
     }
-    PixelError::Ulps((t_by - t).abs() / ulp(t))
+    PixelError::Ulps(((t_by - t).abs() / ulp(t)).min(f64::MAX))
 }
 
 /// Returns the distance from a positive number to the next `f64`.
@@ -177,6 +177,7 @@ mod tests {
             assert_eq!(error_of(object, 4.0, by, t_by), PixelError::Wrong);
         }
         assert_eq!(error_of(0, 4.0, 0, f64::NAN), PixelError::Wrong);
+        assert_eq!(error_of(0, 1e-310, 0, 4.0), PixelError::Ulps(f64::MAX));
     }
 
     #[test]

@@ -2,7 +2,8 @@
 //! is no number, and the scene stays one that can be saved and read again.
 //!
 //! A run takes ten seconds with a fixed seed, and ten more with that of `PROPTEST_RNG_SEED`, if there is one;
-//! with `PINHOLE_MONKEY_SECONDS=600` it takes ten minutes. What the monkey did last is printed where it fails.
+//! with `PINHOLE_MONKEY_SECONDS=600` it takes ten minutes. Where it fails, what the monkey did last and the
+//! scene are printed.
 #![expect(clippy::print_stdout, reason = "a failure is found by what the monkey did")]
 
 use std::fmt::Debug;
@@ -208,9 +209,10 @@ impl Drop for Monkey {
         if std::thread::panicking() {
             let last = self.done.len().saturating_sub(12);
             println!(
-                "after {} things, the last of them:\n{}",
+                "after {} things, the last of them:\n{}\nthe scene:\n{}",
                 self.done.len(),
-                self.done[last..].join("\n")
+                self.done[last..].join("\n"),
+                scene_file::to_text(self.harness.state().document(), None)
             );
         }
     }

@@ -70,7 +70,7 @@ impl Tally {
             Precision::F64 => (t.ulps_from(found.t), t.is_representable()),
         };
         if is_in_range {
-            self.ulps.push((ulps, stratum));
+            self.ulps.push((ulps.min(f64::MAX), stratum));
             let backward = problem.and_then(|problem| problem.backward_error(truth, found.t));
             self.backward_error_max = match (self.backward_error_max, backward) {
                 (Some(max), Some(error)) => Some(max.max(error)),

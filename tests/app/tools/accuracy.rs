@@ -22,15 +22,21 @@ fn with(scene: &str, settings: Settings) -> Harness<'static, App> {
     window_with(scene, Remembered { settings, ..Remembered::default() }, None)
 }
 
-/// A window on a sphere so small and far that single precision loses its outline.
-fn far_window() -> Harness<'static, App> {
+/// A window on a scene that is written for it.
+fn window_on(text: &str) -> Harness<'static, App> {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("far.toml");
-    let text = "pinhole = 1\n[camera]\neye = [0, 0, 10000]\nat = [0, 0, 0]\nup = [0, 1, 0]\n\
-                [viewport]\nwidth = 0.0004\nheight = 0.0004\n[image]\nwidth = 200\nheight = 200\n\
-                [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+    let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).unwrap();
     window(&path)
+}
+
+/// A window on a sphere so small and far that single precision loses its outline.
+fn far_window() -> Harness<'static, App> {
+    window_on(
+        "pinhole = 1\n[camera]\neye = [0, 0, 10000]\nat = [0, 0, 0]\nup = [0, 1, 0]\n\
+         [viewport]\nwidth = 0.0004\nheight = 0.0004\n[image]\nwidth = 200\nheight = 200\n\
+         [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n",
+    )
 }
 
 fn open(window: &mut Harness<'_, App>) {
@@ -91,6 +97,21 @@ fn the_map_is_of_the_chosen_method_and_says_how_many_pixels_are_wrong() {
     assert!(map_says(&window).starts_with("lagrange-f64: "));
     let map = window.state().derived().error_map.clone().unwrap();
     assert_eq!(map.image.size, window.state().derived().camera_view.clone().unwrap().image.size);
+}
+
+#[test]
+fn an_error_larger_than_t_is_told_in_words() {
+    // Rounded to f32 the eye lies on the sphere: t is 1e-8, and textbook-f32 finds the far side at 2.
+    let mut window = window_on(
+        "pinhole = 1\n[camera]\neye = [0, 0, 1.00000001]\nat = [0, 0, 0]\nup = [0, 1, 0]\n\
+         [viewport]\nwidth = 1\nheight = 1\n[image]\nwidth = 9\nheight = 9\n\
+         [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n",
+    );
+    open(&mut window);
+    let text = map_says(&window);
+    assert!(text.ends_with(" pixels wrong, at worst no digit of t right"), "{text}");
+    let selected = texts_with(&window, "; textbook-f32 hits sphere 0 at t = ");
+    assert!(selected.iter().any(|text| text.ends_with(": no digit of t right")), "{selected:?}");
 }
 
 #[test]

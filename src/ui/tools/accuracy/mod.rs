@@ -12,6 +12,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::number::{short, written_whole};
 use crate::model::session::{MethodName, Selection, Session, Settings};
+use crate::report::model::NO_DIGIT;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views::{CERTAINTY, MAP};
@@ -113,6 +114,7 @@ pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     let (wrong, all) = (comparison.wrong, comparison.errors.len());
     let errors = match comparison.largest {
+        Some(NO_DIGIT..) => ", at worst no digit of t right".to_owned(),
         Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
         None => String::new(),
     };
@@ -228,6 +230,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let verdict = match Comparison::new(&truth, &traced).errors[0] {
         PixelError::Wrong => "wrong".to_owned(),
         PixelError::Miss => "right".to_owned(),
+        PixelError::Ulps(NO_DIGIT..) => "no digit of t right".to_owned(),
         PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
     };
     let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
