@@ -1,4 +1,4 @@
-//! What is kept in a file, by [serde](https://serde.rs): the feature `serde`.
+//! Serialization by [serde](https://serde.rs): the feature `serde`.
 //!
 //! Fields and variants have their names in code, variants in small letters; a vector is a list of its
 //! coordinates. What is read passes the check that it passes in code, and is refused with its error.

@@ -66,6 +66,9 @@ impl Stamp {
     }
 }
 
+/// The stamps of a scene's file and of its table of spheres.
+pub type Stamps = [Option<Stamp>; 2];
+
 /// Returns the stamp of a document's table of spheres, if it has one.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
@@ -192,7 +195,7 @@ impl OpenDocument {
 
     /// Returns the stamps of the scene's file and of its table of spheres if one is another than when it
     /// was read or written here. Asks for time and size alone.
-    pub fn touched(&self) -> Option<[Option<Stamp>; 2]> {
+    pub fn touched(&self) -> Option<Stamps> {
         let scene = Stamp::of(self.scene_file()?)?;
         let now = [Some(scene), csv_stamp(&self.saved)];
         (now != [self.stamp, self.csv_stamp]).then_some(now)

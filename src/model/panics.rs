@@ -10,7 +10,7 @@ thread_local! {
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Has faults told on standard error in a sentence, and remembered with their place.
+/// Tells faults on standard error in a sentence from now on, and remembers them with their place.
 pub fn watch() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();

@@ -48,7 +48,7 @@ pub struct Unsaved {
     source: Source,
 }
 
-/// What changes were made to.
+/// The scene that changes were made to.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Source {
     /// The name of the scene.
@@ -190,14 +190,12 @@ impl Found {
     fn of(slot: Slot) -> Option<Found> {
         let written = fs::metadata(&slot.scene).and_then(|data| data.modified()).ok()?;
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
-        let (mut source, mut text) = (None, limits::read_text(&slot.scene));
-        if let Some((at, text)) =
-            text.as_mut().ok().and_then(|text| Some((text.rfind(SOURCE)?, text)))
-        {
-            source = serde_json::from_str(&text[at + SOURCE.len()..]).ok();
-            // A name may have characters in it that no comment may.
-            text.truncate(at);
-        }
+        let mut text = limits::read_text(&slot.scene);
+        let source = text.as_mut().ok().and_then(|text| {
+            // Not left in the text: a name may have characters in it that no comment may.
+            let line = text.split_off(text.rfind(SOURCE)?);
+            serde_json::from_str(&line[SOURCE.len()..]).ok()
+        });
         let unknown = || Source { title: "a scene".to_owned(), ..Source::default() };
         Some(Found { source: source.unwrap_or_else(unknown), age, slot, text })
     }

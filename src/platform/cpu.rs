@@ -10,14 +10,11 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::surface::{Frame, MAX_TEXTURE_SIDE, PaintTimes, Surface, timed};
+use super::surface::{Frame, MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, Surface, timed};
 use crate::view::painter::{Canvas, Painter, PixelRect};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
 type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
-
-/// Number of consecutive frames that may fail to reach the display, after which the window ends.
-const PATIENCE: u32 = 5;
 
 /// A window's surface in memory.
 pub(super) struct Cpu {

@@ -16,7 +16,7 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::display::without_panic;
-use super::surface::{Frame, PaintTimes, Surface, timed};
+use super::surface::{Frame, PATIENCE, PaintTimes, Surface, timed};
 
 /// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [
@@ -39,9 +39,6 @@ pub(super) struct Gpu {
     /// Number of consecutive frames for which it did.
     retries: u32,
 }
-
-/// Number of consecutive frames that may find no surface, after which the adapter has failed.
-const PATIENCE: u32 = 5;
 
 /// The error that the driver reported, from any thread.
 type Failure = Arc<Mutex<Option<String>>>;

@@ -16,7 +16,7 @@ use winit::window::Window;
 use super::cpu::Cpu;
 use super::display::{UserEvent, without_panic};
 use super::error::PresentError;
-use super::file_dialog::{self, Asked};
+use super::file_dialog::{self, FileDialog};
 use super::first_pass::FirstPass;
 use super::frame_log::{FrameLog, FrameTimes};
 use super::repeats;
@@ -41,7 +41,7 @@ pub(super) struct Open {
     info: ViewportInfo,
     /// Changes of textures that no frame has uploaded yet.
     delta: TexturesDelta,
-    /// What the surface's textures hold.
+    /// The contents of the adapter's textures.
     textures: Textures,
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
@@ -59,7 +59,7 @@ pub(super) struct Open {
     looked: Instant,
     proxy: EventLoopProxy<UserEvent>,
     /// The desktop's file dialog that is open, and the number of those opened so far.
-    file_dialog: Option<Asked>,
+    file_dialog: Option<FileDialog>,
     file_dialogs: u64,
     window: Arc<Window>,
 }
@@ -86,8 +86,8 @@ impl Open {
             surface.max_texture_side(),
         );
         state.init_accesskit(event_loop, &window, proxy.clone());
-        let teller = proxy.clone();
-        file_dialog::look(move || drop(teller.send_event(UserEvent::FileDialog)));
+        let events = proxy.clone();
+        file_dialog::detect(move || drop(events.send_event(UserEvent::FileDialog)));
         let (mut app, first) = first_pass.end();
         let mut info = ViewportInfo::default();
         egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
@@ -266,7 +266,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Has the desktop's dialog ask for files.
+    /// Uses the desktop's dialog for files from now on.
     pub(super) fn use_desktop_dialog(&mut self) {
         self.app.use_desktop_dialog();
     }
@@ -338,7 +338,9 @@ impl Open {
         }
         let Some(surface) = &mut self.surface else { return Ok(()) };
         let primitives = self.ctx.tessellate(shapes, pixels_per_point);
-        self.textures.note(&self.delta);
+        if self.renderer != Renderer::Cpu {
+            self.textures.note(&self.delta);
+        }
         let frame = Frame {
             window: &self.window,
             size: [size.width, size.height],
@@ -373,7 +375,7 @@ impl Open {
         Ok(())
     }
 
-    /// Has the CPU draw the window from now on, because the graphics driver failed.
+    /// Draws the window on the CPU from now on, because the graphics driver failed.
     fn go_on_without(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -397,7 +399,7 @@ impl Open {
         self.surface = Some(Box::new(cpu));
         self.renderer = Renderer::Cpu;
         self.pace = pace(self.renderer, &self.window);
-        self.delta.append(self.textures.all(&self.ctx));
+        self.delta.append(std::mem::take(&mut self.textures).all(&self.ctx));
         self.app.drawn_by(format!("{} (the graphics driver failed: {reason})", self.renderer));
         let why = format!("The graphics driver failed: {reason}");
         self.app.say("The window is drawn on the CPU now".to_owned(), vec![why]);

@@ -18,7 +18,7 @@ static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 /// ends SIGTERM and SIGHUP.
 const TOGETHER: Duration = Duration::from_secs(2);
 
-/// Has the first signal end the window by this; one that comes later ends the program as ever.
+/// Ends the window by `end` at the first signal; a later one ends the program as ever.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
     *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
 }

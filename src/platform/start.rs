@@ -113,9 +113,10 @@ pub(super) fn surface(
         }))
     };
     #[cfg(not(feature = "wgpu"))]
-    let _ = ctx;
-    #[cfg(not(feature = "wgpu"))]
-    let on_adapter = |_| Ok(Err("this build has no feature wgpu".to_owned()));
+    let on_adapter = |_| {
+        let _ = ctx;
+        Ok(Err("this build has no feature wgpu".to_owned()))
+    };
     let detail = if choice == Some(Renderer::Cpu) {
         "chosen by hand".to_owned()
     } else {

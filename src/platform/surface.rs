@@ -11,6 +11,9 @@ use winit::window::Window;
 /// one than in the first pass, the first frame would draw its glyphs again.
 pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
 
+/// Number of consecutive frames that may fail to reach the display, after which the renderer has failed.
+pub(super) const PATIENCE: u32 = 5;
+
 /// A renderer of the window.
 pub(super) trait Surface {
     /// Returns the maximum side of a texture.

@@ -1,4 +1,4 @@
-//! What the surface's textures hold, for a surface that takes over.
+//! The contents of the adapter's textures, for the CPU to take over.
 
 use std::collections::HashMap;
 

@@ -29,7 +29,7 @@ impl Changed {
         if is_so { self } else { Changed::NOTHING }
     }
 
-    /// Has a value of the session edited, and returns the change.
+    /// Edits a value of the session, and returns the change.
     pub(crate) fn edited<T: Clone + PartialEq>(
         value: &mut T,
         edit: impl FnOnce(&mut T),

@@ -34,7 +34,7 @@ const ERRORS: [(&str, &str); 3] = [
 /// Something that writes files in a folder that has a scene, `s.toml`.
 struct Case {
     name: &'static str,
-    /// What is there before.
+    /// Writes the files that are there before.
     prepare: fn(&Path),
     program: fn(&Path) -> Command,
     /// The files that messages may name, beside the scene.
@@ -160,7 +160,7 @@ impl Undisturbed<'_> {
         left.len()
     }
 
-    /// Has a call fail. All files are the old ones, and the error is told; or all are the new ones, where it does
+    /// Lets a call fail. All files are the old ones, and the error is told; or all are the new ones, where it does
     /// not matter or was tried again. True if it is told.
     fn fail(&self, index: usize, (error, reason): (&str, &str)) -> bool {
         let (folder, output) = self.disturbed(index, &format!("error={error}"));

@@ -24,7 +24,7 @@ pub(super) struct Call {
 }
 
 impl Call {
-    /// Has `strace` do this at the call: `signal=KILL` before it, or `error=EIO` in its place.
+    /// Tells `strace` to do this at the call: `signal=KILL` before it, or `error=EIO` in its place.
     pub(super) fn inject(&self, fault: &str) -> String {
         format!("inject={}:{fault}:when={}", self.name, self.number)
     }
@@ -79,7 +79,7 @@ fn calls(log: &str, folder: &Path) -> Vec<Call> {
     calls
 }
 
-/// Whether processes can be traced here. Where they must be, as the environment says, it fails the test if not.
+/// Returns whether processes can be traced here. Fails the test if not, where the environment asks for it.
 pub(super) fn is_there() -> bool {
     let tried =
         Command::new("strace").args(["-f", "-o", "/dev/null", "-e", TRACED, "true"]).output();

@@ -81,7 +81,7 @@ impl<'a> Heard<'a> {
         self.window.screen.press("click", "1");
     }
 
-    /// Has something do what a click on it does, once it is there, however slow the window is.
+    /// Does what a click on an item does, once the item is there, however slow the window is.
     #[track_caller]
     pub(crate) fn press(&self, name: &str) {
         self.wait(name, |nodes| {

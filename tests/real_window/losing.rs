@@ -50,7 +50,7 @@ impl FailingDriver {
 
 const LAYER: &str = "VK_LAYER_TEST_failing_driver";
 
-/// Where the mouse points at nothing, and a little beside.
+/// Points at which the mouse is over nothing.
 const NOWHERE: [egui::Pos2; 2] = [pos2(200.0, 700.0), pos2(210.0, 700.0)];
 
 /// Opens the window with its list of objects, and points at nothing.

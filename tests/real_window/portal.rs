@@ -26,7 +26,7 @@ use crate::window::built_in;
 
 const LET_GO: Duration = Duration::from_millis(500);
 
-/// What the portal calls a question, and its interface.
+/// The path of a question on the bus, and its interface.
 const HANDLE: &str = "/org/freedesktop/portal/desktop/request/1_1/a";
 const REQUEST: &str = "org.freedesktop.portal.Request";
 
@@ -234,7 +234,7 @@ fn wait_until_alone(heard: &Heard) {
     heard.wait("the window alone", |nodes| (!says(nodes, WAITS)).then_some(()));
 }
 
-/// Whether the window asks for a file by itself.
+/// Returns whether the window asks for a file by itself.
 fn lists_files(heard: &Heard) -> bool {
     let nodes = heard.nodes();
     nodes.iter().any(|node| node.role == BUTTON && node.name == "Up")

@@ -93,7 +93,7 @@ impl Screen {
         (0..height).map(|y| row(y).map(|dot| [dot[2], dot[1], dot[0]]).collect()).collect()
     }
 
-    /// What is on the screen as soon as it stays as it is.
+    /// Returns the picture of the screen as soon as it rests.
     pub(crate) fn settled(&self) -> Dots {
         wait_for("the picture to stay", || {
             let before = self.dots();
@@ -127,7 +127,7 @@ impl Screen {
     }
 }
 
-/// Where two pictures of the screen differ.
+/// Says in which pixels two pictures of the screen differ.
 pub(crate) fn difference(a: &Dots, b: &Dots) -> String {
     let rows: Vec<usize> = (0..a.len()).filter(|&y| a[y] != b[y]).collect();
     let columns: Vec<usize> =

@@ -13,6 +13,6 @@ mod portal;
 mod system;
 
 #[cfg(all(unix, not(target_os = "macos")))]
-pub(super) use self::portal::{Asked, ask, look};
+pub(super) use self::portal::{FileDialog, ask, detect};
 #[cfg(any(windows, target_os = "macos"))]
-pub(super) use self::system::{Asked, ask, look};
+pub(super) use self::system::{FileDialog, ask, detect};

@@ -34,8 +34,8 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Time in which nobody has seen a dialog and closed it.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
-/// Tells if the bus has a portal, or can start one.
-pub(crate) fn look(tell: impl FnOnce() + Send + 'static) {
+/// Calls `tell` if the bus has a portal, or can start one.
+pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         if block_on(is_there()).unwrap_or(false) {
             tell();
@@ -58,9 +58,9 @@ async fn is_there() -> zbus::Result<bool> {
 }
 
 /// An open dialog. Dropped, it is closed: the portal closes the dialogs of those who leave the bus.
-pub(crate) struct Asked(Arc<OnceLock<Option<Connection>>>);
+pub(crate) struct FileDialog(Arc<OnceLock<Option<Connection>>>);
 
-impl Drop for Asked {
+impl Drop for FileDialog {
     fn drop(&mut self) {
         // Where there is no connection yet, there is none any more.
         if self.0.set(None).is_err()
@@ -77,9 +77,9 @@ pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
     tell: impl FnOnce(FileAnswer) + Send + 'static,
-) -> Asked {
+) -> FileDialog {
     let connected = Arc::new(OnceLock::new());
-    let asked = Asked(Arc::clone(&connected));
+    let asked = FileDialog(Arc::clone(&connected));
     let (request, parent) = (request.clone(), name_of(window));
     thread::spawn(move || {
         let answer = block_on(answer(&request, &parent, &connected));

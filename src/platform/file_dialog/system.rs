@@ -6,19 +6,19 @@ use winit::window::Window;
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 
 /// Tells that there is a dialog: these systems always have one.
-pub(crate) fn look(tell: impl FnOnce() + Send + 'static) {
+pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
     tell();
 }
 
 /// An open dialog. The system keeps it before its window until it is answered.
-pub(crate) struct Asked;
+pub(crate) struct FileDialog;
 
 /// Opens the dialog over this window, and tells its answer.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
     tell: impl FnOnce(FileAnswer) + Send + 'static,
-) -> Asked {
+) -> FileDialog {
     let question = request.question;
     let mut dialog = AsyncFileDialog::new()
         .set_title(question.title)
@@ -36,7 +36,7 @@ pub(crate) fn ask(
     } else {
         wait(dialog.pick_file(), tell);
     }
-    Asked
+    FileDialog
 }
 
 fn wait(

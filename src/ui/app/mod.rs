@@ -176,7 +176,7 @@ impl App {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
-    /// Has all frames timed from now on, for those who keep a log.
+    /// Times all frames from now on, for those who keep a log.
     pub(crate) fn time_frames(&mut self) {
         self.views.frame_work = Some(FrameWork::default());
     }
@@ -199,7 +199,7 @@ impl App {
         is_news
     }
 
-    /// Has the desktop's dialog ask for files from now on: whoever says so looks at
+    /// Asks for files by the desktop's dialog from now on; the caller then looks at
     /// [`file_request`](App::file_request) after each frame.
     pub fn use_desktop_dialog(&mut self) {
         self.over.has_desktop = true;

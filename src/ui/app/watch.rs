@@ -1,11 +1,8 @@
 //! Noticing that another program has changed the scene's files.
 
-use crate::model::files::Stamp;
+use crate::model::files::Stamps;
 
-/// The stamps of the scene's file and of its table of spheres.
-type Stamps = [Option<Stamp>; 2];
-
-/// What was seen of the files.
+/// The stamps that were seen.
 #[derive(Default)]
 pub(super) struct Watch {
     /// The files at the last look, if one was changed.

@@ -46,9 +46,9 @@ pub enum FileAnswer {
     Unavailable,
 }
 
-/// Who asks for the file.
+/// The list or dialog by which the file is chosen.
 #[derive(Clone, Debug, PartialEq)]
-enum By {
+enum Chooser {
     /// The field, with its list.
     Field,
     /// The desktop's dialog, once the button is clicked.
@@ -65,7 +65,7 @@ pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     pub(crate) question: FileQuestion,
-    by: By,
+    chooser: Chooser,
     /// The listed folder and its entries.
     folder: PathBuf,
     entries: Vec<Entry>,
@@ -96,7 +96,7 @@ impl PathField {
         let mut field = PathField {
             text,
             question,
-            by: By::Field,
+            chooser: Chooser::Field,
             folder: PathBuf::new(),
             entries: Vec::new(),
             overwrite: None,
@@ -107,7 +107,7 @@ impl PathField {
 
     /// Leaves the question to the desktop's dialog: at once, or once the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
-        self.by = By::Desktop;
+        self.chooser = Chooser::Desktop;
         if at_once {
             self.open_desktop();
         }
@@ -117,30 +117,30 @@ impl PathField {
         let name = Path::new(&self.text).file_name().unwrap_or_default();
         let name = name.to_string_lossy().into_owned();
         let folder = std::path::absolute(&self.folder).unwrap_or_else(|_| self.folder.clone());
-        self.by = By::OpenDesktop(FileRequest { question: self.question, folder, name });
+        self.chooser = Chooser::OpenDesktop(FileRequest { question: self.question, folder, name });
     }
 
     /// Returns the question, while the desktop's dialog asks it.
     pub(crate) fn request(&self) -> Option<&FileRequest> {
-        match &self.by {
-            By::OpenDesktop(request) => Some(request),
-            By::Field | By::Desktop | By::Answered(_) => None,
+        match &self.chooser {
+            Chooser::OpenDesktop(request) => Some(request),
+            Chooser::Field | Chooser::Desktop | Chooser::Answered(_) => None,
         }
     }
 
     /// Takes the path that was chosen in the desktop's dialog.
     pub(crate) fn choose(&mut self, path: PathBuf) {
-        self.by = By::Answered(path);
+        self.chooser = Chooser::Answered(path);
     }
 
     /// Takes note that the desktop's dialog was closed.
     pub(crate) fn close_desktop(&mut self) {
-        self.by = By::Desktop;
+        self.chooser = Chooser::Desktop;
     }
 
     /// Asks by the list from now on.
     pub(crate) fn ask_by_list(&mut self) {
-        self.by = By::Field;
+        self.chooser = Chooser::Field;
     }
 
     fn list(&mut self, folder: PathBuf) {
@@ -166,9 +166,11 @@ impl PathField {
     /// Shows the choice. Returns a path once it is chosen that is no folder; the list has an existing
     /// file chosen twice that is to be written.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
-        let mut chosen = match self.by {
-            By::Field => self.list_ui(ui, cancel),
-            By::Desktop | By::OpenDesktop(_) | By::Answered(_) => self.desktop_ui(ui, cancel),
+        let mut chosen = match self.chooser {
+            Chooser::Field => self.list_ui(ui, cancel),
+            Chooser::Desktop | Chooser::OpenDesktop(_) | Chooser::Answered(_) => {
+                self.desktop_ui(ui, cancel)
+            }
         };
         if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
             self.list(folder);
@@ -235,9 +237,9 @@ impl PathField {
     }
 
     fn desktop_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
-        let chosen = match &self.by {
-            By::Answered(path) => Some(path.clone()),
-            By::Field | By::Desktop | By::OpenDesktop(_) => None,
+        let chosen = match &self.chooser {
+            Chooser::Answered(path) => Some(path.clone()),
+            Chooser::Field | Chooser::Desktop | Chooser::OpenDesktop(_) => None,
         };
         if let Some(path) = &chosen {
             self.overwrite = Some(path.clone());
