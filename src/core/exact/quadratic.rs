@@ -113,14 +113,19 @@ impl<T: Number> Quadratic<T> {
         }
         let root = discriminant.root();
         let share = if discriminant.near() > 32.0 * discriminant_doubt { 0.51 } else { 1.0 };
-        let is_ahead = b.near() >= 0.0;
-        let z = if is_ahead { b + root } else { b - root };
+        let z = if b.near() >= 0.0 { b + root } else { b - root };
         let z_doubt = (b_doubt + share * discriminant_doubt / root.near()) / z.near().abs();
         let (t, other_doubt) =
-            if far == is_ahead { (z / a, a_doubt) } else { (sphere.c / z, sphere.c_doubt) };
+            if self.is_of_c(far) { (sphere.c / z, sphere.c_doubt) } else { (z / a, a_doubt) };
         // A product more for the whole number that t is stretched by.
         let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
+    }
+
+    /// Returns whether [`Quadratic::root`] is `c / z`, not `z / a`.
+    #[inline(always)]
+    pub(crate) fn is_of_c(&self, far: bool) -> bool {
+        far != (self.b.near() >= 0.0)
     }
 }
 

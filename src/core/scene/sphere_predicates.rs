@@ -41,6 +41,8 @@ pub(crate) struct SphereFromOrigin {
     sphere: Sphere,
     pub(crate) fine: SphereTerms<DoubleDouble>,
     pub(crate) rough: SphereTerms<f64>,
+    /// c in units of `2^(2 scale)`, where [`PointPower::tiny`] has it.
+    tiny_c: Option<Precise>,
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
@@ -79,7 +81,7 @@ impl SphereFromOrigin {
             form,
         };
         let (side, side_step, scale) = (c.sign, c.step, scale + quartered);
-        SphereFromOrigin { sphere: *sphere, fine, rough, scale, side, side_step }
+        SphereFromOrigin { sphere: *sphere, fine, rough, tiny_c: c.tiny, scale, side, side_step }
     }
 
     /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
@@ -178,8 +180,8 @@ impl SphereFromOrigin {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {
             return (Precise::ZERO, Step::DoubleDouble);
         }
-        if let Some(t) = self.fine_t(ray, root, doubt) {
-            let t = Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+        if let Some(Precise { value, scale }) = self.fine_t(ray, root, doubt) {
+            let t = Precise::new(value.times(ray.stretch), scale + self.scale - ray.scale);
             return (t, Step::DoubleDouble);
         }
         (ray.big().t(&self.big_root(ray, root)), Step::Exact)
@@ -191,14 +193,12 @@ impl SphereFromOrigin {
         if self.side == Ordering::Equal {
             return None;
         }
-        let quadratic = Quadratic::new(&self.fine, &ray.fine);
-        let (t, off) = quadratic.root(&self.fine, root == RootSide::Far)?;
-        let off = off * t.hi.abs();
-        let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
-        let t = t.times(ray.stretch);
-        let rounded = ldexp(t.hi, self.scale - ray.scale);
+        let (Precise { value, scale }, off) = self.fine_root(ray, root)?;
+        let off = off * value.hi.abs() * ray.stretch;
+        let t = value.times(ray.stretch);
+        let rounded = ldexp(t.hi, scale + self.scale - ray.scale);
         let is_normal = rounded.is_finite() && rounded.abs() > f64::MIN_POSITIVE;
-        (is_in_range && t.rounds_surely(off * ray.stretch) && is_normal).then_some(rounded)
+        (t.rounds_surely(off) && is_normal).then_some(rounded)
     }
 
     /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
@@ -213,11 +213,28 @@ impl SphereFromOrigin {
 
     /// `t` in double-double, where its relative error is at most `doubt`; in units of
     /// `2^(scale of the sphere - scale of the ray) / stretch`.
-    fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<DoubleDouble> {
-        let quadratic = Quadratic::new(&self.fine, &ray.fine);
-        let (t, off) = quadratic.root(&self.fine, root == RootSide::Far)?;
-        let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
-        (off <= doubt && is_in_range).then_some(t)
+    fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<Precise> {
+        let (t, off) = self.fine_root(ray, root)?;
+        (off <= doubt).then_some(t)
+    }
+
+    /// `t` in double-double with its relative error, in the same units; `None` where D may be 0, or t
+    /// loses digits to its range.
+    fn fine_root(&self, ray: &ExactRay, root: RootSide) -> Option<(Precise, f64)> {
+        let (quadratic, is_far) = (Quadratic::new(&self.fine, &ray.fine), root == RootSide::Far);
+        let (t, off, scale) = match self.tiny_c {
+            // t = c / z
+            Some(Precise { value: c, scale }) if quadratic.is_of_c(is_far) => {
+                let fine = SphereTerms { c, c_doubt: 2.0 * U2, ..self.fine };
+                let (t, off) = quadratic.root(&fine, is_far)?;
+                (t, off, scale)
+            }
+            _ => {
+                let (t, off) = quadratic.root(&self.fine, is_far)?;
+                (t, off, 0)
+            }
+        };
+        (1e-250..1e250).contains(&t.hi.abs()).then_some((Precise::new(t, scale), off))
     }
 
     /// `t` in `f64` with its relative error, in the same units.
@@ -239,7 +256,7 @@ impl SphereFromOrigin {
         let is_enough =
             (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
         let t = match self.fine_t(ray, root, T_DOUBT) {
-            Some(t) if is_enough => t,
+            Some(t) if is_enough => t.value.scaled(t.scale),
             _ if self.side == Ordering::Equal && self.is_origin(ray, root) => {
                 DoubleDouble::from(0.0)
             }

@@ -181,3 +181,22 @@ fn whole_frames() {
     println!("{pixels} pixels");
     assert!(pixels > 10_000, "{pixels}");
 }
+
+/// From however near the surface, on either side, double-double has all digits of t: the exact numbers,
+/// which would take seconds of a picture, decide the side alone.
+#[test]
+fn eyes_next_to_a_surface() {
+    let balls = [([0.0, 0.0, -1.0], 1.0), ([0.0, -8.0, 0.0], 8.0), ([-5e-21, 0.0, 0.0], 5e-21)];
+    let toward = [[0.1, -0.1, -1.0], [0.3, -0.7, -0.2], [-1.0, 1e-3, 2.0], [1.0, 1.0, 1.0]];
+    for (center, radius) in balls {
+        for away in [1e-40, 3e-90, 1e-99, 1e-100, 7e-121, 1e-155, 2e-162, 1e-200, 1e-310, 5e-324] {
+            for direction in toward.iter().flat_map(|d| [*d, d.map(|x| -x)]) {
+                for origin in [[away, 0.0, 0.0], [0.0, away, away], [0.0, -away, -away]] {
+                    let objects = vec![pinhole_reference::Object::Sphere { center, radius }];
+                    let case = RayCase { objects, origin, direction };
+                    assert!(check_ray(&case).exact <= 1, "{case:?}");
+                }
+            }
+        }
+    }
+}
