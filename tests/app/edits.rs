@@ -266,6 +266,16 @@ fn new_spheres_are_seen_and_touch_no_other() {
 }
 
 #[test]
+fn a_new_sphere_has_finite_numbers_however_large_the_viewport() {
+    let mut window = window("canonical");
+    type_into(&mut window, "distance", "1e308");
+    window.get_by_label("+ Sphere").click();
+    window.run();
+    let spheres = &window.state().document().spheres;
+    assert_eq!(spheres.last().unwrap().shape.check(), Ok(()), "{spheres:?}");
+}
+
+#[test]
 fn long_numbers_push_nothing_aside() {
     let mut harness = window("canonical");
     let view = |harness: &Harness<'_, App>| {

@@ -88,17 +88,18 @@ const BEHIND: f64 = 1.5;
 /// Returns a sphere that the camera sees: in the upper right quarter of the picture, or where the next
 /// one touches no other.
 fn new_sphere(document: &Document) -> Sphere {
-    let camera = document.camera.resolve();
+    let camera = document.camera.resolve().ok();
     let at = |k: usize| {
         let far = 4.0 + BEHIND * (k / QUARTERS.len()) as f64;
-        let Ok(camera) = &camera else {
-            return Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 };
-        };
-        let viewport = camera.viewport();
         let [x, y] = QUARTERS[k % QUARTERS.len()];
-        let ray = camera.ray(DVec2::new(x * viewport.width, y * viewport.height));
-        // A diameter of a fifth of the picture's height.
-        Sphere { center: ray.at(far), radius: far * 0.1 * viewport.height }
+        let seen = camera.as_ref().and_then(|camera| {
+            let viewport = camera.viewport();
+            let ray = camera.ray(DVec2::new(x * viewport.width, y * viewport.height));
+            // A diameter of a fifth of the picture's height.
+            Sphere::new(ray.at(far), far * 0.1 * viewport.height).ok()
+        });
+        // A viewport of 1e308 has no room for it in the range of numbers.
+        seen.unwrap_or(Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 })
     };
     let is_free = |new: &Sphere| {
         let touches = |old: &Sphere| new.center.distance(old.center) <= new.radius + old.radius;
