@@ -276,6 +276,22 @@ fn a_new_sphere_has_finite_numbers_however_large_the_viewport() {
 }
 
 #[test]
+fn no_edit_of_the_viewport_makes_an_infinite_one() {
+    let mut window = window("canonical");
+    window.get_by_label("Keep the pixels' shape").click();
+    window.run();
+    for (field, number) in [("H", "800"), ("height", "1e300"), ("width", "1.7e308")] {
+        type_into(&mut window, field, number);
+    }
+    window.get_by_label("Make pixels square").click();
+    window.run();
+    type_into(&mut window, "distance", "1e308");
+    type_into(&mut window, "vertical field of view", "170");
+    let viewport = window.state().document().camera.viewport;
+    assert_eq!(viewport.check(), Ok(()), "{viewport:?}");
+}
+
+#[test]
 fn long_numbers_push_nothing_aside() {
     let mut harness = window("canonical");
     let view = |harness: &Harness<'_, App>| {

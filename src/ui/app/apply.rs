@@ -202,9 +202,7 @@ impl App {
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         if let Err(error) = self.scene.reload() {
-            let title =
-                format!("{} was changed, and cannot be read", title_of(self.scene.open.origin()));
-            return Some(Dialog::message(&title, error));
+            return Some(Dialog::message("The scene was changed, and cannot be read", error));
         }
         self.history.settle_as(ctx, &self.scene.open.document, Some(RELOAD));
         None

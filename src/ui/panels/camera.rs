@@ -182,12 +182,14 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
         response.changed().then(|| degrees.to_radians())
     };
     ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
+    // Of a distance of 1e308 there is no wide viewport.
+    let take = |seen: Viewport| if seen.check().is_ok() { seen } else { viewport };
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
-        camera.viewport = viewport.with_horizontal_fov(fov);
+        camera.viewport = take(viewport.with_horizontal_fov(fov));
     }
     ui.label("fov ↕").on_hover_text("Vertical field of view: 2 atan(height / (2 distance))");
     if let Some(fov) = edited(ui, "vertical field of view", viewport.vertical_fov()) {
-        camera.viewport = viewport.with_vertical_fov(fov);
+        camera.viewport = take(viewport.with_vertical_fov(fov));
     }
     ui.end_row();
 }
@@ -203,32 +205,44 @@ fn shape_of(camera: &Camera) -> f64 {
 
 /// Adapts another extent after an edit: the height, or the width if the height was edited. After an
 /// edit of the image the larger of both extents is as large as before: no field of view grows.
+/// Nothing is adapted where the other extent would be beyond the range of numbers.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
-    let shape = shape_of(before);
+    let ratio = shape_of(before) * camera.image.aspect();
     let Viewport { width, height, .. } = camera.viewport;
-    let edited = |now: f64, then: f64| now != then && now.is_finite() && now > 0.0;
-    if !(shape.is_finite() && shape > 0.0) {
-        return;
-    }
-    if edited(height, before.viewport.height) {
-        camera.viewport.width = height * shape * camera.image.aspect();
+    let edited = |now: f64, then: f64| now != then && is_extent(now);
+    let [width, height] = if edited(height, before.viewport.height) {
+        [height * ratio, height]
     } else if edited(width, before.viewport.width) {
-        camera.viewport.height = width / (shape * camera.image.aspect());
+        [width, width / ratio]
     } else if camera.image != before.image {
-        let (larger, ratio) = (width.max(height), shape * camera.image.aspect());
-        camera.viewport.width = larger * ratio.min(1.0);
-        camera.viewport.height = larger / ratio.max(1.0);
+        let larger = width.max(height);
+        [larger * ratio.min(1.0), larger / ratio.max(1.0)]
+    } else {
+        return;
+    };
+    if is_extent(width) && is_extent(height) {
+        (camera.viewport.width, camera.viewport.height) = (width, height);
     }
+}
+
+fn is_extent(x: f64) -> bool {
+    x.is_finite() && x > 0.0
 }
 
 /// Shows the shape of pixels that are not square, and a button that makes them square.
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
-    if shape.is_finite() && shape > 0.0 && (shape - 1.0).abs() > 1e-9 {
+    if is_extent(shape) && (shape - 1.0).abs() > 1e-9 {
         let times = written(shape, 4);
         ui.label(format!("Pixels are {times} times as wide as high: spheres look stretched"));
         if ui.button("Make pixels square").clicked() {
-            camera.viewport.height = camera.viewport.width / camera.image.aspect();
+            let aspect = camera.image.aspect();
+            let height = camera.viewport.width / aspect;
+            if is_extent(height) {
+                camera.viewport.height = height;
+            } else {
+                camera.viewport.width = camera.viewport.height * aspect;
+            }
         }
     }
 }
