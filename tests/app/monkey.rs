@@ -2,8 +2,8 @@
 //! is no number, and the scene stays one that can be saved and read again.
 //!
 //! A run takes ten seconds with a fixed seed, and ten more with that of `PROPTEST_RNG_SEED`, if there is one;
-//! with `PINHOLE_MONKEY_SECONDS=600` it takes ten minutes. Where it fails, what the monkey did last and the
-//! scene are printed.
+//! with `PINHOLE_MONKEY_SECONDS=600` it takes ten minutes. Where it fails, what the monkey did last is printed,
+//! with the scene before and after it.
 #![expect(clippy::print_stdout, reason = "a failure is found by what the monkey did")]
 
 use std::fmt::Debug;
@@ -100,6 +100,8 @@ struct Monkey {
     random: Random,
     /// What it did, the last things last.
     done: Vec<String>,
+    /// The scene before the last of it.
+    before: String,
 }
 
 impl Monkey {
@@ -107,8 +109,13 @@ impl Monkey {
         self.done.push(format!("{what:?}"));
     }
 
+    fn scene(&self) -> String {
+        scene_file::to_text(self.harness.state().document(), None)
+    }
+
     /// Does one thing.
     fn act(&mut self) {
+        self.before = self.scene();
         let controls: Vec<(Role, String, Rect)> = self
             .harness
             .root()
@@ -192,6 +199,10 @@ impl Monkey {
             let mut words = text.split([' ', ',', '(', ')', '[', ']', '\n']);
             assert!(words.all(is_number), "shown: {text}");
         }
+        let scene = self.scene();
+        let has =
+            |word: &str| scene.lines().any(|line| line.contains(word) && line.contains(" = "));
+        assert!(!has("inf") && !has("nan"), "the scene is not finite");
         let document = self.harness.state().document();
         if document.csv_spheres.is_none()
             && document.scene().is_ok()
@@ -209,10 +220,11 @@ impl Drop for Monkey {
         if std::thread::panicking() {
             let last = self.done.len().saturating_sub(12);
             println!(
-                "after {} things, the last of them:\n{}\nthe scene:\n{}",
+                "after {} things, the last of them:\n{}\nfrom the scene:\n{}\nto:\n{}",
                 self.done.len(),
                 self.done[last..].join("\n"),
-                scene_file::to_text(self.harness.state().document(), None)
+                self.before,
+                self.scene()
             );
         }
     }
@@ -224,7 +236,8 @@ fn play(seed: u64, time: Duration) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     fs::write(&path, SCENE).unwrap();
-    let mut monkey = Monkey { harness: window(&path), random: Random::new(seed), done: Vec::new() };
+    let (harness, random) = (window(&path), Random::new(seed));
+    let mut monkey = Monkey { harness, random, done: Vec::new(), before: String::new() };
     let start = Instant::now();
     while start.elapsed() < time {
         monkey.act();

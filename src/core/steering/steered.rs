@@ -51,6 +51,8 @@ pub enum SteerError {
         /// The value.
         value: f64,
     },
+    /// A coordinate would be beyond the range of `f64`.
+    OutOfRange,
     /// The camera's basis is set by hand: it has no up to drag.
     NoUp,
     /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
@@ -70,6 +72,10 @@ impl fmt::Display for SteerError {
             SteerError::NotPositive { field, value } => {
                 write!(f, "{field} is {}: it must be finite and greater than 0", shortest(*value))
             }
+            SteerError::OutOfRange => write!(
+                f,
+                "the camera would be beyond the range of numbers: move eye, at and up nearer to the origin"
+            ),
             SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to drag"),
             SteerError::Unsteady { turn } => write!(
                 f,

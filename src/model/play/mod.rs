@@ -241,13 +241,15 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
             length * (angle.cos() * top + angle.sin() * across)
         }
     };
-    Ok(match camera.orientation {
+    let moved = match camera.orientation {
         Orientation::At { at, .. } => Camera { eye: at + back, ..*camera },
         Orientation::View { up, .. } => {
             Camera { orientation: Orientation::View { view: -back, up }, ..*camera }
         }
         Orientation::Basis(_) => *camera,
-    })
+    };
+    let is_finite = moved.eye.is_finite() && moved.view().is_finite();
+    is_finite.then_some(moved).ok_or(SteerError::OutOfRange)
 }
 
 impl Start {

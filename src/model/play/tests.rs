@@ -66,6 +66,9 @@ fn the_view_goes_over_the_top_and_meets_up_without_rounding() {
     let orientation = Orientation::Basis(start.camera.basis().unwrap());
     let by_hand = Start { camera: Camera { orientation, ..start.camera }, ..start };
     assert_eq!(by_hand.at(Kind::OverTheTop, 0.1), Err(SteerError::NoUp));
+    let orientation = Orientation::At { at: DVec3::new(-1e308, 0.0, -1.0), up: DVec3::Y };
+    let far = Start { camera: Camera { orientation, ..start.camera }, ..start };
+    assert_eq!(far.at(Kind::OverTheTop, 0.1), Err(SteerError::OutOfRange));
     let poles = (0..240).filter(|k| Kind::OverTheTop.phase_of_frame(*k, 240) == 0.25);
     assert_eq!(poles.count(), 0, "every exported frame has a picture");
 }
