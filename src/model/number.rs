@@ -4,9 +4,12 @@
 use pinhole_core::shortest;
 pub(crate) use pinhole_lecture::numbers::{significant, written};
 
+/// The text of a number that is not finite.
+const BEYOND: &str = "beyond f64";
+
 /// Writes a number with all its digits, for reading.
 pub(crate) fn written_whole(x: f64) -> String {
-    shortest(x).replace('-', "−")
+    if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
 }
 
 /// Returns a sentence of the command line without its groups of digits: `1,200` becomes `1200`.
@@ -62,6 +65,9 @@ pub(crate) fn short_plain(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
         return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return BEYOND.to_owned();
     }
     if !(1e-3..1e5).contains(&magnitude) {
         let text = format!("{x:.1e}");
@@ -155,6 +161,7 @@ mod tests {
             (9.9999, "10"),
             (1430.4, "1430"),
             (32_145_678.0, "3.2e7"),
+            (f64::INFINITY, "beyond f64"),
             (1e-6, "1e−6"),
             (-0.25, "−0.25"),
             (0.001_234_56, "0.00123"),

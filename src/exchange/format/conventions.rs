@@ -81,6 +81,6 @@ impl Conventions {
 
     /// The number of the field of view for a camera, or several.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
-        (self.field)(subject).replace(BEYOND, "inf")
+        (self.field)(subject).replace(BEYOND, "beyond f64")
     }
 }
