@@ -232,7 +232,8 @@ fn is_extent(x: f64) -> bool {
 /// Shows the shape of pixels that are not square, and a button that makes them square.
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
-    if is_extent(shape) && (shape - 1.0).abs() > 1e-9 {
+    let is_known = camera.viewport.check().is_ok() && is_extent(shape);
+    if is_known && (shape - 1.0).abs() > 1e-9 {
         let times = written(shape, 4);
         ui.label(format!("Pixels are {times} times as wide as high: spheres look stretched"));
         if ui.button("Make pixels square").clicked() {
