@@ -2,10 +2,10 @@
 //!
 //! 2000 random scenes of twelve pixels for each of five kinds; `PINHOLE_DOOR_SCENES` sets another number.
 
+use pinhole_core::Selection;
 use std::cell::Cell;
 
 use pinhole::model::inspection::Inspection;
-use pinhole::model::session::Selection;
 use pinhole_core::*;
 use pinhole_lecture::ObjectDerivation;
 use pinhole_lecture::grading::{Answers, GivenHit, GradeError, HitAnswer, Truth, Written, grade};

@@ -3,7 +3,7 @@
 
 use std::io::Write as _;
 
-use pinhole_core::{DVec2, ImageSize};
+use pinhole_core::{DVec2, ImageSize, Selection};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
@@ -18,7 +18,7 @@ use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, 
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
-use crate::model::session::{Selection, Session};
+use crate::model::session::Session;
 use crate::view::derive::{Deriver, ViewSizes};
 
 /// The usual sizes of the world view, the lab of lines and the derivation, in dots. A derivation is as

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
+use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera, Selection};
 use pinhole_exchange::atomic::is_same_file;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
@@ -11,7 +11,6 @@ use pinhole_exchange::{FileError, limits, scene_file};
 use super::console::read;
 use super::error::{CommandError, scene_fault};
 use super::standard::is_standard;
-use crate::model::session::Selection;
 
 /// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {

@@ -225,6 +225,7 @@ pub use camera::image::{ImageError, ImageSize, Pixel};
 pub use camera::intrinsics::Intrinsics;
 pub use camera::ray::{Ray, RayError};
 pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};
+pub use camera::selection::Selection;
 pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use exact::decimal::shortest;

@@ -3,10 +3,8 @@
 
 use std::ops::RangeInclusive;
 
-use pinhole_core::{DVec3, ImageSize, Orientation};
+use pinhole_core::{DVec3, ImageSize, Orientation, Selection};
 use pinhole_exchange::document::Document;
-
-use crate::model::session::Selection;
 
 /// A number that is given, and not worked out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

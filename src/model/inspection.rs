@@ -3,11 +3,10 @@
 
 use pinhole_core::{
     DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, Ray, ResolvedCamera, Root, Scene,
-    SphereQuadratic,
+    Selection, SphereQuadratic,
 };
 
 use crate::model::concept::Concept;
-use crate::model::session::Selection;
 
 /// Number of objects whose parts are kept: more than anybody reads.
 pub const LISTED_OBJECTS: usize = 12;

@@ -5,13 +5,13 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
-use pinhole_core::{DVec2, Pixel};
+use pinhole_core::{DVec2, Pixel, Selection};
 use pinhole_exchange::{FileError, atomic};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::model::lessons::{StepId, Which};
-use crate::model::session::{Selection, Settings};
+use crate::model::session::Settings;
 use crate::model::window_geometry::WindowGeometry;
 
 /// The remembered state as stored on disk.

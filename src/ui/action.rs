@@ -17,7 +17,6 @@ use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::pen::Pen;
 use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
-use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
 
 /// A document from no file.
@@ -420,26 +419,10 @@ impl Action {
         }
     }
 
-    /// Returns the changes that it may make to a part of the screen that is not derived.
-    pub(crate) fn changes(&self) -> Changed {
-        match self {
-            Action::Steer(Steer::Zoom(_)) => Changed::CAMERA,
-            Action::Steer(_) => Changed::POSE,
-            Action::Object(_) => Changed::OBJECTS,
-            Action::Give(..) => Changed::CAMERA,
-            Action::Observe(_) | Action::Figure(_) => Changed::NOTHING,
-            Action::Leave(_)
-            | Action::File(_)
-            | Action::Lesson(_)
-            | Action::History(_)
-            | Action::Exchange(_)
-            | Action::Answers(_)
-            | Action::Play(_)
-            | Action::Ghost(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => Changed::SESSION,
-        }
+    /// Returns true if something that is drawn before actions are carried out may show its effect: the
+    /// bars, the dialogs or the history. A move of camera or observer shows in the views alone.
+    pub(crate) fn shows_above_views(&self) -> bool {
+        !matches!(self, Action::Steer(_) | Action::Observe(_) | Action::Figure(_))
     }
 
     /// Returns true if its target exists.

@@ -4,7 +4,6 @@
 
 pub mod action;
 pub mod app;
-pub(crate) mod changed;
 pub mod commands_table;
 pub mod derivation;
 pub mod dialogs;

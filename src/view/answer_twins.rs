@@ -1,12 +1,11 @@
 //! A graded answer of a student, or a wrong camera's ray, as the world view draws it beside the right
 //! one.
 
-use pinhole_core::{Pixel, Ray, ResolvedCamera, Scene};
+use pinhole_core::{Pixel, Ray, ResolvedCamera, Scene, Selection};
 use pinhole_lecture::grading::{Answers, GivenHit, Graded};
 use pinhole_lecture::mistakes::WrongCamera;
 
 use crate::model::practice::twin::{Twin, TwinShape};
-use crate::model::session::Selection;
 
 /// Returns the wrong camera's ray for the selected pixel.
 pub(crate) fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<Twin> {

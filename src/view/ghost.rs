@@ -1,11 +1,12 @@
 //! Comparison of the edited camera with the ghost: in numbers and as a map.
 
 use egui::Color32;
-use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, ResolvedCamera, Scene};
+use pinhole_core::{
+    BasisError, Camera, CameraDifference, Frame, NO_OBJECT, ResolvedCamera, Scene, Selection,
+};
 use pinhole_lecture::mistakes::ComparedPixels;
 
 use crate::model::inspection::Inspection;
-use crate::model::session::Selection;
 
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]

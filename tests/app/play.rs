@@ -6,9 +6,8 @@ use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::play::Kind;
-use pinhole::model::session::Selection;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, Orientation, Pixel};
+use pinhole_core::{Camera, DVec3, Orientation, Pixel, Selection};
 
 use crate::harness::{assert_says, open_scene, says, type_into, window};
 

@@ -3,8 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::concept::Concept;
-use pinhole::model::session::Selection;
-use pinhole_core::Pixel;
+use pinhole_core::{Pixel, Selection};
 
 use super::harness::{assert_says, click_at, type_into, window};
 

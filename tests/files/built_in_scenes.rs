@@ -1,8 +1,7 @@
 //! The built-in scenes show what their notes say.
 
 use pinhole::model::inspection::Inspection;
-use pinhole::model::session::Selection;
-use pinhole_core::{Basis, DVec2, DVec3, Orientation};
+use pinhole_core::{Basis, DVec2, DVec3, Orientation, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::builtin;
 

@@ -9,8 +9,8 @@ use pinhole::model::lessons::{
     AskedExercise, LessonArgument, Step, StepId, Which, builtin, load, parse,
 };
 use pinhole::model::overlay_items::{Item, OverlayItems};
-use pinhole::model::session::{Selection, ViewLayout};
-use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
+use pinhole::model::session::ViewLayout;
+use pinhole_core::{DVec2, DVec3, Pixel, Selection, Sphere};
 use pinhole_lecture::exercises::Exercise;
 
 #[test]

@@ -9,6 +9,7 @@ pub(crate) mod intrinsics;
 pub(crate) mod ray;
 pub(crate) mod resolved;
 pub(crate) mod rotation;
+pub(crate) mod selection;
 pub(crate) mod viewport;
 
 use std::f64::consts::FRAC_PI_2;

@@ -1,6 +1,6 @@
 //! The contents of a lesson file.
 
-use pinhole_core::Shade;
+use pinhole_core::{Selection, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
@@ -11,7 +11,7 @@ use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::play::Kind;
-use crate::model::session::{Selection, ViewLayout};
+use crate::model::session::ViewLayout;
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]

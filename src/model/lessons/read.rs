@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::fields::{Field, Section, Source};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
@@ -20,7 +20,7 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
 use crate::model::practice::exercises::LARGEST_SEED;
-use crate::model::session::{DIGITS, Selection, ViewLayout};
+use crate::model::session::{DIGITS, ViewLayout};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;

@@ -6,13 +6,13 @@ mod player;
 use std::f64::consts::{PI, TAU};
 
 use pinhole_core::steering::SteerError;
-use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Viewport};
+use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Selection, Viewport};
 
 pub use player::Player;
 
 use crate::model::inspection::Inspection;
 use crate::model::named_enum::named_enum;
-use crate::model::session::{Selection, Session};
+use crate::model::session::Session;
 use pinhole_exchange::document::Document;
 
 named_enum! {

@@ -17,7 +17,6 @@ use crate::ui::action::{
     Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
     LessonAction, PlayAction,
 };
-use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, Message};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::view::derive::Deriver;
@@ -41,9 +40,8 @@ const SAVE_AS: FileQuestion =
     FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
 
 impl App {
-    /// Does it, or asks what stands in its way; what it may have changed.
-    pub(super) fn apply(&mut self, ctx: &Context, action: Action) -> Changed {
-        let changes = action.changes();
+    /// Carries out the action, and opens the dialog that it asks for.
+    pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // An animation that moves the camera is all that there is to undo.
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
         self.playback.end(ctx, action.play_end(), &mut self.scene, &mut self.history);
@@ -52,7 +50,6 @@ impl App {
             self.over.open(dialog);
         }
         ctx.request_repaint();
-        changes
     }
 
     /// Carries out the action. Returns the dialog to open, if the user has to be asked or told.

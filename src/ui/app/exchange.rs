@@ -6,7 +6,6 @@ use pinhole_exchange::format::{ExportScene, Exported};
 use super::scene::OpenScene;
 use crate::model::files::{files_of, save_written};
 use crate::model::translator::with;
-use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::tools::translator;
@@ -25,15 +24,13 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
 }
 
 /// Tells what was done last that nobody sees else; of a camera, until it is another one.
-pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) -> Changed {
+pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) {
     let notice = &mut scene.session.translator.notice;
-    let was_there = notice.is_some();
     let camera = notice.as_ref().and_then(|said| said.camera);
     if camera.is_some_and(|camera| camera != scene.open.document.camera) {
         *notice = None;
     }
     translator::notice(ctx, notice);
-    Changed::SESSION.when(notice.is_some() != was_there)
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {

@@ -1,8 +1,8 @@
 //! The order of a frame, and nowhere else: inputs, apply, derive, outputs.
 //!
-//! Panels are drawn from the top while they are edited, and say what they changed. Where something
-//! above them shows that, egui is asked to run the pass again before anything is presented: nothing on
-//! the screen is older than the rest.
+//! Panels are drawn from the top while they are edited. At the end of the pass document and session are
+//! compared with what was drawn: where something on the screen is older than the rest, egui is asked to
+//! run the pass again before anything is presented.
 
 use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, UiBuilder};
 
@@ -10,7 +10,6 @@ use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
 use crate::model::session::{ViewLayout, Workspace};
 use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Switch};
-use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::practice::mistakes::vote;
@@ -24,19 +23,25 @@ impl App {
     pub(super) fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = std::mem::take(&mut self.waiting);
-        let mut changed = std::mem::take(&mut self.changed);
         self.hand.take(&ctx, &mut self.scene, &self.views.derived, self.over.covers());
         self.window_inputs(&ctx, &mut actions);
-        let marks = self.scene.marks();
-        changed |= self.panels(ui, marks, &mut actions);
+        let inspection = self.views.derived.inspection.as_deref();
+        self.playback.go_on(ui, &mut self.scene, &mut self.history, inspection, &mut actions);
+        let drawn = self.scene.drawn();
+        self.panels(ui, &mut actions);
+        // The first pass does not know yet where anything is.
+        let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
         CentralPanel::default().show(ui, |ui| {
-            let (rects, divided) = self.rects(ui);
-            changed |= divided | self.view_inputs(ui, &rects, &mut actions);
+            let rects = self.rects(ui);
+            self.view_inputs(ui, &rects, &mut actions);
+            is_old |= actions.iter().any(Action::shows_above_views);
             for action in actions {
-                changed |= self.apply(&ctx, action);
+                self.apply(&ctx, action);
             }
             self.derive(ui, &rects);
-            changed |= self.outputs(ui, &rects);
+            let waiting = self.waiting.len();
+            self.outputs(ui, &rects);
+            is_old |= self.waiting.len() > waiting;
             if let Some(pen) = &mut self.scene.session.pen {
                 pen::ui(ui, ui.max_rect(), pen);
             }
@@ -46,8 +51,8 @@ impl App {
         self.recovery.follow(&ctx, &self.scene.open);
         self.playback.record(&ctx, &mut self.over.dialog);
         self.window.follow(&ctx, &self.scene);
-        if changed.is_shown_above() || self.scene.marks() != marks {
-            ctx.request_discard("an edit changed what is drawn above it");
+        if is_old || self.scene.is_newer_than(drawn) {
+            ctx.request_discard("an edit changed what was drawn before it");
         }
     }
 
@@ -91,8 +96,8 @@ impl App {
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
         // Before a lesson goes on: its next step is not the answer.
-        if !is_typing && vote::reveal_by_key(ctx, &mut self.scene.session) {
-            self.changed |= Changed::SESSION;
+        if !is_typing {
+            vote::reveal_by_key(ctx, &mut self.scene.session);
         }
         let pressed = commands_table::pressed(ctx, |when| match when {
             When::Anywhere => true,
@@ -147,11 +152,9 @@ impl App {
     }
 
     /// Everything round the views, from the top.
-    fn panels(&mut self, ui: &mut Ui, marks: [bool; 2], actions: &mut Vec<Action>) -> Changed {
+    fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let there = self.available();
-        let [_, differs_from_step] = marks;
         let scene = &mut self.scene;
-        let mut changed = Changed::NOTHING;
         self.over.ui(ui.ctx(), scene, &self.window.recent, there, actions);
         look::follow(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
@@ -160,12 +163,11 @@ impl App {
             let (open, recent) = (&scene.open, &self.window.recent);
             let settings = &mut scene.session.settings;
             Panel::top("top bar").show(ui, |ui| {
-                changed |= top_bar::ui(ui, open, recent, steps, there, settings, actions);
+                top_bar::ui(ui, open, recent, steps, there, settings, actions);
             });
         }
+        let differs_from_step = scene.differs_from_step();
         scene.lesson_strip(ui, differs_from_step, actions);
-        let inspection = self.views.derived.inspection.as_deref();
-        self.playback.go_on(ui, scene, &mut self.history, inspection, actions);
         let hidden = presenting || scene.session.settings.hides_panel;
         if !hidden && self.page().has_panel {
             let panel =
@@ -176,26 +178,24 @@ impl App {
                 let rect = ui.available_rect_before_wrap();
                 let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
                 ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
-                    changed |= self.left_panel(ui);
+                    self.left_panel(ui);
                 });
                 ui.advance_cursor_after_rect(rect);
             });
         }
-        changed
     }
 
-    fn left_panel(&mut self, ui: &mut Ui) -> Changed {
+    fn left_panel(&mut self, ui: &mut Ui) {
         let scene = &mut self.scene;
         let document = &mut scene.open.document;
         ui.add_space(4.0);
         let settings = &mut scene.session.settings;
-        let (before, unfolded) = (document.camera, settings.unfolded);
-        let mut changed = camera::ui(ui, &mut document.camera, settings);
+        let before = document.camera;
+        camera::ui(ui, &mut document.camera, settings);
         scene.session.follow_camera(&before, &document.camera);
         let (selected, settings) = (&mut scene.session.selection, &mut scene.session.settings);
         ui.separator();
         let resolved = document.camera.resolve().ok();
-        let before = *selected;
         // Its numbers may be what the class is asked for.
         if !scene.session.is_asking {
             section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
@@ -203,11 +203,10 @@ impl App {
             });
             ui.separator();
         }
-        changed |= Changed::SESSION.when(*selected != before);
         let chosen = &mut scene.chosen_object;
         // Who has chosen an object elsewhere wants its fields.
         let mut is_open = settings.unfolded.objects || chosen.is_some();
-        section(ui, "Objects", &mut is_open, |ui| changed |= objects::ui(ui, document, chosen));
+        section(ui, "Objects", &mut is_open, |ui| objects::ui(ui, document, chosen));
         if !is_open {
             *chosen = None;
         }
@@ -221,16 +220,14 @@ impl App {
             });
         }
         ui.add_space(8.0);
-        changed | Changed::SESSION.when(settings.unfolded != unfolded)
     }
 
     /// Lays out the views, and what is beside them.
-    fn rects(&mut self, ui: &mut Ui) -> (ViewRects, Changed) {
+    fn rects(&mut self, ui: &mut Ui) -> ViewRects {
         let areas = self.page().areas;
         let session = &mut self.scene.session;
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
-        let before = session.settings.splits;
         let whole = ui.available_rect_before_wrap();
         let numbers = match (presenting, session.settings.unfolded.numbers) {
             (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
@@ -240,18 +237,12 @@ impl App {
         };
         let splits = &mut session.settings.splits;
         let areas = areas(&mut Divider { ui, whole, splits, numbers });
-        let changed = Changed::SESSION.when(session.settings.splits != before);
         let per_point = ui.ctx().pixels_per_point();
-        (ViewRects::new(areas, image, per_point, presenting), changed)
+        ViewRects::new(areas, image, per_point, presenting)
     }
 
     /// Takes the inputs of mouse and keys in the views, and what they point at.
-    fn view_inputs(
-        &mut self,
-        ui: &mut Ui,
-        rects: &ViewRects,
-        actions: &mut Vec<Action>,
-    ) -> Changed {
+    fn view_inputs(&mut self, ui: &mut Ui, rects: &ViewRects, actions: &mut Vec<Action>) {
         let page = self.page();
         // A pointer that rests while another ray is selected, by keys or a lesson's step, leaves it.
         let (pointer, selection) =
@@ -265,13 +256,12 @@ impl App {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();
             scene.frame(views::size_of(rect), is_at_rest);
         }
-        let mut changed = Changed::NOTHING;
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
             let settings = &scene.session.settings;
             let beside = page.beside.map_or("", |beside| (beside.name)(settings));
-            changed = views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
+            views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
             let is_free = scene.session.hand.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
@@ -281,7 +271,6 @@ impl App {
         scene.session.hovered = hovered;
         scene.session.pointed_ray = pointed_ray;
         scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
-        changed
     }
 
     fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
@@ -294,10 +283,10 @@ impl App {
 
     /// Shows the views, and what the page has beside them. Whatever they change of the session is
     /// derived in the next pass.
-    fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) -> Changed {
+    fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
         let actions = &mut self.waiting;
-        let mut changed = self.views.show(ui, rects, &mut self.scene, &mut self.hand);
+        self.views.show(ui, rects, &mut self.scene, &mut self.hand);
         let style = NumberStyle::new(&self.scene.session.settings);
         let mut desk = Desk {
             open: &self.scene.open,
@@ -311,7 +300,7 @@ impl App {
         if let (Some(beside), Some(area), Some(rect)) =
             (page.beside, rects.beside_area, rects.beside)
         {
-            changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
+            (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         // Nothing is printed before the class has thought.
         // A vote asks its own question, and tells nothing of the step's.
@@ -319,12 +308,12 @@ impl App {
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
             if shown {
-                changed |= (page.rest)(ui, &mut desk);
+                (page.rest)(ui, &mut desk);
             } else {
                 (page.asked)(ui, &desk);
             }
         });
-        changed | exchange::notice(ui.ctx(), &mut self.scene)
+        exchange::notice(ui.ctx(), &mut self.scene);
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is

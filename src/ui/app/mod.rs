@@ -3,6 +3,7 @@
 
 mod answers;
 mod apply;
+mod drawn;
 mod exchange;
 mod failure;
 mod figures;
@@ -41,7 +42,6 @@ use crate::model::play::Player;
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::store::{Remembered, Store};
 use crate::ui::action::{Action, FileAction};
-use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 use crate::ui::frame_times::{FrameWork, WorkTimes};
@@ -68,8 +68,8 @@ pub struct App {
     failure: Option<String>,
     /// Actions for the next pass.
     waiting: Vec<Action>,
-    /// The changes since the last pass.
-    changed: Changed,
+    /// True once a pass has laid out the window.
+    is_laid_out: bool,
 }
 
 impl App {
@@ -99,8 +99,7 @@ impl App {
             watch: Watch::default(),
             failure: None,
             waiting: Vec::new(),
-            // The first pass does not know yet where anything is.
-            changed: Changed::SESSION,
+            is_laid_out: false,
         }
     }
 

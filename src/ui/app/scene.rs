@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use egui::Context;
-use pinhole_core::Camera;
+use pinhole_core::{Camera, Selection};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
@@ -17,7 +17,7 @@ use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
 use crate::model::session::ghost::{Beside, Ghost};
 use crate::model::session::hand::Hand;
-use crate::model::session::{Selection, Session, Settings, ViewLayout};
+use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};
 use crate::ui::panels::{camera, objects};

@@ -1,6 +1,7 @@
 //! The views: deriving what they show, keeping up with the hand, and putting their pictures on the
 //! screen.
 
+use pinhole_core::Selection;
 use std::time::Duration;
 
 use egui::{Context, Event, Key, Pos2, Ui, Vec2};
@@ -10,8 +11,6 @@ use super::scene::OpenScene;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::model::observer::ViewSize;
-use crate::model::session::Selection;
-use crate::ui::changed::Changed;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::ViewRects;
@@ -97,15 +96,13 @@ impl Views {
         rects: &ViewRects,
         scene: &mut OpenScene,
         hand: &mut InHand,
-    ) -> Changed {
+    ) {
         self.world_size = rects.world.map(views::size_of).or(self.world_size);
         let derived = &self.derived;
-        let mut changed = Changed::NOTHING;
         if scene.session.presenting.is_none() {
             let image = scene.open.document.camera.image;
             let settings = &mut scene.session.settings;
-            changed =
-                Changed::edited(settings, |settings| views::strips(ui, rects, settings, image));
+            views::strips(ui, rects, settings, image);
         }
         let (document, session) = (&scene.open.document, &scene.session);
         let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
@@ -141,7 +138,6 @@ impl Views {
             }
         }
         hand.tell(ui, rects, scene, derived);
-        changed
     }
 }
 

@@ -10,15 +10,13 @@ use crate::model::letters::typeset_message;
 use crate::model::number::written;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, meaning};
-use crate::ui::changed::Changed;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
 /// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
 /// distance : width : height.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> Changed {
-    let before = (*camera, *settings);
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -44,7 +42,6 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> C
         pixel_shape(ui, camera);
     });
     settings.unfolded.viewport = unfolded;
-    Changed::between_cameras(&before.0, camera) | Changed::SESSION.when(*settings != before.1)
 }
 
 /// Shows the choice of how the camera is given, and converts the camera.

@@ -4,7 +4,6 @@ use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, Shared};
 
-use crate::ui::changed::Changed;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_row};
 use crate::ui::widgets::spoken::Spoken as _;
@@ -14,33 +13,27 @@ use crate::view::typesetting::theme;
 const LIST_ROWS: f32 = 6.0;
 
 /// Edits the objects; `chosen` is the index of the one whose fields are shown, if any.
-pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize>) -> Changed {
-    let mut changed = Changed::NOTHING;
+pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize>) {
     ui.horizontal(|ui| {
         if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
             *chosen = Some(add_sphere(document));
-            changed = Changed::OBJECTS;
         }
         if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
             *chosen = Some(add_plane(document));
-            changed = Changed::OBJECTS;
         }
     });
     if document.object_count() == 0 {
         ui.weak("Nothing to see yet: add a sphere or a plane.");
-        return changed;
+        return;
     }
     *chosen = chosen.filter(|chosen| *chosen < document.object_count());
     list(ui, document, chosen);
     if let Some(index) = *chosen {
         ui.add_space(4.0);
-        let edited = editor(ui, document, index);
-        changed |= edited.map_or(Changed::OBJECTS, |edited| edited);
-        if edited.is_none() {
+        if editor(ui, document, index) {
             *chosen = None;
         }
     }
-    changed
 }
 
 /// Adds a sphere that the camera sees. Returns its index.
@@ -148,8 +141,8 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) -> Response {
     response
 }
 
-/// Shows an object's fields. Returns what they changed; `None` if the object was removed.
-fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Option<Changed> {
+/// Shows an object's fields. Returns true if the object was removed.
+fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     let first_plane = document.sphere_count();
     let own = document.color_of(index as u32);
     let shown = theme::object_color(ui, document, index as u32);
@@ -157,32 +150,31 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Option<Changed>
         edit(ui, &mut document.spheres, index, [own, shown], sphere)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
-        Some(Changed::NOTHING)
+        false
     } else {
         edit(ui, &mut document.planes, index - first_plane, [own, shown], plane)
     }
 }
 
 /// Edits an object. It is stored only if it was edited: the list is shared with the steps of the
-/// history, and copied when it is written to. Returns `None` if it was removed.
+/// history, and copied when it is written to. Returns true if it was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut Shared<Item<S>>,
     index: usize,
     colors: [Rgb; 2],
     fields: fn(&mut Ui, &mut S),
-) -> Option<Changed> {
+) -> bool {
     let mut item = items[index].clone();
     if heading(ui, &mut item, colors) {
         items.remove(index);
-        return None;
+        return true;
     }
     fields(ui, &mut item.shape);
-    let is_new = items[index] != item;
-    if is_new {
+    if items[index] != item {
         items[index] = item;
     }
-    Some(Changed::OBJECTS.when(is_new))
+    false
 }
 
 /// Shows the name, the colour and the remove button. Returns true if the button was clicked. The

@@ -1,9 +1,8 @@
 //! Fields for the selected ray: row and column, or (u, v).
 
 use egui::{Grid, Ui};
-use pinhole_core::{Pixel, ResolvedCamera};
+use pinhole_core::{Pixel, ResolvedCamera, Selection};
 
-use crate::model::session::Selection;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
 

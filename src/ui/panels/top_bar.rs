@@ -18,7 +18,6 @@ use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
     HistoryAction, Leave, LookAction, Observe, Overlay,
 };
-use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::widgets::asking::Asking as _;
@@ -35,8 +34,7 @@ pub(crate) fn ui(
     there: Available,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
-) -> Changed {
-    let before = *settings;
+) {
     MenuBar::new().ui(ui, |ui| {
         // This menu stays open for several clicks.
         let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
@@ -56,7 +54,6 @@ pub(crate) fn ui(
         let title = format!("{}{changed}", title_of(open.origin()));
         ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
     });
-    Changed::SESSION.when(*settings != before)
 }
 
 /// Minimum width of the scene's name, in points.

@@ -4,12 +4,13 @@
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
 };
+use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::letters::typeset_message;
 use crate::model::number::ungrouped;
 use crate::model::practice::student_answers::StudentAnswers;
-use crate::model::session::{Selection, Session};
+use crate::model::session::Session;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;

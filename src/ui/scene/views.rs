@@ -7,16 +7,15 @@ use egui::text::LayoutJob;
 use egui::{
     Color32, FontId, Galley, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
-use pinhole_core::ImageSize;
+use pinhole_core::{ImageSize, Selection};
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
 use crate::model::observer::{Observer, ViewSize};
-use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
+use crate::model::session::{EyeKeeps, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
-use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::handles::sphere_at;
 use crate::ui::scene::number_strip;
@@ -79,8 +78,7 @@ pub(crate) fn inputs(
     session: &mut Session,
     shown: &Derived,
     actions: &mut Vec<Action>,
-) -> Changed {
-    let selected = session.selection;
+) {
     let mut views = Vec::new();
     if let Some(rect) = rects.world {
         let response = view(ui, rect, WORLD);
@@ -114,7 +112,6 @@ pub(crate) fn inputs(
         });
         actions.extend(pressed.into_iter().map(|(_, action)| action));
     }
-    Changed::SESSION.when(session.selection != selected)
 }
 
 /// Creates a view's area, which takes clicks, drags and the focus.

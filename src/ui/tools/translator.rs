@@ -8,12 +8,11 @@ use egui::{
     Align, Align2, Area, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea, Stroke, Ui,
     WidgetText, vec2,
 };
-use pinhole_core::Pixel;
+use pinhole_core::{Pixel, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Text;
 
 use crate::model::letters::typeset_message;
-use crate::model::session::Selection;
 use crate::model::translator::conventions::Row;
 use crate::model::translator::{MOST_OBJECTS, Notice, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};

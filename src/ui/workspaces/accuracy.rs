@@ -6,7 +6,6 @@ use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
 use crate::model::files::title_of;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::scene::view_rects::{Areas, STRIP, halves};
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
@@ -27,19 +26,15 @@ pub(super) const ACCURACY: Page = Page {
     rest: |ui, desk| {
         let (document, measuring) = (&desk.open.document, &mut desk.tools.measuring);
         measuring.step(ui.ctx(), &title_of(desk.open.origin()), &document.camera, desk.derived);
-        let before = desk.session.settings.compared;
         accuracy::ui(ui, measuring, desk.derived, document, desk.session);
-        Changed::SESSION.when(desk.session.settings.compared != before)
     },
     figure: Subject::Camera,
     ..Page::VIEWS
 };
 
-fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
-    let changed = Changed::edited(&mut desk.session.settings, |settings| {
-        accuracy::strip(ui, area, settings);
-    });
+    accuracy::strip(ui, area, &mut desk.session.settings);
     let is_dimmed = derived.fault.is_some();
     match (&derived.error_map, &derived.compared, &derived.certainty) {
         (Some(shown), Some(compared), _) => {
@@ -58,5 +53,4 @@ fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> C
             }
         }
     }
-    changed
 }

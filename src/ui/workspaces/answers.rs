@@ -5,8 +5,7 @@ use egui::Ui;
 
 use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
-use crate::model::session::{Session, Split};
-use crate::ui::changed::Changed;
+use crate::model::session::Split;
 use crate::ui::practice::answers;
 use crate::ui::scene::views;
 
@@ -17,19 +16,12 @@ pub(super) const ANSWERS: Page = Page {
         derive: |sizes, size| sizes.answers = Some(size),
         show: map,
     }),
-    rest: |ui, desk| {
-        let chosen = |session: &Session| {
-            (session.selection, session.answers.as_ref().map(|answers| answers.count_from))
-        };
-        let before = chosen(desk.session);
-        answers::ui(ui, desk.derived, desk.session, desk.actions);
-        Changed::SESSION.when(chosen(desk.session) != before)
-    },
+    rest: |ui, desk| answers::ui(ui, desk.derived, desk.session, desk.actions),
     figure: Subject::Camera,
     ..Page::VIEWS
 };
 
-fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
     let has_map = derived.answers_view.is_some();
     answers::strip(ui, area, desk.session.answers.as_ref(), has_map);
@@ -38,5 +30,4 @@ fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed
         Some(shown) => desk.picture(ui, rect, shown, false),
         None => answers::no_map(ui, rect, derived, desk.session),
     }
-    Changed::NOTHING
 }

@@ -4,7 +4,6 @@ use egui::Ui;
 
 use super::page::{Beside, Desk, Frame, Page};
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::scene::view_rects::{Areas, halves};
 use crate::ui::scene::{compare, views};
 
@@ -23,18 +22,16 @@ pub(super) const COMPARE: Page = Page {
     rest: |ui, desk| {
         let (document, ghost) = (&desk.open.document, desk.session.ghost.as_ref());
         compare::ui(ui, desk.derived, document, ghost, desk.style, desk.actions);
-        Changed::NOTHING
     },
     ..Page::VIEWS
 };
 
-fn ghost(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn ghost(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
-    let changed = Changed::edited(&mut desk.session.ghost, |ghost| compare::strip(ui, area, ghost));
+    compare::strip(ui, area, &mut desk.session.ghost);
     views::speak(ui, views::GHOST, &compare::spoken(derived.against_ghost.as_deref()));
     match &derived.ghost_view {
         Some(shown) => desk.picture(ui, rect, shown, false),
         None => compare::no_picture(ui, rect, desk.session.ghost.as_ref()),
     }
-    changed
 }

@@ -5,7 +5,6 @@ use egui::Ui;
 use super::page::{Desk, Page};
 use crate::figures::Subject;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 
 pub(super) const DERIVATION: Page = Page {
     follows_pointer: true,
@@ -18,11 +17,8 @@ pub(super) const DERIVATION: Page = Page {
 
 pub(super) const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
 
-fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
-    let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };
+fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let Some(derivation) = &desk.derived.derivation else { return };
     let (session, actions) = (&mut *desk.session, &mut *desk.actions);
-    let before = (session.sections, session.settings.exact_forms, actions.len());
     desk.tools.derivation.ui(ui, derivation, &desk.open.document, session, actions);
-    let now = (session.sections, session.settings.exact_forms, actions.len());
-    Changed::SESSION.when(now != before)
 }

@@ -2,14 +2,10 @@
 
 use super::page::Page;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::tools::frame;
 
 pub(super) const FRAME: Page = Page {
     areas: |divider| divider.both_above(Split::Frame),
-    rest: |ui, desk| {
-        frame::ui(ui, desk.derived);
-        Changed::NOTHING
-    },
+    rest: |ui, desk| frame::ui(ui, desk.derived),
     ..Page::VIEWS
 };

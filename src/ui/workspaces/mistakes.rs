@@ -5,7 +5,6 @@ use egui::Ui;
 use super::page::{Beside, Desk, Frame, Page};
 use crate::figures::Subject;
 use crate::model::session::Split;
-use crate::ui::changed::Changed;
 use crate::ui::practice::mistakes;
 use crate::ui::scene::views;
 
@@ -17,25 +16,21 @@ pub(super) const MISTAKES: Page = Page {
         show: wrong_camera,
     }),
     rest: |ui, desk| {
-        Changed::edited(&mut desk.session.mistakes_view, |view| {
-            mistakes::ui(ui, desk.derived, &desk.open.document, view, desk.style);
-        })
+        let view = &mut desk.session.mistakes_view;
+        mistakes::ui(ui, desk.derived, &desk.open.document, view, desk.style);
     },
     figure: Subject::Camera,
     ..Page::VIEWS
 };
 
-fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+fn wrong_camera(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
-    let changed = Changed::edited(&mut desk.session.mistakes_view, |mistakes_view| {
-        mistakes::strip(ui, area, mistakes_view);
-    });
-    let Some(wrong) = &derived.wrong else { return changed };
+    mistakes::strip(ui, area, &mut desk.session.mistakes_view);
+    let Some(wrong) = &derived.wrong else { return };
     let mistakes_view = &desk.session.mistakes_view;
     views::speak(ui, views::WRONG, &mistakes::spoken(wrong, mistakes_view));
     match &derived.wrong_view {
         Some(shown) => desk.picture(ui, rect, shown, derived.fault.is_some()),
         None => mistakes::no_picture(ui, rect, wrong, mistakes_view),
     }
-    changed
 }

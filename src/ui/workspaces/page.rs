@@ -7,7 +7,6 @@ use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
 use crate::model::session::{Session, Settings, Split};
 use crate::ui::action::{Action, LessonAction};
-use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::exercises::scene::QuestionScene;
@@ -30,7 +29,7 @@ pub(crate) struct Page {
     /// The picture beside the camera's, if it has one.
     pub(crate) beside: Option<&'static Beside>,
     /// Shows what it has below the views, beside them or in their place.
-    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>) -> Changed,
+    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
     /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
     pub(crate) asked: fn(&mut Ui, &Desk<'_>),
     /// Returns the concept that the mouse or the focus is on in that.
@@ -46,7 +45,7 @@ pub(crate) struct Beside {
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
     /// Shows it in a frame, with its title above the area.
-    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
+    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame),
 }
 
 /// The area of a picture, and where in it the picture is.
@@ -91,7 +90,7 @@ impl Page {
         follows_pointer: false,
         areas: |divider| divider.both_above(Split::Readouts),
         beside: None,
-        rest: |_, _| Changed::NOTHING,
+        rest: |_, _| (),
         asked: |ui, _| hidden(ui),
         hovered: |_, _, _| None,
         figure: Subject::World,

@@ -2,7 +2,6 @@
 
 use super::page::Page;
 use crate::model::session::{Session, Split};
-use crate::ui::changed::Changed;
 use crate::ui::ray::plot;
 
 pub(super) const PLOT: Page = Page {
@@ -10,12 +9,8 @@ pub(super) const PLOT: Page = Page {
     areas: |divider| divider.both_above(Split::Plot),
     rest: |ui, desk| {
         let Session { ray_point_t, settings, .. } = &mut *desk.session;
-        let mut shown = (*ray_point_t, settings.plot_compressed);
-        let changed = Changed::edited(&mut shown, |(ray_point_t, compressed)| {
-            plot::ui(ui, ray_point_t, compressed, desk.derived, desk.style.digits);
-        });
-        (*ray_point_t, settings.plot_compressed) = shown;
-        changed
+        let compressed = &mut settings.plot_compressed;
+        plot::ui(ui, ray_point_t, compressed, desk.derived, desk.style.digits);
     },
     hovered: |ctx, _, derived| plot::hovered(ctx, derived),
     ..Page::VIEWS

@@ -8,7 +8,6 @@ use crate::model::lessons::{StepId, Which};
 use crate::model::overlay_items::Item;
 use crate::model::session::ViewLayout;
 use crate::ui::action::{Leave, LookAction};
-use crate::ui::changed::Changed;
 use crate::ui::scene::view_rects::Areas;
 use crate::ui::scene::{number_strip, pointed_number, readouts};
 use crate::ui::widgets::asking::Asking as _;
@@ -47,13 +46,13 @@ pub(super) const CAMERA: Page = Page {
     ..Page::VIEWS
 };
 
-fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
+fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
     let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
     if desk.session.presenting.is_some() {
         if desk.session.settings.presents_numbers {
             number_strip::presented(ui, derived, document, style);
         }
-        return Changed::NOTHING;
+        return;
     }
     let all = desk.session.settings.unfolded.numbers;
     let mut switched = false;
@@ -83,5 +82,4 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
     if switched {
         desk.session.settings.unfolded.numbers = !all;
     }
-    Changed::SESSION.when(switched)
 }

@@ -16,7 +16,7 @@ mod tests;
 
 use std::fmt;
 
-use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError};
+use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
@@ -27,7 +27,6 @@ use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
 use crate::model::number::Rounding;
-use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
 pub use export::Markup;
 

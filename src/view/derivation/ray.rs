@@ -1,6 +1,6 @@
 //! Derivation of the view ray of a pixel or of a position (u, v).
 
-use pinhole_core::{Camera, PixelOfUv, ResolvedCamera, Viewport};
+use pinhole_core::{Camera, PixelOfUv, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{PixelShares, RayDerivation};
 
 use super::Line;
@@ -9,7 +9,6 @@ use super::numbers::Numbers;
 use crate::model::concept::Concept;
 use crate::model::given::Given;
 use crate::model::inspection::Inspection;
-use crate::model::session::Selection;
 use crate::view::formula::{
     Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
 };

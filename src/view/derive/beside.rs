@@ -2,7 +2,7 @@
 
 use std::borrow::Borrow;
 
-use pinhole_core::ResolvedCamera;
+use pinhole_core::{ResolvedCamera, Selection};
 
 use super::derived::Inputs;
 use super::memo::Memo;
@@ -10,7 +10,6 @@ use super::watch::{Work, watched};
 use super::{Shown, blank};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::OverlayItems;
-use crate::model::session::Selection;
 use crate::view::overlay::{self, CameraView, Picture, Style};
 
 /// The inputs of a view: the picture by number, the ray, the size, and the overlay.

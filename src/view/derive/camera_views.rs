@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::ResolvedCamera;
 use pinhole_core::methods::Method;
+use pinhole_core::{ResolvedCamera, Selection};
 
 use super::buffers::Buffers;
 use super::derived::{Derived, Inputs, Purpose, Shown};
@@ -13,7 +13,6 @@ use super::picture::{GoodPicture, MapOf};
 use super::watch::{Work, watched};
 use super::{HighlightKey, blank, highlight_key};
 use crate::model::overlay_items::OverlayItems;
-use crate::model::session::Selection;
 use crate::view::overlay::{self, CameraView, Highlighted, Loupe, Picture, Style};
 use crate::view::{accuracy, certainty};
 

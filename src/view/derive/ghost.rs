@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Outputs, Raster, ResolvedCamera, Shade};
+use pinhole_core::{Camera, Outputs, Raster, ResolvedCamera, Selection, Shade};
 
 use super::Derived;
 use super::beside::BesideView;
@@ -11,7 +11,6 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::picture;
 use crate::model::overlay_items::Item;
-use crate::model::session::Selection;
 use crate::model::session::ghost::{Beside, Ghost, resolve};
 use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::Picture;

@@ -7,7 +7,8 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{
-    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, Shade, Steps,
+    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, Selection, Shade,
+    Steps,
 };
 
 use super::derived::{Derived, Inputs};
@@ -17,7 +18,7 @@ use super::scan::first_pixels;
 use super::watch::{self, Watch, Work};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
-use crate::model::session::{Selection, Settings};
+use crate::model::session::Settings;
 use crate::view::accuracy::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::certainty::{self, Certainty};

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use pinhole_core::ResolvedCamera;
+use pinhole_core::{ResolvedCamera, Selection};
 
 use super::Derived;
 use super::derived::Inputs;
 use super::memo::Memo;
-use crate::model::session::{Heights, Selection, ViewLayout};
+use crate::model::session::{Heights, ViewLayout};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
 /// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a

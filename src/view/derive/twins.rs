@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::Camera;
+use pinhole_core::{Camera, Selection};
 use pinhole_lecture::grading::Graded;
 use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
@@ -11,7 +11,7 @@ use super::Derived;
 use super::derived::Inputs;
 use super::memo::{Memo, Same};
 use crate::model::practice::twin::Twin;
-use crate::model::session::{Selection, ViewLayout};
+use crate::model::session::ViewLayout;
 use crate::view::answer_twins::{of_answers, of_mistake};
 use crate::view::overlay::GhostCamera;
 

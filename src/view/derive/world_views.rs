@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Frame};
+use pinhole_core::{Camera, Frame, Selection};
 
 use super::buffers::Buffers;
 use super::derived::{Derived, Inputs, Purpose, Shown};
@@ -15,7 +15,6 @@ use super::{HighlightKey, highlight_key, twins};
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::practice::twin::Twin;
-use crate::model::session::Selection;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::handles::{self, Stage};
 use crate::view::overlay::{

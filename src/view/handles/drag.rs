@@ -372,7 +372,7 @@ impl HandleDrag<'_> {
         });
         match position {
             Some(position) => HandleValues {
-                selection: crate::model::session::Selection::Pixel(position.pixel),
+                selection: pinhole_core::Selection::Pixel(position.pixel),
                 ..*before
             },
             None => *before,

@@ -1,12 +1,11 @@
 //! The handles of the world view and their positions on the screen.
 
 use pinhole_core::steering::ViewportCorner;
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 
 use crate::model::observer::UP_LENGTH;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::session::Selection;
 use crate::model::session::hand::{Grasp, Hand, Handle};
 use crate::view::overlay;
 

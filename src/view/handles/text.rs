@@ -1,12 +1,11 @@
 //! Names and values of handles, in words.
 
 use pinhole_core::steering::ViewportCorner;
-use pinhole_core::{DVec3, Orientation};
+use pinhole_core::{DVec3, Orientation, Selection};
 use pinhole_exchange::document::Document;
 
 use super::HandleValues;
 use crate::model::number::written;
-use crate::model::session::Selection;
 use crate::model::session::hand::Handle;
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.

@@ -1,9 +1,8 @@
 //! The values that a handle changes.
 
-use pinhole_core::{Camera, Plane, Sphere};
+use pinhole_core::{Camera, Plane, Selection, Sphere};
 use pinhole_exchange::document::Document;
 
-use crate::model::session::Selection;
 use crate::model::session::hand::Handle;
 
 /// The part of document and session that a handle can change, either before or after the change.

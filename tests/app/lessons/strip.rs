@@ -4,8 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
-use pinhole::model::session::Selection;
-use pinhole_core::Pixel;
+use pinhole_core::{Pixel, Selection};
 
 use super::{answer, at_step, key, shown_step};
 use crate::harness::{says, type_into, window};

@@ -1,5 +1,6 @@
 //! A student's answers in the window: dropped, graded, shown, and put away.
 
+use pinhole_core::Selection;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +8,7 @@ use std::path::{Path, PathBuf};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Selection, ViewLayout};
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
 use crate::app::files::scene_files::drop_file;

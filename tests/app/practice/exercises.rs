@@ -5,9 +5,9 @@ use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::practice::exercises::LARGEST_SEED;
-use pinhole::model::session::{Selection, ThemeName, ViewLayout};
+use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
-use pinhole_core::{DVec2, Orientation};
+use pinhole_core::{DVec2, Orientation, Selection};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
 use crate::harness::{

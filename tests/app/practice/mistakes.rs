@@ -131,8 +131,7 @@ fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let rect = window.get_by_role_and_label(Role::Image, "Wrong camera").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
     click_at(&mut window, at);
-    let pinhole::model::session::Selection::Pixel(pixel) = window.state().session().selection
-    else {
+    let pinhole_core::Selection::Pixel(pixel) = window.state().session().selection else {
         panic!("no pixel is selected")
     };
     assert!(pixel.row.abs_diff(300) <= 1 && pixel.column.abs_diff(100) <= 1, "{pixel:?}");

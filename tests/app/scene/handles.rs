@@ -8,11 +8,11 @@ use egui::{
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::overlay_items::Item;
+use pinhole::model::session::Settings;
 use pinhole::model::session::hand::Handle;
-use pinhole::model::session::{Selection, Settings};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3};
+use pinhole_core::{Camera, DVec3, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};

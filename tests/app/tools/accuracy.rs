@@ -3,12 +3,12 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{MethodName, Selection, Settings, Split, Splits, ViewLayout};
+use pinhole::model::session::{MethodName, Settings, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::methods::Method;
-use pinhole_core::{Pixel, Step};
+use pinhole_core::{Pixel, Selection, Step};
 
 use crate::harness::{assert_says, show, texts_with, type_into, unfolded, window, window_with};
 

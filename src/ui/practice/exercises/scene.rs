@@ -1,6 +1,7 @@
 //! The scene of a question, with what was typed and what is right, and its derivation as the solution.
 
 use egui::{Align, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use pinhole_core::Selection;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
@@ -13,7 +14,7 @@ use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::OverlayItems;
 use crate::model::practice::exercises::Exercises;
 use crate::model::practice::twin;
-use crate::model::session::{Selection, Session, Settings, ViewLayout};
+use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::view_rects::strip_above;

@@ -52,10 +52,10 @@ const WITH_FORMULA: f32 = 54.0;
 pub(super) type Seen<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
 
 /// Reveals the right option where Enter or Page Down was pressed and there is a secret.
-pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) -> bool {
+pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
     let is_shown = session.settings.layout == ViewLayout::Mistakes;
     if !is_shown || session.mistakes_view.is_revealed() {
-        return false;
+        return;
     }
     let has_focus = ctx.memory(|memory| memory.focused().is_some());
     let is_pressed = ctx.input_mut(|input| {
@@ -65,7 +65,6 @@ pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) -> bool {
     if is_pressed {
         session.mistakes_view.reveal();
     }
-    is_pressed
 }
 
 /// Shows the button that opens a vote.

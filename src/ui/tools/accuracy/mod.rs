@@ -7,11 +7,11 @@ mod table;
 
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, trace};
+use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Selection, trace};
 use pinhole_exchange::document::Document;
 
 use crate::model::number::{short, written_whole};
-use crate::model::session::{MethodName, Selection, Session, Settings};
+use crate::model::session::{MethodName, Session, Settings};
 use crate::report::model::NO_DIGIT;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;

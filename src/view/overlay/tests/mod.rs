@@ -11,14 +11,13 @@ mod wild;
 use egui::Color32;
 use pinhole_core::{
     Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, Raster, ResolvedCamera, Rgb, Scene,
-    Shade, Sphere, shade, trace_as,
+    Selection, Shade, Sphere, shade, trace_as,
 };
 
 pub(super) use super::*;
 use crate::model::inspection::Inspection;
 use crate::model::observer::{Observer, ViewSize, enclosing, traced_scene};
 pub(super) use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::session::Selection;
 
 /// A world view with everything in it.
 struct Stage {

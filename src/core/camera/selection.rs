@@ -1,0 +1,111 @@
+//! The selected ray of a camera.
+
+use glam::DVec2;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::image::{ImageSize, Pixel};
+use crate::camera::ray::RayError;
+use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
+use crate::camera::viewport::Viewport;
+
+/// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Selection {
+    /// The ray through a pixel's centre.
+    Pixel(Pixel),
+    /// The ray through a position in the viewport.
+    Uv(DVec2),
+}
+
+impl Default for Selection {
+    /// Returns the ray of the lecture's warm-up.
+    fn default() -> Self {
+        Selection::Uv(DVec2::new(0.2, -0.1))
+    }
+}
+
+impl Selection {
+    /// Returns the position where the selected ray passes through the viewport.
+    pub fn uv(self, camera: &ResolvedCamera) -> DVec2 {
+        match self {
+            Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
+            Selection::Uv(uv) => uv,
+        }
+    }
+
+    /// Returns the selected view ray without rounding. A pixel must lie [inside](Selection::inside)
+    /// the image.
+    ///
+    /// # Errors
+    /// Returns the errors of [`ResolvedCamera::exact_ray_at`].
+    pub fn exact_ray(self, camera: &ResolvedCamera) -> Result<ExactRay<'_>, RayError> {
+        match self {
+            Selection::Pixel(pixel) => Ok(camera.exact_ray(pixel)),
+            Selection::Uv(uv) => camera.exact_ray_at(uv),
+        }
+    }
+
+    /// Returns the selection with a pixel moved back into an image that may have shrunk.
+    pub fn inside(self, image: ImageSize) -> Selection {
+        match self {
+            Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
+                row: row.min(image.height() - 1),
+                column: column.min(image.width() - 1),
+            }),
+            uv => uv,
+        }
+    }
+
+    /// Returns the selection after a change of the image's size: the pixel at the same position.
+    pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
+        let position = |k: u32, before: u32, now: u32| {
+            let share = (f64::from(k) + 0.5) / f64::from(before);
+            ((share * f64::from(now)) as u32).min(now - 1)
+        };
+        match self {
+            Selection::Pixel(Pixel { row, column }) if before != now => Selection::Pixel(Pixel {
+                row: position(row, before.height(), now.height()),
+                column: position(column, before.width(), now.width()),
+            }),
+            same => same,
+        }
+    }
+
+    /// Returns the selection after the viewport was scaled: the same share of its width and height.
+    pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
+        match self {
+            Selection::Uv(uv) if before != now => {
+                let scaled = uv * DVec2::new(now.width, now.height)
+                    / DVec2::new(before.width, before.height);
+                Selection::Uv(if scaled.is_finite() { scaled } else { uv })
+            }
+            same => same,
+        }
+    }
+
+    /// Returns the pixel that many rows down and columns right, for the arrow keys. From a (u, v), the
+    /// first step goes to the next centre of a pixel in its direction.
+    pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
+        let (Pixel { row, column }, rows, columns) = match self {
+            Selection::Pixel(pixel) => (pixel, rows, columns),
+            Selection::Uv(uv) => {
+                let Some(PixelOfUv { pixel, .. }) = camera.pixel_of_uv(uv) else { return self };
+                let off = camera.uv_of_pixel(pixel) - uv;
+                // A step towards the own pixel's centre stops there.
+                let beyond = |steps: i64, centre_is_ahead: bool| {
+                    if centre_is_ahead { steps - steps.signum() } else { steps }
+                };
+                let down = if rows > 0 { -off.y } else { off.y };
+                let right = if columns > 0 { off.x } else { -off.x };
+                (pixel, beyond(rows, down > 0.0), beyond(columns, right > 0.0))
+            }
+        };
+        let step = |from: u32, by: i64, count: u32| {
+            (i64::from(from) + by).clamp(0, i64::from(count) - 1) as u32
+        };
+        Selection::Pixel(Pixel {
+            row: step(row, rows, camera.image().height()),
+            column: step(column, columns, camera.image().width()),
+        })
+    }
+}
