@@ -228,7 +228,7 @@ pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};
 pub use camera::selection::Selection;
 pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use exact::decimal::shortest;
+pub use exact::decimal::{shortest, triple};
 pub use exact::double_double::DoubleDouble;
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};

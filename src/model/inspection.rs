@@ -90,8 +90,7 @@ impl Inspection {
     /// Returns the only pixel that the ray goes through; `None` outside the image and on an edge
     /// between pixels.
     pub fn pixel(&self) -> Option<Pixel> {
-        let PixelOfUv { pixel, column_edge, row_edge } = self.image_position?;
-        (column_edge.is_none() && row_edge.is_none()).then_some(pixel)
+        self.image_position?.only_pixel()
     }
 
     /// Returns the concept of a root: its object, and its index among the object's roots by

@@ -22,6 +22,7 @@ pub mod overlay_items;
 pub mod panics;
 pub mod play;
 pub mod practice;
+pub mod readings;
 pub mod recovery;
 pub mod session;
 pub mod store;

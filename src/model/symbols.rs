@@ -83,11 +83,6 @@ pub(crate) fn meaning(kind: Kind, name: &str) -> Option<&'static str> {
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
-/// Returns the meaning of a name among the readouts: of a readout, or else of a vector.
-pub(crate) fn meaning_of_readout(name: &str) -> Option<&'static str> {
-    meaning(Kind::Readout, name).or_else(|| meaning(Kind::Vector, name))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
-use pinhole_core::{DVec3, Orientation, PixelOfUv, shortest};
+use pinhole_core::{Orientation, Pixel, shortest, triple};
 
 use super::Readout;
+use crate::model::concept::Concept;
+use crate::model::readings::{Reading, Value, of_basis};
 
 impl Readout<'_> {
     /// `sphere` or `plane`.
@@ -28,7 +30,6 @@ impl Readout<'_> {
 
     fn camera_lines(&self) -> Vec<String> {
         let camera = &self.document.camera;
-        let basis = self.camera.basis();
         let viewport = self.camera.viewport();
         let mut lines = vec![row("eye", triple(camera.eye))];
         match camera.orientation {
@@ -40,18 +41,9 @@ impl Readout<'_> {
             }
             Orientation::Basis(_) => {}
         }
-        lines.extend([
-            row("u (right)", triple(basis.u)),
-            row("v (up in the image)", triple(basis.v)),
-            row("w (backwards)", triple(basis.w)),
-        ]);
-        if !matches!(camera.orientation, Orientation::Basis(_)) {
-            let degrees = shortest(self.up_angle.angle.to_degrees());
-            lines.push(row("angle of up and view", format!("{degrees} degrees")));
-            let conditioning = shortest(self.up_angle.conditioning);
-            let roll = "(degrees of roll for each degree that up is tipped sideways)";
-            lines.push(row("conditioning", format!("{conditioning} {roll}")));
-        }
+        let has_up = !matches!(camera.orientation, Orientation::Basis(_));
+        let readings = of_basis(&self.camera, has_up.then_some(self.up_angle));
+        lines.extend(readings.iter().map(|reading| self.row_of(reading)));
         lines.push(row(
             "viewport",
             format!(
@@ -70,37 +62,41 @@ impl Readout<'_> {
     }
 
     fn ray_lines(&self) -> Vec<String> {
-        let inspection = &self.inspection;
-        let (uv, ray) = (inspection.uv, inspection.ray);
-        vec![
-            row("(u, v)", format!("({}, {})", shortest(uv.x), shortest(uv.y))),
-            row("pixel", self.pixel_text()),
-            row("origin p", triple(ray.origin)),
-            row("direction d", triple(ray.direction)),
-            row("length of d", shortest(ray.distance_along(1.0))),
-        ]
+        let mut readings = self.inspection.ray_readings(self.camera.image());
+        readings.swap(0, 1);
+        readings.iter().map(|reading| self.row_of(reading)).collect()
+    }
+
+    fn row_of(&self, reading: &Reading) -> String {
+        let value = match &reading.value {
+            Value::Number(x) if reading.concept == Some(Concept::Up) => {
+                let roll = "(degrees of roll for each degree that up is tipped sideways)";
+                format!("{} {roll}", shortest(*x))
+            }
+            Value::Number(x) => shortest(*x),
+            Value::Uv(uv) => format!("({}, {})", shortest(uv.x), shortest(uv.y)),
+            Value::Vector(v) => triple(*v),
+            Value::Angle(angle) => format!("{} degrees", shortest(angle.angle.to_degrees())),
+            Value::Pixel(..) => self.pixel_text(),
+            Value::Text(text) => text.clone(),
+        };
+        row(reading.long_name, value)
     }
 
     fn pixel_text(&self) -> String {
-        let inspection = &self.inspection;
-        match (inspection.pixel(), inspection.image_position) {
-            (Some(pixel), _) => {
-                format!("row {}, column {} (counted from 0)", pixel.row, pixel.column)
-            }
-            (None, None) => "none: outside the viewport".to_owned(),
-            (None, Some(position)) => {
-                let PixelOfUv { column_edge, row_edge, .. } = position;
-                let what = if column_edge.is_some() && row_edge.is_some() {
-                    "the corner of"
-                } else {
-                    "on the edge of"
-                };
-                let pixels = position.touching(self.camera.image());
-                let names: Vec<String> =
-                    pixels.iter().map(|p| format!("{},{}", p.row, p.column)).collect();
-                format!("none: {what} row,column {}", names.join("  "))
-            }
+        let Some(position) = self.inspection.image_position else {
+            return "none: outside the viewport".to_owned();
+        };
+        if let Some(Pixel { row, column }) = position.only_pixel() {
+            return format!("row {row}, column {column} (counted from 0)");
         }
+        let what = match (position.column_edge, position.row_edge) {
+            (Some(_), Some(_)) => "the corner of",
+            _ => "on the edge of",
+        };
+        let pixels = position.touching(self.camera.image());
+        let names: Vec<String> = pixels.iter().map(|p| format!("{},{}", p.row, p.column)).collect();
+        format!("none: {what} row,column {}", names.join("  "))
     }
 
     fn hit_lines(&self) -> Vec<String> {
@@ -149,10 +145,6 @@ fn told(x: f64) -> String {
 
 fn row(name: &str, value: impl std::fmt::Display) -> String {
     format!("{name:22}{value}")
-}
-
-fn triple(v: DVec3) -> String {
-    format!("({}, {}, {})", shortest(v.x), shortest(v.y), shortest(v.z))
 }
 
 fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {

@@ -86,6 +86,11 @@ impl Projection {
 }
 
 impl PixelOfUv {
+    /// Returns the pixel that the (u, v) lies inside; `None` on an edge.
+    pub fn only_pixel(&self) -> Option<Pixel> {
+        (self.column_edge.is_none() && self.row_edge.is_none()).then_some(self.pixel)
+    }
+
     /// The pixels that the (u, v) touches: one inside a pixel, two on an edge, four on a corner;
     /// fewer at the image's border. Row by row.
     pub fn touching(&self, image: ImageSize) -> Vec<Pixel> {

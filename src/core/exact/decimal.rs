@@ -15,6 +15,6 @@ pub fn shortest(x: f64) -> String {
 }
 
 /// A point or direction as `(1, 2, 3)`.
-pub(crate) fn triple(p: DVec3) -> String {
+pub fn triple(p: DVec3) -> String {
     format!("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z))
 }

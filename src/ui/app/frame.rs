@@ -8,14 +8,14 @@ use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, 
 
 use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
+use crate::model::readings::NumberStyle;
 use crate::model::session::{ViewLayout, Workspace};
 use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Switch};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::practice::mistakes::vote;
-use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
-use crate::ui::scene::{number_strip, pen, views};
+use crate::ui::scene::{pen, readouts, views};
 use crate::ui::workspaces::{Desk, Frame, Page, page};
 
 impl App {
@@ -231,9 +231,9 @@ impl App {
         let whole = ui.available_rect_before_wrap();
         let numbers = match (presenting, session.settings.unfolded.numbers) {
             (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
-            (true, _) => Numbers::Strip(number_strip::PRESENTED),
+            (true, _) => Numbers::Strip(readouts::PRESENTED),
             (false, true) => Numbers::All,
-            (false, false) => Numbers::Strip(number_strip::height(whole.width())),
+            (false, false) => Numbers::Strip(readouts::strip_height(whole.width())),
         };
         let splits = &mut session.settings.splits;
         let areas = areas(&mut Divider { ui, whole, splits, numbers });

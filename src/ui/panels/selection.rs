@@ -25,9 +25,7 @@ pub(crate) fn ui(
         Selection::Pixel(pixel) => (Some(pixel), true),
         Selection::Uv(_) => (
             position.map(|position| position.pixel),
-            position.is_some_and(|position| {
-                position.column_edge.is_none() && position.row_edge.is_none()
-            }),
+            position.is_some_and(|position| position.only_pixel().is_some()),
         ),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {

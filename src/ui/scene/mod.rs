@@ -4,9 +4,7 @@
 pub mod compare;
 pub mod handles;
 pub mod navigation;
-pub mod number_strip;
 pub mod pen;
-pub mod pointed_number;
 pub mod readouts;
 pub mod view_rects;
 pub mod views;

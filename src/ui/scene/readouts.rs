@@ -1,65 +1,22 @@
-//! The numbers: the basis, the selected ray, and all its intersections. All of them can be selected
-//! and copied.
+//! The numbers below the views: in blocks that can be selected and copied, or in a strip of one or two
+//! rows. Hovering one highlights its concept in both views.
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{FontId, Grid, Label, Response, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Pixel, ResolvedCamera, Steps, UpAngle, shortest};
+use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
+use pinhole_core::{ResolvedCamera, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 
-use super::pointed_number;
+use crate::model::concept::{HoverSource, Hovered};
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
-use crate::model::number::written;
-use crate::model::session::Settings;
-use crate::model::symbols::{Kind, meaning, meaning_of_readout};
+use crate::model::readings::{NumberStyle, Reading, Value, of_basis};
+use crate::model::session::presenting::WRITTEN;
+use crate::model::symbols::{Kind, meaning};
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{self, formula};
-
-/// The number format.
-#[derive(Clone, Copy)]
-pub(crate) struct NumberStyle {
-    /// Number of significant digits.
-    pub digits: usize,
-    /// True if rows and columns are counted from 1, as in the course.
-    pub count_from_one: bool,
-    /// True for all digits and the minus sign that programs read: for the clipboard.
-    pub exact: bool,
-}
-
-impl NumberStyle {
-    /// The format that the settings ask for.
-    pub(crate) fn new(settings: &Settings) -> NumberStyle {
-        NumberStyle {
-            digits: settings.digits,
-            count_from_one: settings.count_from_one,
-            exact: false,
-        }
-    }
-
-    fn for_programs(self) -> NumberStyle {
-        NumberStyle { exact: true, ..self }
-    }
-
-    pub(crate) fn number(self, x: f64) -> String {
-        if self.exact && x.is_finite() {
-            return shortest(x);
-        }
-        written(x, self.digits)
-    }
-
-    pub(crate) fn vector(self, v: DVec3) -> String {
-        format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
-    }
-
-    pub(super) fn pixel(self, pixel: Pixel) -> String {
-        let from = u32::from(self.count_from_one);
-        let counted = if self.count_from_one { " (from 1)" } else { "" };
-        format!("row {}, column {}{counted}", pixel.row + from, pixel.column + from)
-    }
-}
 
 /// Minimum width of the hits, in points.
 const HITS: f32 = 280.0;
@@ -128,61 +85,59 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     });
 }
 
-/// Names of vectors, which are bold. Other names are typeset as formulas.
-const VECTORS: [&str; 7] = ["u", "v", "w", "p", "d", "point", "normal"];
-
-/// Lays out a name, in the vector's own colour if the views show the vector.
-pub(super) fn name_of(ui: &Ui, name: &str, strong: bool, size: f32) -> LayoutJob {
+/// Lays out a reading's name, in the vector's own colour if the views show the vector.
+fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
-    if !VECTORS.contains(&name) {
-        return formula(name, size, plain);
+    if !matches!(reading.value, Value::Vector(_)) {
+        return formula(reading.name, size, plain);
     }
-    let color = vector_color(ui, name).unwrap_or(plain);
-    LayoutJob::simple_singleline(name.to_owned(), FontId::new(size, fonts::bold()), color)
+    let color = vector_color(ui, reading.name).unwrap_or(plain);
+    LayoutJob::simple_singleline(reading.name.to_owned(), FontId::new(size, fonts::bold()), color)
 }
 
-/// Shows a line `name = value`.
-fn line(ui: &mut Ui, name: &'static str, value: String) {
-    let size = egui::TextStyle::Body.resolve(ui.style()).size;
-    let label = ui.label(name_of(ui, name, true, size));
-    pointed_number::point(&label, name);
-    if let Some(words) = meaning_of_readout(name) {
-        label.on_hover_text(words);
-    }
-    let label = ui.label(RichText::new(format!("= {value}")));
-    pointed_number::point(&label, name);
-    label.spoken(format!("{name} = {value}"));
-    ui.end_row();
+/// Lays out `name = value`.
+fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f32) -> LayoutJob {
+    let visuals = ui.visuals();
+    let color = if strong { visuals.strong_text_color() } else { visuals.text_color() };
+    let mut job = name_of(ui, reading, strong, size);
+    let value = format!(" = {}", style.text(&reading.value));
+    job.append(&value, 0.0, TextFormat::simple(FontId::proportional(size), color));
+    job
 }
 
-fn basis_lines(
-    resolved: &ResolvedCamera,
-    angle: Option<UpAngle>,
-    style: NumberStyle,
-) -> Vec<(&'static str, String)> {
-    let basis = resolved.basis();
-    let mut lines = vec![
-        ("u", style.vector(basis.u)),
-        ("v", style.vector(basis.v)),
-        ("w", style.vector(basis.w)),
-    ];
-    if let Some(angle) = angle {
-        lines.push(("angle(up, view)", degrees(angle, style)));
-        lines.push(("sensitivity", style.number(angle.conditioning)));
+/// Adds to the label of a reading what is read aloud, its meaning, and that it can be pointed at.
+fn explain(label: Response, reading: &Reading, style: NumberStyle) {
+    point(&label, reading);
+    let label = label.spoken(written(reading, style));
+    if !reading.meaning().is_empty() {
+        label.on_hover_text(reading.meaning());
     }
-    lines
 }
 
-/// Returns the angle in degrees. Where there is a camera, it is below 180, so what is rounded to that
-/// is told by what is missing.
-fn degrees(UpAngle { angle, conditioning }: UpAngle, style: NumberStyle) -> String {
-    let text = style.number(angle.to_degrees());
-    if text != style.number(180.0) {
-        return format!("{text}°");
-    }
-    let missing = (1.0 / conditioning).asin().to_degrees();
-    format!("180° − {}°", style.number(missing))
+fn written(Reading { name, value, .. }: &Reading, style: NumberStyle) -> String {
+    format!("{name} = {}", style.text(value))
+}
+
+/// Shows readings in a block: one in each line, and a button that copies them.
+fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
+    let copied = style.for_programs();
+    self::title(ui, title, || {
+        readings.iter().map(|reading| written(reading, copied) + "\n").collect()
+    });
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    Grid::new(title).num_columns(2).show(ui, |ui| {
+        for reading in readings {
+            let name = ui.label(name_of(ui, reading, true, size));
+            point(&name, reading);
+            name.on_hover_text(reading.meaning());
+            let value = RichText::new(format!("= {}", style.text(&reading.value)));
+            let value = ui.label(value);
+            point(&value, reading);
+            value.spoken(written(reading, style));
+            ui.end_row();
+        }
+    });
 }
 
 /// Shows a remark with typeset formulas.
@@ -191,18 +146,8 @@ fn weak(ui: &mut Ui, text: &str) -> Response {
     notation::label(ui, text, size, ui.visuals().weak_text_color())
 }
 
-fn joined(lines: &[(&str, String)]) -> String {
-    lines.iter().map(|(name, value)| format!("{name} = {value}\n")).collect()
-}
-
 fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: NumberStyle) {
-    let lines = basis_lines(resolved, angle, style);
-    title(ui, "Basis", || joined(&basis_lines(resolved, angle, style.for_programs())));
-    Grid::new("basis").num_columns(2).show(ui, |ui| {
-        for (name, value) in lines {
-            line(ui, name, value);
-        }
-    });
+    block(ui, "Basis", &of_basis(resolved, angle), style);
     if let Some(UpAngle { conditioning, .. }) = angle {
         let text = if conditioning < 1.5 {
             "up and view are well apart".to_owned()
@@ -214,100 +159,12 @@ fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: 
     }
 }
 
-fn ray_lines(
-    inspection: &Inspection,
-    resolved: &ResolvedCamera,
-    style: NumberStyle,
-) -> Vec<(&'static str, String)> {
-    let position = match inspection.image_position {
-        None => "outside the image".to_owned(),
-        Some(position) => match inspection.pixel() {
-            Some(pixel) => style.pixel(pixel),
-            None => match position.touching(resolved.image()).len() {
-                4 => "the corner of four pixels".to_owned(),
-                _ => "on an edge between pixels".to_owned(),
-            },
-        },
-    };
-    let (u, v) = (style.number(inspection.uv.x), style.number(inspection.uv.y));
-    let length = inspection.ray.distance_along(1.0);
-    vec![
-        ("pixel", position),
-        ("(u, v)", format!("({u}, {v})")),
-        ("p", style.vector(inspection.ray.origin)),
-        ("d", style.vector(inspection.ray.direction)),
-        ("|d|", style.number(length)),
-    ]
-}
-
 fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: NumberStyle) {
-    let lines = ray_lines(inspection, resolved, style);
-    title(ui, "Ray", || joined(&ray_lines(inspection, resolved, style.for_programs())));
-    Grid::new("ray").num_columns(2).show(ui, |ui| {
-        for (name, value) in lines {
-            line(ui, name, value);
-        }
-    });
+    block(ui, "Ray", &inspection.ray_readings(resolved.image()), style);
     weak(ui, "p + t d, t = 1 on the viewport");
 }
 
-/// The lines of one root.
-struct RootLines {
-    object: String,
-    verdict: &'static str,
-    numbers: [(&'static str, String); 4],
-}
-
-impl RootLines {
-    fn new(
-        index: usize,
-        inspection: &Inspection,
-        document: &Document,
-        style: NumberStyle,
-    ) -> RootLines {
-        let root = &inspection.roots[index];
-        RootLines {
-            object: document.title_of(root.object as usize),
-            verdict: inspection.verdict(index),
-            numbers: [
-                ("t", style.number(root.t)),
-                ("distance", style.number(inspection.distances[index])),
-                ("point", style.vector(root.point)),
-                ("normal", style.vector(root.normal)),
-            ],
-        }
-    }
-
-    fn joined(&self) -> String {
-        let numbers = self.numbers.each_ref().map(|(name, value)| format!("{name} = {value}"));
-        format!("{}\t{}\t{}\n", self.object, numbers.join("\t"), self.verdict)
-    }
-
-    fn show(&self, ui: &mut Ui, first: bool) {
-        let visuals = ui.visuals();
-        let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
-        let font = egui::TextStyle::Body.resolve(ui.style());
-        let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
-        ui.horizontal_wrapped(|ui| {
-            ui.label(text(&self.object));
-            notation::label(ui, self.verdict, font.size, color);
-        });
-        ui.horizontal_wrapped(|ui| {
-            ui.add_space(12.0);
-            for (name, value) in &self.numbers {
-                let mut job = name_of(ui, name, first, font.size);
-                let format = TextFormat::simple(font.clone(), color);
-                job.append(&format!(" = {value}"), 0.0, format);
-                let response = ui.add(Label::new(job).extend());
-                let response = response.spoken(format!("{name} = {value}"));
-                if let Some(words) = meaning_of_readout(name) {
-                    response.on_hover_text(words);
-                }
-            }
-        });
-    }
-}
-
+/// Shows the roots, each with its object and what the ray makes of it, and the numbers that decide.
 fn hits(
     ui: &mut Ui,
     inspection: &Inspection,
@@ -315,18 +172,40 @@ fn hits(
     document: &Document,
     style: NumberStyle,
 ) {
-    let roots: Vec<RootLines> = (0..inspection.roots.len())
-        .map(|index| RootLines::new(index, inspection, document, style))
-        .collect();
-    title(ui, "Hits", || copied_hits(inspection, derived, document, style.for_programs()));
-    if roots.is_empty() {
+    let object_of = |index: usize| document.title_of(inspection.roots[index].object as usize);
+    let parts = |style| listed_parts(inspection, derived, document, style);
+    title(ui, "Hits", || {
+        let style = style.for_programs();
+        let root = |index: usize| {
+            let numbers = inspection.root_readings(index).map(|reading| written(&reading, style));
+            let (object, verdict) = (object_of(index), inspection.verdict(index));
+            format!("{object}\t{}\t{verdict}\n", numbers.join("\t"))
+        };
+        let parts = parts(style).into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"));
+        (0..inspection.roots.len()).map(root).chain(parts).collect()
+    });
+    if inspection.roots.is_empty() {
         ui.label("The ray meets nothing.");
     }
-    for (index, root) in roots.iter().enumerate() {
-        root.show(ui, inspection.first == Some(index));
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    for index in 0..inspection.roots.len() {
+        let first = inspection.first == Some(index);
+        let visuals = ui.visuals();
+        let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(object_of(index)).color(color));
+            notation::label(ui, inspection.verdict(index), size, color);
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.add_space(12.0);
+            for reading in &inspection.root_readings(index) {
+                let job = job_of(ui, reading, style, first, size);
+                explain(ui.add(Label::new(job).extend()), reading, style);
+            }
+        });
     }
     ui.add_space(4.0);
-    for (title, parts) in listed_parts(inspection, derived, document, style) {
+    for (title, parts) in parts(style) {
         ui.horizontal_wrapped(|ui| {
             ui.weak(format!("{title}:"));
             let response = weak(ui, &parts);
@@ -350,18 +229,6 @@ fn listed_parts(
     listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }
 
-fn copied_hits(
-    inspection: &Inspection,
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-) -> String {
-    let roots = (0..inspection.roots.len())
-        .map(|index| RootLines::new(index, inspection, document, style).joined());
-    let parts = listed_parts(inspection, derived, document, style);
-    roots.chain(parts.into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"))).collect()
-}
-
 /// Returns the numbers that decide hit or miss for one object.
 fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     let number = |x| style.number(x);
@@ -381,4 +248,137 @@ fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
             format!("n·d = {rate},  n·(point − p) = {offset}{meaning}")
         }
     }
+}
+
+/// Returns the height of the strip with the sentence and the buttons below it, in points.
+pub(crate) fn strip_height(width: f32) -> f32 {
+    if is_narrow(width) { 92.0 } else { 66.0 }
+}
+
+/// Height of the strip while presenting, in points: two rows.
+pub(crate) const PRESENTED: f32 = 48.0;
+
+/// Maximum number of significant digits in the strip: more do not fit in a row.
+const DIGITS: usize = 4;
+
+/// Distance between two numbers of the strip, as a share of the text's size.
+const GAP: f32 = 1.2;
+
+/// Returns true if the strip needs two rows.
+fn is_narrow(width: f32) -> bool {
+    width < 780.0
+}
+
+/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as
+/// there is room for. Before an audience, the basis has one row and the ray the other, and the reason
+/// why there are no numbers stands on the picture.
+pub(crate) fn strip(
+    ui: &mut Ui,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+    presented: bool,
+) {
+    if let Some(fault) = derived.fault {
+        if !presented {
+            ui.label(fault_text(ui, fault).strong());
+        }
+        return;
+    }
+    let Some(resolved) = &derived.resolved else { return };
+    let mut basis = of_basis(resolved, None);
+    let ray = derived.inspection.iter().flat_map(|inspection| {
+        let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
+        let hit = inspection.hit_readings(|object| document.title_of(object));
+        [Some(uv), presented.then_some(d)].into_iter().flatten().chain(hit)
+    });
+    if presented {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for row in [basis, ray.collect()] {
+            let choices = [16.0, 14.0, WRITTEN].map(|size| (DIGITS, size));
+            rows(ui, &[row], choices, 0.5 * PRESENTED, style);
+        }
+        return;
+    }
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let choices = [(DIGITS, size + 1.0), (DIGITS, size - 1.0), (DIGITS - 1, size - 1.0)];
+    if is_narrow(ui.available_width()) {
+        rows(ui, &[basis, ray.collect()], choices, 0.0, style);
+    } else {
+        basis.extend(ray);
+        rows(ui, &[basis], choices, 0.0, style);
+    }
+}
+
+/// Shows rows of numbers of at least this height, by the first choice of digits and size with which all of them have room.
+fn rows(
+    ui: &mut Ui,
+    rows: &[Vec<Reading>],
+    choices: [(usize, f32); 3],
+    height: f32,
+    style: NumberStyle,
+) {
+    let job = |ui: &Ui, reading: &Reading, (digits, size): (usize, f32)| {
+        job_of(ui, reading, style.at_most(digits), true, size)
+    };
+    let fits = |choice: &(usize, f32)| {
+        let width = |row: &Vec<Reading>| -> f32 {
+            let jobs = row.iter().map(|reading| job(ui, reading, *choice));
+            jobs.map(|job| ui.painter().layout_job(job).size().x + GAP * choice.1).sum()
+        };
+        rows.iter().all(|row| width(row) <= ui.available_width())
+    };
+    let choice = choices.into_iter().find(fits).unwrap_or(choices[2]);
+    for row in rows {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP * choice.1;
+            ui.set_min_height(height);
+            for reading in row {
+                let label = ui.add(Label::new(job(ui, reading, choice)).extend());
+                explain(label, reading, style.at_most(choice.0));
+            }
+        });
+    }
+}
+
+/// Returns the numbers of a ray in two lines: its pixel and (u, v); what it hits and where.
+pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: NumberStyle) -> String {
+    let style = style.at_most(DIGITS);
+    let pixel = inspection.pixel().map(|pixel| format!("{}   ", style.pixel(pixel)));
+    let hit = match inspection.first_hit() {
+        Some(hit) => {
+            format!("{}   𝑡 = {}", document.title_of(hit.object as usize), style.number(hit.t))
+        }
+        None => "hits nothing".to_owned(),
+    };
+    format!("{}(𝑢, 𝑣) = {}\n{hit}", pixel.unwrap_or_default(), style.uv(inspection.uv))
+}
+
+/// The number that the mouse rested on in the last pass: its label's id, and its concept.
+#[derive(Clone, Copy, PartialEq)]
+struct Pointed(Id, Hovered);
+
+fn pointed_key() -> Id {
+    Id::unique("number that is pointed at")
+}
+
+/// Remembers the concept of a reading if the mouse is on its label.
+fn point(label: &Response, reading: &Reading) {
+    let Some(concept) = reading.concept.filter(|_| label.hovered()) else { return };
+    let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
+    if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
+        label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
+        // The views, which are derived before the numbers are shown, follow in the next pass.
+        label.ctx.request_repaint();
+    }
+}
+
+/// Returns the concept of the number under the mouse.
+pub(crate) fn hovered(ctx: &Context) -> Option<Hovered> {
+    let Pointed(id, hovered) = ctx.data(|data| data.get_temp(pointed_key()))?;
+    let is_on = ctx.read_response(id).is_some_and(|response| response.hovered());
+    if !is_on {
+        ctx.data_mut(|data| data.remove::<Pointed>(pointed_key()));
+    }
+    is_on.then_some(hovered)
 }

@@ -14,12 +14,12 @@ use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
 use crate::model::observer::{Observer, ViewSize};
+use crate::model::readings::NumberStyle;
 use crate::model::session::{EyeKeeps, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::handles::sphere_at;
-use crate::ui::scene::number_strip;
-use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::{ViewRects, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
@@ -331,7 +331,7 @@ pub(crate) fn tell_pointed(
         (
             None | Some(Hovered { concept: Concept::Object(_) | Concept::Pixel, .. }),
             Some(found),
-        ) if session.pointed_ray.is_some() => number_strip::ray_text(found, document, style),
+        ) if session.pointed_ray.is_some() => readouts::ray_text(found, document, style),
         (Some(Hovered { concept, .. }), _) => {
             concept.description(|object| document.title_of(object as usize))
         }

@@ -8,8 +8,8 @@ use crate::model::lessons::{StepId, Which};
 use crate::model::overlay_items::Item;
 use crate::model::session::ViewLayout;
 use crate::ui::action::{Leave, LookAction};
+use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::Areas;
-use crate::ui::scene::{number_strip, pointed_number, readouts};
 use crate::ui::widgets::asking::Asking as _;
 
 pub(super) const BOTH: Page = Page {
@@ -19,7 +19,7 @@ pub(super) const BOTH: Page = Page {
         divider.both(views, rest)
     },
     rest: numbers,
-    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
+    hovered: |ctx, _, _| readouts::hovered(ctx),
     ..Page::VIEWS
 };
 
@@ -30,7 +30,7 @@ pub(super) const WORLD: Page = Page {
         Areas { world: Some(views), camera: None, beside: None, rest }
     },
     rest: numbers,
-    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
+    hovered: |ctx, _, _| readouts::hovered(ctx),
     ..Page::VIEWS
 };
 
@@ -41,7 +41,7 @@ pub(super) const CAMERA: Page = Page {
         Areas { world: None, camera: Some(views), beside: None, rest }
     },
     rest: numbers,
-    hovered: |ctx, _, derived| pointed_number::hovered(ctx, derived),
+    hovered: |ctx, _, _| readouts::hovered(ctx),
     figure: Subject::Camera,
     ..Page::VIEWS
 };
@@ -50,7 +50,7 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
     let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
     if desk.session.presenting.is_some() {
         if desk.session.settings.presents_numbers {
-            number_strip::presented(ui, derived, document, style);
+            readouts::strip(ui, derived, document, style, true);
         }
         return;
     }
@@ -61,7 +61,7 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
         switched = ui.small_button("Fewer numbers").clicked();
         readouts::ui(ui, derived, document, style);
     } else {
-        number_strip::ui(ui, derived, document, style);
+        readouts::strip(ui, derived, document, style, false);
         ui.horizontal(|ui| {
             let shows_all = desk.session.settings.items.shows(Item::ViewAndUp);
             let dragged = if shows_all { "eye, at or up" } else { "eye" };

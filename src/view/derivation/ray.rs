@@ -1,6 +1,6 @@
 //! Derivation of the view ray of a pixel or of a position (u, v).
 
-use pinhole_core::{Camera, PixelOfUv, ResolvedCamera, Selection, Viewport};
+use pinhole_core::{Camera, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{PixelShares, RayDerivation};
 
 use super::Line;
@@ -164,10 +164,12 @@ fn position_note(resolved: &ResolvedCamera, inspection: &Inspection, numbers: Nu
         Some(position) if position.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()
         }
-        Some(PixelOfUv { column_edge: None, row_edge: None, pixel }) => {
-            let (i, j) = numbers.counted(pixel);
-            format!("in the pixel of row {i}, column {j}")
-        }
-        Some(_) => "on an edge between pixels".to_owned(),
+        Some(position) => match position.only_pixel() {
+            Some(pixel) => {
+                let (i, j) = numbers.counted(pixel);
+                format!("in the pixel of row {i}, column {j}")
+            }
+            None => "on an edge between pixels".to_owned(),
+        },
     }
 }

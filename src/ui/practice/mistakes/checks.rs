@@ -4,7 +4,7 @@ use egui::{Label, RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::{TEXT, cell, text_width};
-use crate::ui::scene::readouts::NumberStyle;
+use crate::model::readings::NumberStyle;
 use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;

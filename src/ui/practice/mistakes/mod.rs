@@ -13,7 +13,7 @@ use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::number::percent;
 use crate::model::practice::mistakes_view::MistakesView;
-use crate::ui::scene::readouts::NumberStyle;
+use crate::model::readings::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::fault;

@@ -1,0 +1,188 @@
+//! The numbers of the selected ray and of its camera, with their names, concepts and meanings: one
+//! list for the readouts, the strip below the views, the clipboard and `pinhole inspect`.
+
+use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
+use pinhole_lecture::numbers::written;
+
+use crate::model::concept::Concept;
+use crate::model::inspection::Inspection;
+use crate::model::session::Settings;
+use crate::model::symbols::{Kind, meaning};
+
+/// The number format.
+#[derive(Clone, Copy)]
+pub struct NumberStyle {
+    /// Number of significant digits.
+    pub digits: usize,
+    /// True if rows and columns are counted from 1, as in the course.
+    pub count_from_one: bool,
+    /// True for all digits and the minus sign that programs read: for the clipboard.
+    pub exact: bool,
+}
+
+/// A named quantity of the selected ray or of its camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// The name in the window.
+    pub name: &'static str,
+    /// The name in the text of `pinhole inspect`.
+    pub long_name: &'static str,
+    /// The concept that the views highlight for it.
+    pub concept: Option<Concept>,
+    /// The value.
+    pub value: Value,
+}
+
+impl Reading {
+    fn new(name: &'static str, long_name: &'static str, concept: Concept, value: Value) -> Reading {
+        Reading { name, long_name, concept: Some(concept), value }
+    }
+
+    /// Returns the meaning in one sentence.
+    pub(crate) fn meaning(&self) -> &'static str {
+        meaning(Kind::Readout, self.name).or_else(|| meaning(Kind::Vector, self.name)).unwrap_or("")
+    }
+}
+
+/// The value of a [`Reading`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A position (u, v).
+    Uv(DVec2),
+    /// A vector or a point.
+    Vector(DVec3),
+    /// The angle between up and view.
+    Angle(UpAngle),
+    /// The position in an image of this size; `None` outside it.
+    Pixel(Option<PixelOfUv>, ImageSize),
+    /// The title of an object, or a word.
+    Text(String),
+}
+
+/// Returns u, v, w, and how far up and view are apart if the camera is given by them.
+pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading> {
+    let basis = camera.basis();
+    let mut readings = vec![
+        Reading::new("u", "u (right)", Concept::U, Value::Vector(basis.u)),
+        Reading::new("v", "v (up in the image)", Concept::V, Value::Vector(basis.v)),
+        Reading::new("w", "w (backwards)", Concept::W, Value::Vector(basis.w)),
+    ];
+    readings.extend(angle.into_iter().flat_map(|angle| {
+        let (up, conditioning) = (Concept::Up, Value::Number(angle.conditioning));
+        [
+            Reading::new("angle(up, view)", "angle of up and view", up, Value::Angle(angle)),
+            Reading::new("sensitivity", "conditioning", up, conditioning),
+        ]
+    }));
+    readings
+}
+
+impl Inspection {
+    /// Returns the numbers of the ray itself, in an image of this size.
+    pub fn ray_readings(&self, image: ImageSize) -> [Reading; 5] {
+        let length = Value::Number(self.ray.distance_along(1.0));
+        let (pixel, d) = (Value::Pixel(self.image_position, image), Concept::Direction);
+        [
+            Reading::new("pixel", "pixel", Concept::Pixel, pixel),
+            Reading::new("(u, v)", "(u, v)", Concept::Pixel, Value::Uv(self.uv)),
+            Reading::new("p", "origin p", Concept::Eye, Value::Vector(self.ray.origin)),
+            Reading::new("d", "direction d", d, Value::Vector(self.ray.direction)),
+            Reading::new("|d|", "length of d", d, length),
+        ]
+    }
+
+    /// Returns the numbers of a root, given by its index.
+    pub fn root_readings(&self, index: usize) -> [Reading; 4] {
+        let root = &self.roots[index];
+        let values = [
+            ("t", Value::Number(root.t)),
+            ("distance", Value::Number(self.distances[index])),
+            ("point", Value::Vector(root.point)),
+            ("normal", Value::Vector(root.normal)),
+        ];
+        values.map(|(name, value)| Reading::new(name, name, self.concept_of(root), value))
+    }
+
+    /// Returns the t and the title of what the ray hits, by the objects' titles.
+    pub fn hit_readings(&self, title: impl Fn(usize) -> String) -> Vec<Reading> {
+        let hit = |concept, text| Reading {
+            name: "hit",
+            long_name: "hit",
+            concept,
+            value: Value::Text(text),
+        };
+        let Some(first) = self.first else { return vec![hit(None, "nothing".to_owned())] };
+        let [t, ..] = self.root_readings(first);
+        let title = title(self.roots[first].object as usize);
+        let hit = hit(t.concept, title);
+        vec![t, hit]
+    }
+}
+
+impl NumberStyle {
+    /// Returns the format that the settings ask for.
+    pub(crate) fn new(settings: &Settings) -> NumberStyle {
+        let Settings { digits, count_from_one, .. } = *settings;
+        NumberStyle { digits, count_from_one, exact: false }
+    }
+
+    /// Returns the format for programs.
+    pub(crate) fn for_programs(self) -> NumberStyle {
+        NumberStyle { exact: true, ..self }
+    }
+
+    /// Returns the format with this number of digits at most.
+    pub(crate) fn at_most(self, digits: usize) -> NumberStyle {
+        NumberStyle { digits: self.digits.min(digits), ..self }
+    }
+
+    pub(crate) fn number(self, x: f64) -> String {
+        if self.exact && x.is_finite() { shortest(x) } else { written(x, self.digits) }
+    }
+
+    pub(crate) fn vector(self, v: DVec3) -> String {
+        format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
+    }
+
+    pub(crate) fn uv(self, uv: DVec2) -> String {
+        format!("({}, {})", self.number(uv.x), self.number(uv.y))
+    }
+
+    pub(crate) fn pixel(self, pixel: Pixel) -> String {
+        let from = u32::from(self.count_from_one);
+        let counted = if self.count_from_one { " (from 1)" } else { "" };
+        format!("row {}, column {}{counted}", pixel.row + from, pixel.column + from)
+    }
+
+    /// Writes a value.
+    pub(crate) fn text(self, value: &Value) -> String {
+        match value {
+            Value::Number(x) => self.number(*x),
+            Value::Uv(uv) => self.uv(*uv),
+            Value::Vector(v) => self.vector(*v),
+            Value::Angle(angle) => self.degrees(*angle),
+            Value::Text(text) => text.clone(),
+            Value::Pixel(None, _) => "outside the image".to_owned(),
+            Value::Pixel(Some(position), image) => match position.only_pixel() {
+                Some(pixel) => self.pixel(pixel),
+                None if position.touching(*image).len() == 4 => {
+                    "the corner of four pixels".to_owned()
+                }
+                None => "on an edge between pixels".to_owned(),
+            },
+        }
+    }
+
+    /// Writes the angle between up and view in degrees. Where there is a camera, it is below 180, so
+    /// an angle that rounds to 180 is written as 180 less what is missing.
+    fn degrees(self, UpAngle { angle, conditioning }: UpAngle) -> String {
+        let text = self.number(angle.to_degrees());
+        if text != self.number(180.0) {
+            return format!("{text}°");
+        }
+        let missing = (1.0 / conditioning).asin().to_degrees();
+        format!("180° − {}°", self.number(missing))
+    }
+}
