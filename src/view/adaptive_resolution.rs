@@ -51,25 +51,8 @@ const COMFORT: f64 = 0.6;
 /// Longest time for tracing a picture at rest, during which the window does not answer.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Number of objects from which on a scene may take longer than that.
+/// Number of objects from which on all pixels may take longer than [`LONGEST`].
 const MANY: usize = 200;
-
-/// What the time of a picture depends on most.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Load {
-    /// Number of objects of the scene.
-    pub(crate) objects: usize,
-    /// True if the map of certainty is shown: it asks each pixel for itself.
-    pub(crate) maps_certainty: bool,
-}
-
-impl Load {
-    /// Returns true if all pixels may take longer than [`LONGEST`]: the first picture is coarse, and tells
-    /// how long they would take.
-    fn may_be_long(self) -> bool {
-        self.objects >= MANY || self.maps_certainty
-    }
-}
 
 /// Seconds without a move after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
@@ -84,8 +67,8 @@ pub(crate) struct AdaptiveResolution {
     resting: Subsampling,
     /// Estimated time for tracing all pixels, at most.
     full: Duration,
-    /// What the times are of.
-    load: Load,
+    /// Number of objects in the scene that the times are of.
+    objects: usize,
     /// Time of the last move, in seconds.
     moved_at: f64,
 }
@@ -97,7 +80,7 @@ impl Default for AdaptiveResolution {
             moving: Subsampling::NONE,
             resting: Subsampling::NONE,
             full: Duration::ZERO,
-            load: Load::default(),
+            objects: 0,
             moved_at: f64::NEG_INFINITY,
         }
     }
@@ -110,13 +93,14 @@ impl AdaptiveResolution {
     }
 
     /// Returns the current subsampling; `moves` is true if the view is being moved right now.
-    pub(crate) fn now(&mut self, moves: bool, time: f64, load: Load) -> Subsampling {
+    pub(crate) fn now(&mut self, moves: bool, time: f64, objects: usize) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
-        if load != self.load {
-            self.load = load;
-            if load.may_be_long() {
+        if objects != self.objects {
+            self.objects = objects;
+            // The first picture is coarse, and shows how long all pixels would take.
+            if objects >= MANY {
                 (self.moving, self.resting) = (Subsampling::MOST, Subsampling::MOST);
             }
         }
@@ -170,16 +154,12 @@ mod tests {
 
     const MS: Duration = Duration::from_millis(1);
 
-    fn objects(objects: usize) -> Load {
-        Load { objects, maps_certainty: false }
-    }
-
     #[test]
     fn what_fits_into_a_frame_is_never_coarse() {
         let mut adaptive_resolution = AdaptiveResolution::default();
         for k in 0..10 {
             let now = f64::from(k);
-            assert_eq!(adaptive_resolution.now(true, now, objects(1)), Subsampling::NONE);
+            assert_eq!(adaptive_resolution.now(true, now, 1), Subsampling::NONE);
             adaptive_resolution.took(Subsampling::NONE, 7 * MS);
         }
     }
@@ -188,24 +168,12 @@ mod tests {
     fn what_is_too_heavy_is_coarse_as_long_as_the_hand_moves() {
         let mut adaptive_resolution = AdaptiveResolution::default();
         adaptive_resolution.took(Subsampling::NONE, 70 * MS);
-        assert_eq!(
-            adaptive_resolution.now(false, 0.0, objects(1)),
-            Subsampling::NONE,
-            "nothing moves"
-        );
+        assert_eq!(adaptive_resolution.now(false, 0.0, 1), Subsampling::NONE, "nothing moves");
         // Three times as coarse takes a ninth: 7.8 ms.
-        assert_eq!(adaptive_resolution.now(true, 5.0, objects(1)), Subsampling(3));
+        assert_eq!(adaptive_resolution.now(true, 5.0, 1), Subsampling(3));
         adaptive_resolution.took(Subsampling(3), 78 * MS / 10);
-        assert_eq!(
-            adaptive_resolution.now(false, 5.1, objects(1)),
-            Subsampling(3),
-            "between two moves"
-        );
-        assert_eq!(
-            adaptive_resolution.now(false, 5.2, objects(1)),
-            Subsampling::NONE,
-            "the hand rests"
-        );
+        assert_eq!(adaptive_resolution.now(false, 5.1, 1), Subsampling(3), "between two moves");
+        assert_eq!(adaptive_resolution.now(false, 5.2, 1), Subsampling::NONE, "the hand rests");
     }
 
     #[test]
@@ -215,7 +183,7 @@ mod tests {
             let time = |c: Subsampling| MS * full / (c.0 * c.0);
             let mut steps = Vec::new();
             for k in 0..30 {
-                let now = adaptive_resolution.now(true, f64::from(k), objects(1));
+                let now = adaptive_resolution.now(true, f64::from(k), 1);
                 adaptive_resolution.took(now, time(now));
                 steps.push(now);
             }
@@ -227,14 +195,10 @@ mod tests {
     #[test]
     fn what_would_take_long_stays_coarse_at_rest_and_says_so() {
         let mut adaptive_resolution = AdaptiveResolution::default();
-        assert_eq!(
-            adaptive_resolution.now(false, 0.0, objects(10_000)),
-            Subsampling::MOST,
-            "not known yet"
-        );
+        assert_eq!(adaptive_resolution.now(false, 0.0, 10_000), Subsampling::MOST, "not known yet");
         // An eighth of rows and columns in 100 ms: all in 6.4 s, and a third in 0.7.
         adaptive_resolution.took(Subsampling::MOST, 100 * MS);
-        let now = adaptive_resolution.now(false, 0.2, objects(10_000));
+        let now = adaptive_resolution.now(false, 0.2, 10_000);
         assert_eq!(now, Subsampling(3));
         assert!(!adaptive_resolution.is_made_finer(now));
         assert_eq!(
@@ -244,18 +208,8 @@ mod tests {
         // A scene that turns out to be light is fine again.
         adaptive_resolution.took(now, MS);
         assert!(adaptive_resolution.is_made_finer(now));
-        assert_eq!(adaptive_resolution.now(false, 0.4, objects(10_000)), Subsampling::NONE);
+        assert_eq!(adaptive_resolution.now(false, 0.4, 10_000), Subsampling::NONE);
         assert_eq!(adaptive_resolution.message(Subsampling::NONE), None);
-    }
-
-    #[test]
-    fn the_map_of_certainty_is_coarse_until_its_time_is_known() {
-        let mut adaptive_resolution = AdaptiveResolution::default();
-        assert_eq!(adaptive_resolution.now(false, 0.0, objects(3)), Subsampling::NONE);
-        let with_map = Load { maps_certainty: true, ..objects(3) };
-        assert_eq!(adaptive_resolution.now(false, 1.0, with_map), Subsampling::MOST);
-        adaptive_resolution.took(Subsampling::MOST, MS);
-        assert_eq!(adaptive_resolution.now(false, 2.0, with_map), Subsampling::NONE);
     }
 
     #[test]

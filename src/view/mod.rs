@@ -4,7 +4,6 @@
 pub mod accuracy;
 pub mod adaptive_resolution;
 mod answer_twins;
-pub mod certainty;
 pub mod derivation;
 pub mod derive;
 pub mod formula;

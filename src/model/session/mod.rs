@@ -137,8 +137,6 @@ pub struct Settings {
     pub method: MethodName,
     /// The method of the error map.
     pub compared: MethodName,
-    /// True if the map shows, in place of errors, which step decided each pixel.
-    pub maps_certainty: bool,
     /// Dark, light, or the system's choice.
     pub theme: ThemeName,
     /// The colour scheme.
@@ -191,7 +189,6 @@ impl Default for Settings {
             plot_compressed: false,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
-            maps_certainty: false,
             theme: ThemeName::System,
             scheme: Scheme::Standard,
             reduced_motion: false,

@@ -259,8 +259,7 @@ impl App {
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
-            let settings = &scene.session.settings;
-            let beside = page.beside.map_or("", |beside| (beside.name)(settings));
+            let beside = page.beside.map_or("", |beside| beside.name);
             views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
             let is_free = scene.session.hand.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;

@@ -17,7 +17,7 @@ use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
 use crate::ui::view_texture::ViewTexture;
-use crate::view::adaptive_resolution::{AdaptiveResolution, Load, REST, Subsampling};
+use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 
 /// Keys that move the camera, the observer or a handle, again and again while they are held.
@@ -62,10 +62,9 @@ impl Views {
         plays: bool,
     ) {
         let time = ctx.input(|i| i.time);
-        let maps_certainty = sizes.map.is_some() && scene.session.settings.maps_certainty;
-        let load = Load { objects: scene.open.document.object_count(), maps_certainty };
+        let objects = scene.open.document.object_count();
         let moves = plays || is_hand_moving(ctx);
-        let subsampling = self.adaptive_resolution.now(moves, time, load);
+        let subsampling = self.adaptive_resolution.now(moves, time, objects);
         let under_hand = self.adaptive_resolution.is_followed(time);
         let sizes = ViewSizes { subsampling, under_hand, ..sizes };
         // Whose spheres are then changed in place, not copied.

@@ -35,8 +35,6 @@ pub(crate) const WORLD: &str = "World view";
 pub(crate) const CAMERA: &str = "Camera view";
 /// Name of the error map.
 pub(crate) const MAP: &str = "Error map";
-/// Name of the map of certainty.
-pub(crate) const CERTAINTY: &str = "Which step decided, and with how much margin";
 /// Name of the wrong camera's picture.
 pub(crate) const WRONG: &str = "Wrong camera";
 

@@ -19,7 +19,7 @@ pub(super) const ACCURACY: Page = Page {
         Areas { world: None, camera: Some(left), beside: Some(right), rest }
     },
     beside: Some(&Beside {
-        name: accuracy::map_name,
+        name: views::MAP,
         derive: |sizes, size| sizes.map = Some(size),
         show: error_map,
     }),
@@ -36,16 +36,11 @@ fn error_map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) {
     let derived = desk.derived;
     accuracy::strip(ui, area, &mut desk.session.settings);
     let is_dimmed = derived.fault.is_some();
-    match (&derived.error_map, &derived.compared, &derived.certainty) {
-        (Some(shown), Some(compared), _) => {
+    match (&derived.error_map, &derived.compared) {
+        (Some(shown), Some(compared)) => {
             desk.picture(ui, rect, shown, is_dimmed);
             views::speak(ui, views::MAP, &accuracy::summary(compared));
             accuracy::legend(ui, area, compared);
-        }
-        (Some(shown), None, Some(certainty)) => {
-            desk.picture(ui, rect, shown, is_dimmed);
-            views::speak(ui, views::CERTAINTY, &accuracy::certainty::summary(certainty));
-            accuracy::certainty::legend(ui, area, certainty);
         }
         _ => {
             if let Some(why) = derived.too_many {

@@ -12,7 +12,7 @@ use crate::ui::scene::views;
 pub(super) const ANSWERS: Page = Page {
     areas: |divider| divider.three_above(Split::Answers),
     beside: Some(&Beside {
-        name: |_| views::ANSWERS,
+        name: views::ANSWERS,
         derive: |sizes, size| sizes.answers = Some(size),
         show: map,
     }),

@@ -15,7 +15,7 @@ pub(super) const COMPARE: Page = Page {
         Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest }
     },
     beside: Some(&Beside {
-        name: |_| views::GHOST,
+        name: views::GHOST,
         derive: |sizes, size| sizes.ghost = Some(size),
         show: ghost,
     }),

@@ -11,7 +11,7 @@ use crate::ui::scene::views;
 pub(super) const MISTAKES: Page = Page {
     areas: |divider| divider.three_above(Split::Mistakes),
     beside: Some(&Beside {
-        name: |_| views::WRONG,
+        name: views::WRONG,
         derive: |sizes, size| sizes.wrong = Some(size),
         show: wrong_camera,
     }),

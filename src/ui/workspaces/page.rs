@@ -6,7 +6,7 @@ use crate::figures::Subject;
 use crate::model::concept::Hovered;
 use crate::model::files::OpenDocument;
 use crate::model::readings::NumberStyle;
-use crate::model::session::{Session, Settings, Split};
+use crate::model::session::{Session, Split};
 use crate::ui::action::{Action, LessonAction};
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::DerivationPanel;
@@ -40,8 +40,8 @@ pub(crate) struct Page {
 
 /// A picture beside the camera's, as large.
 pub(crate) struct Beside {
-    /// Returns the name, for screen readers.
-    pub(crate) name: fn(&Settings) -> &'static str,
+    /// Its name, for screen readers.
+    pub(crate) name: &'static str,
     /// Asks for it in this size.
     pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
     /// Shows it in a frame, with its title above the area.

@@ -9,19 +9,18 @@ use pinhole_core::{ResolvedCamera, Selection};
 use super::buffers::Buffers;
 use super::derived::{Derived, Inputs, Purpose, Shown};
 use super::memo::Memo;
-use super::picture::{GoodPicture, MapOf};
+use super::picture::GoodPicture;
 use super::watch::{Work, watched};
 use super::{HighlightKey, blank, highlight_key};
 use crate::model::overlay_items::OverlayItems;
+use crate::view::accuracy;
 use crate::view::overlay::{self, CameraView, Highlighted, Loupe, Picture, Style};
-use crate::view::{accuracy, certainty};
 
 /// Caches of both views.
 #[derive(Debug, Default)]
 pub(super) struct CameraViews {
     camera: Memo<Key, Shown>,
-    /// Of the map of certainty, there is no method.
-    error_map: Memo<(Option<Method>, Key), Shown>,
+    error_map: Memo<(Method, Key), Shown>,
     buffers: Buffers,
 }
 
@@ -96,24 +95,12 @@ impl CameraViews {
                 })
             })
         });
-        let error_map = good.map.as_ref().zip(sizes.map).map(|((of, map), size)| {
-            let method = match of {
-                MapOf::Errors(compared) => Some(compared.method),
-                MapOf::Certainty(_) => None,
-            };
-            self.error_map.get((method, Key { loupe: None, ..key(size) }), |(_, key)| {
+        let error_map = good.map.as_ref().zip(sizes.map).map(|((compared, map), size)| {
+            self.error_map.get((compared.method, Key { loupe: None, ..key(size) }), |(_, key)| {
                 let mut pixels = blank(size);
                 let drawing = draw(map, key, &mut pixels);
-                let (raster, width, scale) = (&map.raster, size[0] as usize, key.scale);
-                match of {
-                    MapOf::Errors(compared) => {
-                        let comparison = &compared.comparison;
-                        accuracy::mark_wrong(comparison, raster, width, scale, &mut pixels);
-                    }
-                    MapOf::Certainty(certainty) => {
-                        certainty::mark_hard(certainty, raster, width, scale, &mut pixels);
-                    }
-                }
+                let (comparison, width) = (&compared.comparison, size[0] as usize);
+                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
                 key.style.finish(&mut pixels);
                 Shown::new(size, pixels, drawing)
             })

@@ -15,7 +15,6 @@ use crate::model::inspection::Inspection;
 use crate::model::practice::twin::Twin;
 use crate::model::session::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::certainty::Certainty;
 use crate::view::derivation::Derivation;
 use crate::view::ghost::AgainstGhost;
 use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
@@ -110,9 +109,7 @@ pub struct Derived {
     pub drawn_by: Option<Arc<Compared>>,
     /// The method of the error map, and its errors.
     pub compared: Option<Arc<Compared>>,
-    /// How surely the shown pixels are decided, if the map shows that.
-    pub certainty: Option<Arc<Certainty>>,
-    /// The error map, or the map of certainty.
+    /// The error map.
     pub error_map: Option<Shown>,
     /// The derivation of all numbers, if the layout shows it.
     pub derivation: Option<Arc<Derivation>>,

@@ -21,7 +21,6 @@ use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
 use crate::view::accuracy::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::certainty::{self, Certainty};
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
 /// Maximum number of intersection tests that a method may do for one picture: about a second of
@@ -68,13 +67,6 @@ pub struct Compared {
     pub frame: Frame,
 }
 
-/// What the map beside the camera's picture shows.
-#[derive(Clone, Debug)]
-pub(super) enum MapOf {
-    Errors(Arc<Compared>),
-    Certainty(Arc<Certainty>),
-}
-
 /// The camera's picture and the selected ray.
 #[derive(Clone, Debug)]
 pub(super) struct GoodPicture {
@@ -94,8 +86,8 @@ pub(super) struct GoodPicture {
     pub(super) truth: Option<Arc<Frame>>,
     /// The method that drew the picture, if it was not the ladder.
     pub(super) drawn_by: Option<Arc<Compared>>,
-    /// The map beside the picture, if it is shown.
-    pub(super) map: Option<(MapOf, Arc<Picture>)>,
+    /// The error map, if it is shown.
+    pub(super) map: Option<(Arc<Compared>, Arc<Picture>)>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
 }
@@ -104,11 +96,7 @@ impl GoodPicture {
     /// Writes down what is said about the picture.
     pub(super) fn tell(&self, derived: &mut Derived) {
         derived.drawn_by.clone_from(&self.drawn_by);
-        (derived.compared, derived.certainty) = match &self.map {
-            Some((MapOf::Errors(compared), _)) => (Some(Arc::clone(compared)), None),
-            Some((MapOf::Certainty(certainty), _)) => (None, Some(Arc::clone(certainty))),
-            None => (None, None),
-        };
+        derived.compared = self.map.as_ref().map(|(compared, _)| Arc::clone(compared));
         derived.too_many = self.too_many;
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
@@ -139,7 +127,6 @@ pub(super) struct Pictures {
     /// lends its own.
     shown: Vec<Arc<Picture>>,
     map: Memo<(Method, TraceKey), Arc<Picture>>,
-    certainty: Memo<TraceKey, (Arc<Certainty>, Arc<Picture>)>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
@@ -169,22 +156,18 @@ impl Pictures {
         // A method that is too slow for the full picture is not used during a drag, either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
-        let with_map = sizes.map.is_some();
-        let with_certainty = with_map && settings.maps_certainty;
-        let certain = with_certainty.then(|| self.certainty(&seen, &world.scene, watch));
-        let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
+        let beside = self.beside(&seen, world, settings, sizes.map.is_some(), too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (beside.method, seen, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
-        let errors = beside.compared.map(|compared| {
+        let map = beside.compared.map(|compared| {
             let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
                 let pixels = accuracy::colors(&compared.comparison);
                 Arc::new(Picture { raster: raster.clone(), image: resolved.image(), pixels })
             });
-            (MapOf::Errors(compared), map)
+            (compared, map)
         });
-        let map = certain.or(errors);
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
@@ -221,24 +204,6 @@ impl Pictures {
             drawn_by: beside.drawn_by,
             map,
         }
-    }
-
-    /// Returns how surely the pixels are decided, and the map of it.
-    fn certainty(
-        &mut self,
-        seen: &TraceKey,
-        scene: &Scene,
-        watch: Watch<'_>,
-    ) -> (MapOf, Arc<Picture>) {
-        let (certainty, map) = self.certainty.get(seen.clone(), |(resolved, _, raster)| {
-            watch::watched(watch, Work::Trace, || {
-                let certainty = Certainty::new(scene, resolved, raster);
-                let pixels = certainty::colors(&certainty);
-                let (raster, image) = (raster.clone(), resolved.image());
-                (Arc::new(certainty), Arc::new(Picture { raster, image, pixels }))
-            })
-        });
-        (MapOf::Certainty(certainty), map)
     }
 
     /// Returns the selected ray with all its intersections.
@@ -282,9 +247,7 @@ impl Pictures {
             Some(watch::watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
-        let with_errors = with_map && !settings.maps_certainty;
-        let compared =
-            if with_errors { compare(usize::from(other != method), other) } else { None };
+        let compared = if with_map { compare(usize::from(other != method), other) } else { None };
         OtherMethods { method, too_many, truth, drawn_by, compared }
     }
 

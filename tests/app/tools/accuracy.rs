@@ -8,7 +8,7 @@ use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::methods::Method;
-use pinhole_core::{Pixel, Selection, Step};
+use pinhole_core::{Pixel, Selection};
 
 use crate::harness::{assert_says, show, texts_with, type_into, unfolded, window, window_with};
 
@@ -148,54 +148,6 @@ fn a_click_in_the_map_selects_the_pixel_and_says_what_both_make_of_it() {
     assert!(text.iter().any(|text| text.contains("; textbook-f32 hits ")), "{text:?}");
 }
 
-const CERTAINTY: &str = "Which step decided, and with how much margin";
-
-#[test]
-fn the_other_map_shows_which_step_decided_each_pixel() {
-    let mut window = window("grazing");
-    open(&mut window);
-    choose(&mut window, "map", CERTAINTY);
-    assert!(window.query_by_role_and_label(Role::Image, "Error map").is_none());
-    let derived = window.state().derived().clone();
-    assert!(derived.compared.is_none());
-    let (certainty, map) = (derived.certainty.unwrap(), derived.error_map.unwrap());
-    assert_eq!(map.image.size, derived.camera_view.unwrap().image.size);
-    let [f64, double_double, exact] =
-        [Step::F64, Step::DoubleDouble, Step::Exact].map(|step| certainty.count(step));
-    assert_eq!(f64 + double_double + exact, certainty.certificates.len());
-    assert!(exact > 0, "the scene is there to show that");
-    let image = window.get_by_role_and_label(Role::Image, CERTAINTY);
-    let said = image.accesskit_node().description().unwrap();
-    assert!(said.starts_with(&format!("f64 decided {f64} of ")), "{said}");
-    assert!(said.ends_with(&format!("double-double {double_double}, exact {exact}")), "{said}");
-    assert_says(&window, &format!("exact: {exact}"));
-    let pink = map.image.pixels.iter().filter(|p| (p.r(), p.g(), p.b()) == (0xff, 0x5f, 0xb8));
-    assert!(pink.count() >= 25, "a pixel that is exact is marked");
-    choose(&mut window, "map", "Error map");
-    assert!(map_says(&window).starts_with("textbook-f32: "));
-    assert!(window.state().derived().certainty.is_none());
-}
-
-#[test]
-fn the_map_of_certainty_says_what_the_selected_pixel_had_to_spare() {
-    let mut window = with("canonical", Settings { maps_certainty: true, ..unfolded() });
-    open(&mut window);
-    let rect = window.get_by_role_and_label(Role::Image, CERTAINTY).rect();
-    let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
-    window.hover_at(at);
-    window.run_steps(2);
-    window.drag_at(at);
-    window.run_steps(2);
-    window.drop_at(at);
-    window.run_steps(2);
-    let Selection::Pixel(Pixel { row, column }) = window.state().session().selection else {
-        panic!("no pixel is selected")
-    };
-    assert!(row.abs_diff(300) <= 1 && column.abs_diff(100) <= 1, "{row}, {column}");
-    let text = texts_with(&window, &format!("row {row}, column {column}: decided in f64, "));
-    assert!(text.iter().any(|text| text.contains(" to spare")), "{text:?}");
-}
-
 #[test]
 fn a_picture_by_another_method_is_marked() {
     let mut window = far_window();
@@ -258,10 +210,6 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     let why = derived.too_many.unwrap().to_string();
     assert_says(&window, &format!("No error map: {why}"));
     assert_says(&window, &format!("Nothing is measured: {why}"));
-    choose(&mut window, "map", CERTAINTY);
-    let derived = window.state().derived().clone();
-    // Its pixels are asked by the ladder, which takes any number of objects.
-    assert!(derived.certainty.is_some() && derived.error_map.is_some());
 }
 
 #[test]

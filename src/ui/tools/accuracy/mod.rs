@@ -1,7 +1,6 @@
 //! The accuracy view: another method's error map beside the camera's picture; below, error against
 //! run time as plot and table.
 
-pub(crate) mod certainty;
 mod plot;
 mod table;
 
@@ -15,10 +14,9 @@ use crate::model::session::{MethodName, Session, Settings};
 use crate::report::model::NO_DIGIT;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::scene::views::{CERTAINTY, MAP};
+use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::widgets::spoken::Spoken as _;
-use crate::view;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
@@ -44,26 +42,11 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     response.named(name);
 }
 
-/// Returns the name of the map that is chosen.
-pub(crate) fn map_name(settings: &Settings) -> &'static str {
-    if settings.maps_certainty { CERTAINTY } else { MAP }
-}
-
-/// Shows the choice of the map above it; of an error map, with its method.
+/// Shows the name of the map above it, and the choice of its method.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
-        let width = ui.spacing().icon_width + ui.spacing().item_spacing.x;
-        let combo = ComboBox::from_id_salt("map").selected_text(map_name(settings)).truncate();
-        let room = if settings.maps_certainty { 360.0 } else { 110.0 };
-        let combo = combo.width(f32::min(room, ui.available_width() - width));
-        let response = combo.show_ui(ui, |ui| {
-            ui.selectable_value(&mut settings.maps_certainty, false, MAP);
-            ui.selectable_value(&mut settings.maps_certainty, true, CERTAINTY);
-        });
-        response.response.named("map");
-        if !settings.maps_certainty {
-            method(ui, "error map of", &mut settings.compared);
-        }
+        ui.label(MAP);
+        method(ui, "error map of", &mut settings.compared);
     });
 }
 
@@ -85,27 +68,22 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
         ui.horizontal(|ui| {
             ui.label("t off by 1 ulp of f64");
             let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
-            color_bar(ui, width, &[()], |(), share| {
-                accuracy::color_of_ulps(10_f64.powf(accuracy::DECADES * share))
-            });
+            color_bar(ui, width);
             ui.label("10¹⁶");
         });
     });
 }
 
-/// Shows the colours of a scale from 0 to 1, a strip for each of some kinds.
-fn color_bar<K>(ui: &mut Ui, width: f32, kinds: &[K], color: impl Fn(&K, f64) -> Color32) {
-    const HEIGHT: f32 = 12.0;
-    let (bar, _) = ui.allocate_exact_size(vec2(width, HEIGHT), egui::Sense::hover());
-    let (slices, height) = (width as usize, HEIGHT / kinds.len() as f32);
-    for (strip, kind) in kinds.iter().enumerate() {
-        let top = bar.top() + height * strip as f32;
-        for slice in 0..slices {
-            let left = bar.left() + slice as f32;
-            let area = Rect::from_min_max(pos2(left, top), pos2(left + 1.5, top + height));
-            let color = color(kind, (slice as f64 + 0.5) / slices as f64);
-            ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
-        }
+/// Shows the map's colours, from 1 ulp to the most.
+fn color_bar(ui: &mut Ui, width: f32) {
+    let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
+    let slices = width as usize;
+    for slice in 0..slices {
+        let left = bar.left() + slice as f32;
+        let area = Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
+        let share = (slice as f64 + 0.5) / slices as f64;
+        let color = accuracy::color_of_ulps(10_f64.powf(accuracy::DECADES * share));
+        ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
     }
 }
 
@@ -204,18 +182,13 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
 /// Returns the results of the ladder and of the map's method at the selected pixel, whether or not
 /// the map shows that pixel.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
-    if derived.too_many.is_some() && !session.settings.maps_certainty {
+    if derived.too_many.is_some() {
         return None;
     }
     let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
     let pixel = pixel_of(session.selection, resolved)?;
     let from = u32::from(session.settings.count_from_one);
     let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
-    if session.settings.maps_certainty {
-        let certificate = scene.certificate_of(&resolved.exact_ray(pixel));
-        let words = view::certainty::words(&certificate, document);
-        return Some(RichText::new(format!("{position}: {words}")).strong());
-    }
     let method = session.settings.compared.0;
     let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
     let truth = trace(scene, resolved, &raster, Outputs::default());
