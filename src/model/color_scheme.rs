@@ -4,36 +4,44 @@ use pinhole_core::Rgb;
 use pinhole_exchange::document::default_color;
 use serde::{Deserialize, Serialize};
 
-use super::named_enum::named_enum;
-
 /// The greys of objects; neighbours in the list differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
-named_enum! {
-    /// A choice of colours that tell objects and vectors apart, with its name in a menu and its
-    /// description.
-    #[derive(Default, Serialize, Deserialize)]
-    pub enum Scheme {
-        /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
-        #[default]
-        Standard: "Standard colours", "Objects in their own colours, vectors by hue";
-        /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
-        ColourBlind: "Colour-blind safe",
-            "Colours that colour-blind viewers can tell apart; objects take them in turn";
-        /// Greys only, for print: u, v, w differ by their dashes, heads and names.
-        Grey: "Greys for print", "Only greys; vectors differ by dashes, heads and names";
-    }
+/// A choice of colours that tell objects and vectors apart, with its name in a menu and its
+/// description.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Scheme {
+    /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
+    #[default]
+    Standard,
+    /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
+    ColourBlind,
+    /// Greys only, for print: u, v, w differ by their dashes, heads and names.
+    Grey,
 }
 
 impl Scheme {
+    /// All of them, in order.
+    pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
+
     /// Returns the scheme's name in a menu.
     pub fn label(self) -> &'static str {
-        self.texts()[0]
+        match self {
+            Scheme::Standard => "Standard colours",
+            Scheme::ColourBlind => "Colour-blind safe",
+            Scheme::Grey => "Greys for print",
+        }
     }
 
     /// Returns a description of the scheme.
     pub fn about(self) -> &'static str {
-        self.texts()[1]
+        match self {
+            Scheme::Standard => "Objects in their own colours, vectors by hue",
+            Scheme::ColourBlind => {
+                "Colours that colour-blind viewers can tell apart; objects take them in turn"
+            }
+            Scheme::Grey => "Only greys; vectors differ by dashes, heads and names",
+        }
     }
 
     /// Returns the colour of the object with this index, whose own colour is `own`. A grey object

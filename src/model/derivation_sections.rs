@@ -1,29 +1,40 @@
 //! The sections of the derivation, each of which can be hidden.
 
-use super::named_enum::named_enum;
-
-named_enum! {
-    /// A section of the derivation, from top to bottom, with its label and its name in files.
-    #[repr(u8)]
-    pub enum DerivationSection {
-        /// The steps from view and up to u, v, w.
-        Basis: "Basis", "basis";
-        /// The steps from a pixel to its view ray.
-        PixelToRay: "Pixel to ray", "pixel-to-ray";
-        /// The intersection of every object with that ray.
-        Objects: "Objects", "objects";
-    }
+/// A section of the derivation, from top to bottom, with its label and its name in files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum DerivationSection {
+    /// The steps from view and up to u, v, w.
+    Basis,
+    /// The steps from a pixel to its view ray.
+    PixelToRay,
+    /// The intersection of every object with that ray.
+    Objects,
 }
 
 impl DerivationSection {
+    /// All of them, in order.
+    pub const ALL: [DerivationSection; 3] = {
+        use DerivationSection::*;
+        [Basis, PixelToRay, Objects]
+    };
+
     /// Returns the label of the section's checkbox.
     pub fn label(self) -> &'static str {
-        self.texts()[0]
+        match self {
+            DerivationSection::Basis => "Basis",
+            DerivationSection::PixelToRay => "Pixel to ray",
+            DerivationSection::Objects => "Objects",
+        }
     }
 
     /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
-        self.texts()[1]
+        match self {
+            DerivationSection::Basis => "basis",
+            DerivationSection::PixelToRay => "pixel-to-ray",
+            DerivationSection::Objects => "objects",
+        }
     }
 
     fn bit(self) -> u8 {

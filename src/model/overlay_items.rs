@@ -2,50 +2,78 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::named_enum::named_enum;
-
-named_enum! {
-    /// An item that the overlay draws, with the label of its checkbox and its name in lesson files.
-    #[repr(u8)]
-    pub enum Item {
-        /// The camera's position.
-        Eye: "eye", "eye";
-        /// The point that the camera looks at, if it is given by one.
-        At: "at", "at";
-        /// The view and up vectors as given.
-        ViewAndUp: "view and up", "view-and-up";
-        /// The u, v, w arrows.
-        Basis: "u, v, w", "basis";
-        /// The frustum's edges.
-        Frustum: "frustum", "frustum";
-        /// The viewport's outline.
-        Viewport: "viewport outline", "viewport";
-        /// The traced picture, on the viewport in space.
-        Picture: "picture on the viewport", "picture";
-        /// The edges between pixels, in both views.
-        PixelGrid: "pixel grid", "pixel-grid";
-        /// The marks on the image's top edge and at pixel (0, 0), in both views.
-        Marks: "top edge and pixel (0, 0)", "marks";
-        /// The selected view ray, and its pixel in both views.
-        Ray: "selected ray", "ray";
-        /// The first hit and its normal.
-        Hit: "hit and normal", "hit";
-        /// The x, y, z axes at the origin.
-        Axes: "x, y, z axes", "axes";
-        /// The planes, as patches with a grid of world units.
-        Planes: "planes", "planes";
-        /// The lines u = 0 and v = 0 in the camera view.
-        UvAxes: "u = 0 and v = 0", "uv-axes";
-        /// The labels of all these items.
-        Labels: "labels", "labels";
-        /// The magnified pixels around the selected place, in the camera view.
-        Loupe: "loupe", "loupe";
-        /// The handles in the world view.
-        Handles: "handles", "handles";
-    }
+/// An item that the overlay draws, with the label of its checkbox and its name in lesson files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Item {
+    /// The camera's position.
+    Eye,
+    /// The point that the camera looks at, if it is given by one.
+    At,
+    /// The view and up vectors as given.
+    ViewAndUp,
+    /// The u, v, w arrows.
+    Basis,
+    /// The frustum's edges.
+    Frustum,
+    /// The viewport's outline.
+    Viewport,
+    /// The traced picture, on the viewport in space.
+    Picture,
+    /// The edges between pixels, in both views.
+    PixelGrid,
+    /// The marks on the image's top edge and at pixel (0, 0), in both views.
+    Marks,
+    /// The selected view ray, and its pixel in both views.
+    Ray,
+    /// The first hit and its normal.
+    Hit,
+    /// The x, y, z axes at the origin.
+    Axes,
+    /// The planes, as patches with a grid of world units.
+    Planes,
+    /// The lines u = 0 and v = 0 in the camera view.
+    UvAxes,
+    /// The labels of all these items.
+    Labels,
+    /// The magnified pixels around the selected place, in the camera view.
+    Loupe,
+    /// The handles in the world view.
+    Handles,
 }
 
 impl Item {
+    /// All of them, in order.
+    pub const ALL: [Item; 17] = {
+        use Item::*;
+        [
+            Eye, At, ViewAndUp, Basis, Frustum, Viewport, Picture, PixelGrid, Marks, Ray, Hit,
+            Axes, Planes, UvAxes, Labels, Loupe, Handles,
+        ]
+    };
+
+    fn texts(self) -> [&'static str; 2] {
+        match self {
+            Item::Eye => ["eye", "eye"],
+            Item::At => ["at", "at"],
+            Item::ViewAndUp => ["view and up", "view-and-up"],
+            Item::Basis => ["u, v, w", "basis"],
+            Item::Frustum => ["frustum", "frustum"],
+            Item::Viewport => ["viewport outline", "viewport"],
+            Item::Picture => ["picture on the viewport", "picture"],
+            Item::PixelGrid => ["pixel grid", "pixel-grid"],
+            Item::Marks => ["top edge and pixel (0, 0)", "marks"],
+            Item::Ray => ["selected ray", "ray"],
+            Item::Hit => ["hit and normal", "hit"],
+            Item::Axes => ["x, y, z axes", "axes"],
+            Item::Planes => ["planes", "planes"],
+            Item::UvAxes => ["u = 0 and v = 0", "uv-axes"],
+            Item::Labels => ["labels", "labels"],
+            Item::Loupe => ["loupe", "loupe"],
+            Item::Handles => ["handles", "handles"],
+        }
+    }
+
     /// Returns the label of the item's checkbox.
     pub fn label(self) -> &'static str {
         self.texts()[0]

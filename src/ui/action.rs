@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use pinhole_core::methods::Method;
+use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
@@ -16,7 +18,7 @@ use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::pen::Pen;
-use crate::model::session::{EyeKeeps, MethodName, Session, ThemeName, ViewLayout};
+use crate::model::session::{Session, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 
 /// A document from no file.
@@ -255,7 +257,7 @@ pub enum LookAction {
     /// Draw the views with this colour scheme.
     Scheme(Scheme),
     /// Draw the camera's picture by this method.
-    Method(MethodName),
+    Method(Method),
     /// Turn a switch on, or off if it is on.
     Toggle(Switch),
     /// Show so many digits more.
@@ -510,7 +512,7 @@ impl Switch {
             Switch::Section(section) => session.sections.shows(section),
             Switch::ExactForms => settings.exact_forms,
             Switch::CountFromOne => settings.count_from_one,
-            Switch::EyeTravels => settings.eye_keeps == EyeKeeps::View,
+            Switch::EyeTravels => settings.eye_keeps == Keep::View,
             Switch::KeepPixelShape => settings.keep_pixel_shape,
             Switch::KeepPicture => settings.keep_picture,
             Switch::KeepUp => settings.keep_up,

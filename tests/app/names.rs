@@ -52,7 +52,7 @@ fn every_control_has_a_name_of_its_own_in_every_layout() {
         let settings = Settings { teaching: true, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut harness = window_with(scene, remembered, None);
-        for layout in ViewLayout::listed() {
+        for layout in ViewLayout::LISTED {
             show(&mut harness, layout);
             // Measuring never rests.
             harness.run_steps(6);

@@ -70,6 +70,8 @@ pub enum Precision {
 
 /// A way to find the first hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "&'static str"))]
 pub enum Method {
     /// The steps that this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).
@@ -170,6 +172,20 @@ impl Method {
                 [if precision == Precision::F32 { single } else { double }, source, about]
             }
         }
+    }
+}
+
+impl From<Method> for &'static str {
+    fn from(method: Method) -> &'static str {
+        method.name()
+    }
+}
+
+impl TryFrom<String> for Method {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Method, String> {
+        Method::from_name(&name).ok_or_else(|| format!("no method is named {name}"))
     }
 }
 

@@ -15,11 +15,24 @@ use crate::scene::sphere::Sphere;
 
 /// The quantity that stays fixed when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Keep {
     /// The point it looks at, the [pivot](Camera::pivot): the view turns.
     At,
     /// The view direction: at moves along, the camera travels.
     View,
+}
+
+impl Keep {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Keep {
+        match self {
+            Keep::At => Keep::View,
+            Keep::View => Keep::At,
+        }
+    }
 }
 
 /// A corner of the viewport, as the camera sees it.

@@ -267,7 +267,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         if field.text().is_ok_and(|name| name == LEDGER.0) {
             return Err(renamed(field, LEDGER.1));
         }
-        let layouts = ViewLayout::ALL.into_iter().filter_map(|one| Some((one.name()?, one)));
+        let layouts = ViewLayout::LISTED.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)
     })?;
     say(section, "show", &mut view.items, items)?;

@@ -11,25 +11,23 @@ use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Selection, Viewport
 pub use player::Player;
 
 use crate::model::inspection::Inspection;
-use crate::model::named_enum::named_enum;
 use crate::model::session::Session;
 use pinhole_exchange::document::Document;
 
-named_enum! {
-    /// The kind of an animation, with its label, its name, and the name of its step in the history.
-    pub enum Kind {
-        /// Up turns once about the view direction.
-        SwingUp: "Roll: up turns around view", "swing-up", "roll";
-        /// The eye moves once around at.
-        Orbit: "Orbit the camera around at", "orbit", "orbit around at";
-        /// The view goes up until it meets up, and over it: the picture flips. By at, the eye goes round
-        /// at; by view, it stays.
-        OverTheTop: "Tilt past up: the picture flips", "over-the-top", "tilt past up";
-        /// A point runs along the selected ray, from the eye to what the ray hits.
-        Walk: "Walk along the ray", "walk", "walk along the ray";
-        /// The rays go out one after another, as a renderer sends them, and the picture appears.
-        Scan: "Scan the pixels row by row", "scan", "scan the pixels";
-    }
+/// The kind of an animation, with its label, its name, and the name of its step in the history.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Up turns once about the view direction.
+    SwingUp,
+    /// The eye moves once around at.
+    Orbit,
+    /// The view goes up until it meets up, and over it: the picture flips. By at, the eye goes round
+    /// at; by view, it stays.
+    OverTheTop,
+    /// A point runs along the selected ray, from the eye to what the ray hits.
+    Walk,
+    /// The rays go out one after another, as a renderer sends them, and the picture appears.
+    Scan,
 }
 
 /// The t at which [`Kind::Walk`] ends if the ray hits nothing.
@@ -39,6 +37,22 @@ const WALK_TO: f64 = 10.0;
 const STEPS: u64 = 24;
 
 impl Kind {
+    /// All of them, in order.
+    pub const ALL: [Kind; 5] = {
+        use Kind::*;
+        [SwingUp, Orbit, OverTheTop, Walk, Scan]
+    };
+
+    fn texts(self) -> [&'static str; 3] {
+        match self {
+            Kind::SwingUp => ["Roll: up turns around view", "swing-up", "roll"],
+            Kind::Orbit => ["Orbit the camera around at", "orbit", "orbit around at"],
+            Kind::OverTheTop => ["Tilt past up: the picture flips", "over-the-top", "tilt past up"],
+            Kind::Walk => ["Walk along the ray", "walk", "walk along the ray"],
+            Kind::Scan => ["Scan the pixels row by row", "scan", "scan the pixels"],
+        }
+    }
+
     /// Returns the kind's label in a menu.
     pub fn label(self) -> &'static str {
         self.texts()[0]

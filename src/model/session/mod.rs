@@ -12,10 +12,7 @@ use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
 use pinhole_core::{Camera, Selection, Shade};
 use serde::{Deserialize, Serialize};
 
-use names::StoredShade;
-pub use names::{
-    EyeKeeps, MethodName, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
-};
+pub use names::{TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label};
 pub use splits::{Split, Splits};
 
 use crate::model::color_scheme::Scheme;
@@ -102,7 +99,6 @@ pub struct Settings {
     /// The layout of the views.
     pub layout: ViewLayout,
     /// The shading of the pictures.
-    #[serde(with = "StoredShade")]
     pub shade: Shade,
     /// The items of the overlay.
     pub items: OverlayItems,
@@ -121,7 +117,7 @@ pub struct Settings {
     /// True if up stays as it is given while eye and at are dragged, also where the view comes near it.
     pub keep_up: bool,
     /// The quantity that stays when the eye is moved in the world view.
-    pub eye_keeps: EyeKeeps,
+    pub eye_keeps: Keep,
     /// True if the camera panel's part for teaching is unfolded.
     pub teaching: bool,
     /// True if the panel beside the views is hidden.
@@ -134,9 +130,9 @@ pub struct Settings {
     pub plot_compressed: bool,
     /// The method that draws the camera's picture: the ladder, unless another one's errors are to be
     /// seen.
-    pub method: MethodName,
+    pub method: Method,
     /// The method of the error map.
-    pub compared: MethodName,
+    pub compared: Method,
     /// Dark, light, or the system's choice.
     pub theme: ThemeName,
     /// The colour scheme.
@@ -181,14 +177,14 @@ impl Default for Settings {
             keep_pixel_shape: true,
             keep_picture: false,
             keep_up: false,
-            eye_keeps: EyeKeeps::At,
+            eye_keeps: Keep::At,
             teaching: false,
             hides_panel: false,
             unfolded: Unfolded::default(),
             splits: Splits::default(),
             plot_compressed: false,
-            method: MethodName(Method::Ladder),
-            compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
+            method: Method::Ladder,
+            compared: Method::Known(Formula::Textbook, Precision::F32),
             theme: ThemeName::System,
             scheme: Scheme::Standard,
             reduced_motion: false,
@@ -287,5 +283,5 @@ pub fn keeps_of(settings: &Settings, other: bool) -> (Keep, CornerKeeps, Distanc
     let eye = if other { settings.eye_keeps.other() } else { settings.eye_keeps };
     let corner = if settings.keep_pixel_shape { CornerKeeps::Ratio } else { CornerKeeps::Nothing };
     let distance = if settings.keep_picture { DistanceKeeps::Picture } else { DistanceKeeps::Size };
-    (eye.into(), corner, distance)
+    (eye, corner, distance)
 }

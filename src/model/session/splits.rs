@@ -23,8 +23,6 @@ pub enum Split {
     Readouts,
     /// Plot and table in the accuracy view.
     Accuracy,
-    /// The counts in the frame view.
-    Frame,
     /// The plot of f(p + t d).
     Plot,
     /// The text about a wrong camera.
@@ -39,7 +37,7 @@ const SHARE: RangeInclusive<f32> = 0.0..=1.0;
 const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
 /// Default and range of each boundary, in the enum's order.
-const TABLE: [(Split, f32, RangeInclusive<f32>); 12] = [
+const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
     (Split::Views, 0.54, SHARE),
     (Split::Stack, 0.55, SHARE),
     (Split::CompareViews, 0.42, SHARE),
@@ -47,7 +45,6 @@ const TABLE: [(Split, f32, RangeInclusive<f32>); 12] = [
     (Split::Derivation, 0.5, SHARE),
     (Split::Readouts, 200.0, HEIGHT),
     (Split::Accuracy, 370.0, HEIGHT),
-    (Split::Frame, 350.0, HEIGHT),
     (Split::Plot, 300.0, HEIGHT),
     (Split::Mistakes, 330.0, HEIGHT),
     (Split::Compare, 230.0, HEIGHT),

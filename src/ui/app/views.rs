@@ -120,7 +120,7 @@ impl Views {
             let style = NumberStyle::new(&session.settings);
             views::tell_pointed(ui, session, derived, document, style);
         }
-        let mark = accuracy::drawn_by(derived, session.settings.method.0);
+        let mark = accuracy::drawn_by(derived, session.settings.method);
         if let (Some(rect), Some(text)) = (rects.camera.or(rects.world), mark) {
             views::drawn_by(ui, rect, &text);
         }

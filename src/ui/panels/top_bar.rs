@@ -252,7 +252,7 @@ fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
         ui.label("The camera's picture is drawn by");
         for &method in Method::ALL {
             let hint = format!("{}\n{}", method.about(), method.source());
-            ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
+            ui.radio_value(&mut settings.method, method, method.name()).on_hover_text(hint);
         }
     });
 }

@@ -3,7 +3,7 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
-use pinhole_core::{ResolvedCamera, Steps, UpAngle};
+use pinhole_core::{Counts, ResolvedCamera, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{HoverSource, Hovered};
@@ -46,6 +46,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                     if let Some(steps) = derived.steps {
                         ui.weak(self::steps(steps)).on_hover_text(STEPS);
                     }
+                    if let Some(counts) = derived.counts {
+                        ui.weak(left_out(counts)).on_hover_text(LEFT_OUT);
+                    }
                     if let (true, Some((inspection, resolved))) = (is_narrow, seen) {
                         ui.add_space(6.0);
                         ray(ui, inspection, resolved, style);
@@ -73,6 +76,17 @@ pub(crate) fn steps(steps: Steps) -> String {
         return format!("Hit or miss: {f64} decisions, all in f64");
     }
     format!("Hit or miss: {f64} decisions in f64, {double_double} in double-double, {exact} exact")
+}
+
+/// The meaning of the text about what was left out.
+const LEFT_OUT: &str = "Spheres behind the eye, outside the picture or too small to reach a pixel, and rows \
+                        that no object reaches: the renderer skips them. It skips a sphere wherever \
+                        nearer ones hide it, too";
+
+/// Returns the text about what the renderer left out of the camera's picture.
+fn left_out(counts: Counts) -> String {
+    let Counts { spheres, behind, outside, rows, rows_untouched, .. } = counts;
+    format!("Left out: {} of {spheres} spheres, {rows_untouched} of {rows} rows", behind + outside)
 }
 
 /// Shows a block's title with a button that copies its lines.

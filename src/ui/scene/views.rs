@@ -7,6 +7,7 @@ use egui::text::LayoutJob;
 use egui::{
     Color32, FontId, Galley, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
+use pinhole_core::steering::Keep;
 use pinhole_core::{ImageSize, Selection};
 use pinhole_exchange::document::Document;
 
@@ -15,7 +16,7 @@ use crate::model::letters::typeset_message;
 use crate::model::number::written_whole;
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::readings::NumberStyle;
-use crate::model::session::{EyeKeeps, Session, Settings, ViewLayout};
+use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::handles::sphere_at;
@@ -386,10 +387,10 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
 }
 
 /// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.
-fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
+fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
     let text = match keeps {
-        EyeKeeps::At => "Eye orbits at",
-        EyeKeeps::View => "Eye travels",
+        Keep::At => "Eye orbits at",
+        Keep::View => "Eye travels",
     };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
                 direction. K switches, Alt switches while dragging.";

@@ -1,6 +1,5 @@
 //! The tools: the translator to other programs, accuracy, and what a frame left out.
 
 pub mod accuracy;
-pub mod frame;
 pub mod measuring;
 pub mod translator;

@@ -6,7 +6,6 @@ mod answers;
 mod compare;
 mod derivation;
 mod exercises;
-mod frame;
 mod lines;
 mod mistakes;
 mod page;
@@ -34,6 +33,5 @@ pub(crate) fn page(layout: ViewLayout) -> &'static Page {
         ViewLayout::Exercises => &exercises::EXERCISES,
         ViewLayout::Answers => &answers::ANSWERS,
         ViewLayout::Accuracy => &accuracy::ACCURACY,
-        ViewLayout::Frame => &frame::FRAME,
     }
 }

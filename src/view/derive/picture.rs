@@ -229,10 +229,10 @@ impl Pictures {
         too_many: Option<TooMany>,
         watch: Watch<'_>,
     ) -> OtherMethods {
-        let other = settings.compared.0;
-        let is_compared = settings.method.0 != Method::Ladder || with_map;
+        let other = settings.compared;
+        let is_compared = settings.method != Method::Ladder || with_map;
         let too_many = too_many.filter(|_| is_compared);
-        let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
+        let method = too_many.map_or(settings.method, |_| Method::Ladder);
         // Only a comparison needs all digits of t.
         let truth = (is_compared && too_many.is_none()).then(|| {
             let traced = &mut self.traced;

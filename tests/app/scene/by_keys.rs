@@ -6,10 +6,10 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::concept::Concept;
-use pinhole::model::session::EyeKeeps;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{Mark, Shape};
 use pinhole_core::DVec3;
+use pinhole_core::steering::Keep;
 
 use super::{at_of, camera};
 use crate::harness::{assert_says, says, window};
@@ -191,9 +191,9 @@ fn objects_are_added_chosen_and_removed() {
 fn what_is_kept_is_switched() {
     let mut harness = window("canonical");
     command(&mut harness, "eye travels");
-    assert_eq!(harness.state().session().settings.eye_keeps, EyeKeeps::View);
+    assert_eq!(harness.state().session().settings.eye_keeps, Keep::View);
     command(&mut harness, "eye travels");
-    assert_eq!(harness.state().session().settings.eye_keeps, EyeKeeps::At);
+    assert_eq!(harness.state().session().settings.eye_keeps, Keep::At);
     command(&mut harness, "keep pixels' shape");
     assert!(!harness.state().session().settings.keep_pixel_shape);
     command(&mut harness, "keep the picture");

@@ -1,5 +1,4 @@
-//! Accuracy, the counts of a frame, and the translator.
+//! Accuracy, and the translator.
 
 mod accuracy;
-mod frame;
 mod translator;

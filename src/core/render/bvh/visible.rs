@@ -58,7 +58,7 @@ impl<'a> VisibleSpheres<'a> {
     ) -> VisibleSpheres<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
         const CROWDED: f64 = 2.5;
-        let mut dropped = Counts { blocks: index.blocks.len() as u64, ..Counts::default() };
+        let mut dropped = Counts::default();
         let mut groups = Vec::new();
         let mut covered = 0.0;
         for group in 0..index.groups.len() {
@@ -67,10 +67,7 @@ impl<'a> VisibleSpheres<'a> {
                     covered += area;
                     groups.push(bounds);
                 }
-                Err(why) => {
-                    let blocks = index.blocks_of(group).len();
-                    drop_box(&mut dropped, why, index.groups[group].count, blocks);
-                }
+                Err(why) => drop_box(&mut dropped, why, index.groups[group].count),
             }
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
@@ -145,7 +142,7 @@ fn seen_blocks<S: Simd>(
     for block in range {
         match seen(&index.blocks, block, space, axes) {
             Ok((bounds, _)) => blocks.push(bounds),
-            Err(why) => drop_box(&mut dropped, why, index.blocks[block].count, 1),
+            Err(why) => drop_box(&mut dropped, why, index.blocks[block].count),
         }
     }
     if is_crowded {
@@ -166,12 +163,11 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
     near <= NEAR * radius || radius > LARGE * slope * near
 }
 
-fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
+fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32) {
     match why {
         Unseen::Behind => counts.behind += u64::from(spheres),
         Unseen::Outside => counts.outside += u64::from(spheres),
     }
-    counts.blocks_left_out += blocks as u64;
 }
 
 /// Finds which part of the raster a box can cover, and how many pixels its spheres cover together,

@@ -19,18 +19,6 @@ pub struct Counts {
     /// are hidden when their turn comes depends on the order of drawing, and that on the width of the
     /// processor's vectors; the picture does not.
     pub hidden: u64,
-    /// Planes of the scene.
-    pub planes: u64,
-    /// Planes asked: none that is the same as an earlier one.
-    pub planes_asked: u64,
-    /// Blocks of spheres in the scene's index; 0 where the scene is so small that none is built.
-    pub blocks: u64,
-    /// Blocks of which no sphere was looked at: behind the eye or beside the picture.
-    pub blocks_left_out: u64,
-    /// Bands of rows that threads trace on their own.
-    pub bands: u64,
-    /// Bands that no object reaches: background only.
-    pub bands_untouched: u64,
     /// Rows of the picture.
     pub rows: u64,
     /// Rows that the bounds of no object's outline reach: background only.
@@ -47,12 +35,6 @@ impl Add for Counts {
             outside: self.outside + other.outside,
             in_view: self.in_view + other.in_view,
             hidden: self.hidden + other.hidden,
-            planes: self.planes + other.planes,
-            planes_asked: self.planes_asked + other.planes_asked,
-            blocks: self.blocks + other.blocks,
-            blocks_left_out: self.blocks_left_out + other.blocks_left_out,
-            bands: self.bands + other.bands,
-            bands_untouched: self.bands_untouched + other.bands_untouched,
             rows: self.rows + other.rows,
             rows_untouched: self.rows_untouched + other.rows_untouched,
         }

@@ -63,11 +63,7 @@ impl<'a> Plan<'a> {
         let space = CameraSpace::new(camera);
         let extents = Extents::new(camera, raster);
         let space = space.is_plain.then_some(space);
-        let mut counts = Counts {
-            spheres: scene.spheres().len() as u64,
-            planes: scene.planes().len() as u64,
-            ..Counts::default()
-        };
+        let mut counts = Counts { spheres: scene.spheres().len() as u64, ..Counts::default() };
         let visible = match (scene.index(), space) {
             (Some(index), Some(space)) => {
                 Some(VisibleSpheres::new(level, index, space, (&axes, &extents), &mut counts))
@@ -94,7 +90,6 @@ impl<'a> Plan<'a> {
         let seen = |plane| ObjectFromOrigin::new(&Object::Plane(plane), camera.eye());
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes: Vec<Option<ObjectFromOrigin>> = planes.collect();
-        counts.planes_asked = planes.iter().flatten().count() as u64;
         let mut plan = Plan {
             level,
             scene,

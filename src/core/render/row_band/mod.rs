@@ -149,8 +149,6 @@ impl<'a> RowBand<'a> {
     pub(crate) fn counted(self) -> (Steps, Counts) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
         let mut counts = self.drawn.counts;
-        counts.bands = 1;
-        counts.bands_untouched = u64::from(untouched == self.rows.len());
         counts.rows = self.rows.len() as u64;
         counts.rows_untouched = untouched as u64;
         (self.steps, counts)

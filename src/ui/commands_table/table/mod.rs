@@ -30,7 +30,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::{MethodName, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{ThemeName, ViewLayout, shade_about, shade_label};
 use crate::model::translator::Target;
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
@@ -248,7 +248,7 @@ pub(crate) fn command(
 }
 
 fn layouts() -> impl Iterator<Item = UiCommand> {
-    ViewLayout::listed().map(|layout| {
+    ViewLayout::LISTED.into_iter().map(|layout| {
         command(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
     })
 }
@@ -306,7 +306,7 @@ fn looks() -> Vec<UiCommand> {
         ));
     }
     for &method in Method::ALL {
-        let action = LookAction::Method(MethodName(method));
+        let action = LookAction::Method(method);
         commands.push(command(Group::Method, method.name(), method.about(), action));
     }
     commands

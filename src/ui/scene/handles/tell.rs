@@ -117,7 +117,7 @@ impl HandInput {
             lines.push(format!("in steps of {}{unit}", written(step, 3)));
         }
         if handle == Handle::Eye {
-            lines.push(eye_keeps(session.settings.eye_keeps.into()).to_owned());
+            lines.push(eye_keeps(session.settings.eye_keeps).to_owned());
         }
         if matches!(handle, Handle::Corner(_) | Handle::Distance) && session.settings.keep_picture {
             lines.push("the picture stays".to_owned());
@@ -144,7 +144,7 @@ fn eye_keeps(keep: Keep) -> &'static str {
 fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
     let what = match handle {
         Handle::Eye => {
-            let keeps = session.settings.eye_keeps.into();
+            let keeps = session.settings.eye_keeps;
             let other = match keeps {
                 Keep::At => "travel",
                 Keep::View => "orbit",

@@ -10,7 +10,7 @@ use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Selection,
 use pinhole_exchange::document::Document;
 
 use crate::model::number::{short, written_whole};
-use crate::model::session::{MethodName, Session, Settings};
+use crate::model::session::{Session, Settings};
 use crate::report::model::NO_DIGIT;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
@@ -28,14 +28,14 @@ pub(crate) const LEGEND: f32 = 44.0;
 const TABLE: f32 = 560.0;
 
 /// Shows the choice of a method; `name` is for screen readers.
-pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
-    let combo = ComboBox::from_id_salt(name).selected_text(chosen.0.name()).width(150.0);
+pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
+    let combo = ComboBox::from_id_salt(name).selected_text(chosen.name()).width(150.0);
     let response = combo
         .height(520.0)
         .show_ui(ui, |ui| {
             for method in Method::of_frames() {
                 let hint = format!("{}\n{}", method.about(), method.source());
-                ui.selectable_value(&mut chosen.0, method, method.name()).on_hover_text(hint);
+                ui.selectable_value(&mut chosen, method, method.name()).on_hover_text(hint);
             }
         })
         .response;
@@ -189,7 +189,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let pixel = pixel_of(session.selection, resolved)?;
     let from = u32::from(session.settings.count_from_one);
     let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
-    let method = session.settings.compared.0;
+    let method = session.settings.compared;
     let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
     let truth = trace(scene, resolved, &raster, Outputs::default());
     let traced = trace_by(method, scene, resolved, &raster);

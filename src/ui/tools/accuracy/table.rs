@@ -1,10 +1,10 @@
 //! The table of the methods' results.
 
 use egui::{Color32, Grid, RichText, Stroke, Ui, vec2};
+
 use pinhole_core::methods::Method;
 
 use crate::model::number::short;
-use crate::model::session::MethodName;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::marker::marker_of;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -26,7 +26,7 @@ const COLUMNS: [(&str, &str); 7] = [
 ];
 
 /// Shows one row per method; a click on a row shows its method in the error map.
-pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
+pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut Method) {
     // All methods and all columns must fit into the room below two pictures.
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
     ui.spacing_mut().interact_size.y = 17.0;
@@ -52,7 +52,7 @@ pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
     }
 }
 
-fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
+fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
     ui.horizontal(|ui| {
         let (swatch, _) = ui.allocate_exact_size(vec2(9.0, 9.0), egui::Sense::hover());
         let color = color_of(ui, row);
@@ -65,7 +65,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
         match Method::from_name(&row.name) {
             Some(method) => {
                 let hint = format!("{}\n{}", method.about(), method.source());
-                let name = ui.selectable_value(&mut compared.0, method, &row.name);
+                let name = ui.selectable_value(&mut compared, method, &row.name);
                 name.named(format!("error map of {}", row.name)).on_hover_text(hint);
             }
             None => {
