@@ -9,13 +9,14 @@
 //! - `world_view`, `camera_view`: the contents of the two views.
 //! - `highlighted`: what both share to highlight a concept, on top of everything else.
 //! - `space`: from the world to dots, and what hides what.
-//! - `drawing`: marks and labels; `paint`: marks as fills and strokes, and those as pixels.
+//! - `drawing`: marks and labels; `path`: marks as fills and strokes; `paint`: those as pixels.
 //! - `picture`: the camera's traced picture; `style`: colours and text sizes.
 
 mod camera_view;
 mod drawing;
 mod highlighted;
 mod paint;
+mod path;
 mod picture;
 mod space;
 mod style;
@@ -27,7 +28,7 @@ pub use camera_view::{CameraView, camera, camera_apart, camera_position_of_uv, c
 pub use drawing::{Drawing, Label, Mark, Shape, Target, concept_at};
 pub use highlighted::Highlighted;
 pub use paint::paint_paths;
-pub use paint::path::{Ink, Outline, Path};
+pub use path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;

@@ -7,32 +7,29 @@
 use egui::Color32;
 
 use crate::model::color_scheme::Scheme;
-use crate::model::named_enum::named_enum;
 
 /// Text sizes in points: vectors, points, marks.
 pub(super) const VECTOR_TEXT: f32 = 21.0;
 pub(super) const POINT_TEXT: f32 = 17.0;
 pub(super) const MARK_TEXT: f32 = 14.0;
 
-named_enum! {
-    /// Colours for a light or a dark window, with their name on the command line: a pair of each
-    /// [`Scheme`], in its order.
-    #[derive(Default)]
-    pub enum Style {
-        /// Dark lines on a light background.
-        #[default]
-        Light: "light";
-        /// Light lines on a dark background.
-        Dark: "dark";
-        /// [`Style::Light`] in [`Scheme::ColourBlind`].
-        ColourBlindLight: "colour-blind";
-        /// [`Style::Dark`] in [`Scheme::ColourBlind`].
-        ColourBlindDark: "colour-blind-dark";
-        /// [`Style::Light`] in [`Scheme::Grey`].
-        GreyLight: "grey";
-        /// [`Style::Dark`] in [`Scheme::Grey`].
-        GreyDark: "grey-dark";
-    }
+/// Colours for a light or a dark window, with their name on the command line: a pair of each
+/// [`Scheme`], in its order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Style {
+    /// Dark lines on a light background.
+    #[default]
+    Light,
+    /// Light lines on a dark background.
+    Dark,
+    /// [`Style::Light`] in [`Scheme::ColourBlind`].
+    ColourBlindLight,
+    /// [`Style::Dark`] in [`Scheme::ColourBlind`].
+    ColourBlindDark,
+    /// [`Style::Light`] in [`Scheme::Grey`].
+    GreyLight,
+    /// [`Style::Dark`] in [`Scheme::Grey`].
+    GreyDark,
 }
 
 /// The colours of one [`Style`].
@@ -141,6 +138,12 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
+    /// All of them, in order.
+    pub const ALL: [Style; 6] = {
+        use Style::*;
+        [Light, Dark, ColourBlindLight, ColourBlindDark, GreyLight, GreyDark]
+    };
+
     /// Returns a scheme's style on a dark or on a light background.
     pub fn new(scheme: Scheme, is_dark: bool) -> Style {
         Style::ALL[2 * scheme as usize + usize::from(is_dark)]
@@ -148,7 +151,14 @@ impl Style {
 
     /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
-        self.texts()[0]
+        match self {
+            Style::Light => "light",
+            Style::Dark => "dark",
+            Style::ColourBlindLight => "colour-blind",
+            Style::ColourBlindDark => "colour-blind-dark",
+            Style::GreyLight => "grey",
+            Style::GreyDark => "grey-dark",
+        }
     }
 
     /// Returns its scheme.

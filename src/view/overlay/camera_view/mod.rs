@@ -49,7 +49,7 @@ const GRID_FROM: f64 = 8.0;
 /// are left to the caller.
 pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let drawing = view.drawing();
-    view.paint(&Fills::new(&drawing, view.size), dots);
+    view.paint(&Fills::new(&drawing), dots);
     drawing
 }
 

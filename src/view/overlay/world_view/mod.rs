@@ -121,7 +121,7 @@ pub fn world(
 ) -> Drawing {
     let layers = view.layers(backdrop);
     let drawing = view.sketch(&layers);
-    view.paint(&layers, &Fills::new(&drawing, view.size()), below, dots);
+    view.paint(&layers, &Fills::new(&drawing), below, dots);
     drawing
 }
 
