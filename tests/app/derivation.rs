@@ -528,7 +528,7 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
 
 #[test]
 fn concepts_are_pointed_at_in_the_views_of_every_layout() {
-    for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Frame, ViewLayout::Mistakes] {
+    for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Mistakes] {
         let settings = Settings { layout, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);

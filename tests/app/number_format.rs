@@ -66,7 +66,6 @@ fn every_number_in_the_window_is_written_in_one_way() {
         ViewLayout::Compare,
         ViewLayout::Mistakes,
         ViewLayout::Exercises,
-        ViewLayout::Frame,
     ];
     let everywhere =
         ["canonical", "look-at"].into_iter().flat_map(|scene| layouts.map(|l| (scene, l)));

@@ -7,8 +7,7 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{
-    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, Selection, Shade,
-    Steps,
+    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Selection, Shade, Steps,
 };
 
 use super::derived::{Derived, Inputs};

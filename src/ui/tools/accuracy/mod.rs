@@ -35,7 +35,7 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
         .show_ui(ui, |ui| {
             for method in Method::of_frames() {
                 let hint = format!("{}\n{}", method.about(), method.source());
-                ui.selectable_value(&mut chosen, method, method.name()).on_hover_text(hint);
+                ui.selectable_value(chosen, method, method.name()).on_hover_text(hint);
             }
         })
         .response;

@@ -65,7 +65,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
         match Method::from_name(&row.name) {
             Some(method) => {
                 let hint = format!("{}\n{}", method.about(), method.source());
-                let name = ui.selectable_value(&mut compared, method, &row.name);
+                let name = ui.selectable_value(compared, method, &row.name);
                 name.named(format!("error map of {}", row.name)).on_hover_text(hint);
             }
             None => {
