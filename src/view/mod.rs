@@ -3,7 +3,6 @@
 
 pub mod accuracy;
 pub mod adaptive_resolution;
-mod answer_twins;
 pub mod derivation;
 pub mod derive;
 pub mod formula;

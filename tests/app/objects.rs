@@ -14,10 +14,7 @@ use pinhole_exchange::document::{CsvSpheres, Document, Item};
 const SIZES: ViewSizes = ViewSizes {
     world: Some([120, 90]),
     camera: Some([100, 80]),
-    map: None,
-    wrong: None,
-    ghost: None,
-    answers: None,
+    second: None,
     scale: 1.0,
     style: Style::Light,
     purpose: Purpose::Window,

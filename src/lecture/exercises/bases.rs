@@ -2,10 +2,10 @@
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation};
 
-use super::conditions::{Condition, Surface};
+use super::judge::{Condition, Surface};
 use super::question::{Answer, Asked, Given, QuestionPart};
 use super::rays::wrong_t_of_wall;
-use super::wrong_answers::{
+use super::solve::{
     Parts, Wrong, camera, number, part, part_with, t_of_wall, turned, vector, view_ray,
 };
 use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};

@@ -2,25 +2,19 @@
 //! answers that classic mistakes give, and the verdict on an answer.
 
 mod bases;
-mod conditions;
 mod judge;
 mod objects;
 mod pick;
 mod question;
-mod question_texts;
 mod rays;
-mod short_numbers;
 mod solve;
-mod verdict_texts;
-mod wrong_answers;
+mod texts;
 
 use pinhole_core::{Camera, DVec2, Plane, Sphere};
 
-pub use conditions::Finding;
-pub use judge::Verdict;
+pub use judge::{Finding, Verdict};
 pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title};
-pub use question_texts::{asked, question};
-pub use verdict_texts::follows;
+pub use texts::{follows, question};
 
 impl Question {
     /// The lecture's own question, or, with a seed, another one like it: the same one for the same
@@ -58,7 +52,7 @@ impl Question {
 
     /// The camera of the question, where there is one.
     pub fn camera(&self) -> Option<Camera> {
-        wrong_answers::camera(&self.given)
+        solve::camera(&self.given)
     }
 
     /// The position in the viewport that the question's ray passes.
@@ -85,7 +79,7 @@ impl Question {
     pub fn plane(&self) -> Option<Plane> {
         match self.given {
             Given::UvAndWall { z, .. } | Given::Distance { z, .. } | Given::Turned { z, .. } => {
-                Some(wrong_answers::wall(z))
+                Some(solve::wall(z))
             }
             _ => None,
         }

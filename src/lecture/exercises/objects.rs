@@ -2,11 +2,9 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Roots, Sphere};
 
-use super::conditions::{Condition, Surface};
+use super::judge::{Condition, Surface};
 use super::question::{Answer, Asked};
-use super::wrong_answers::{
-    Parts, Wrong, number, one_wrong, pair, part, part_with, vector, wrong_t,
-};
+use super::solve::{Parts, Wrong, number, one_wrong, pair, part, part_with, vector, wrong_t};
 use crate::mistakes::Mistake;
 
 /// The parts of a question about a ray and a sphere; `None` where the ray's line misses it.

@@ -2,7 +2,7 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
-use super::conditions::Condition;
+use super::judge::Condition;
 use crate::mistakes::Mistake;
 
 /// A kind of question.

@@ -2,9 +2,9 @@
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray};
 
-use super::conditions::{Condition, Surface};
+use super::judge::{Condition, Surface};
 use super::question::{Asked, QuestionPart};
-use super::wrong_answers::{
+use super::solve::{
     Parts, Wrong, number, one_wrong, part_with, t_of_wall, vector, view_ray, wrong_t,
 };
 use crate::mistakes::Mistake;

@@ -5,12 +5,11 @@ use std::cmp::Reverse;
 use pinhole_core::{Pixel, Rgb, Shade};
 use rayon::prelude::*;
 
-use super::answers::{AnswerKind, Answers, HitAnswer};
+use super::answers::{AnswerKind, Answers, HitAnswer, Precision};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
-use super::digits::Precision;
-use super::error::GradeError;
 use super::grade::{
-    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
+    Digits, Grade, GradeError, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst,
+    digits_wanted,
 };
 use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};

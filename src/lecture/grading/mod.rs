@@ -29,8 +29,6 @@
 
 mod answers;
 mod diagnosis;
-mod digits;
-mod error;
 mod first_hits;
 mod grade;
 mod graded;
@@ -43,8 +41,9 @@ pub use self::answers::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
 pub use self::diagnosis::Diagnosis;
-pub use self::error::GradeError;
-pub use self::grade::{Grade, Hit, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst};
+pub use self::grade::{
+    Grade, GradeError, Hit, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
+};
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 

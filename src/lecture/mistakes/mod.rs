@@ -6,21 +6,18 @@
 //! pixel (row, column) -> (u, v) -> direction = u*U + v*V - distance*W -> roots -> hit
 //! ```
 
-mod checked_camera;
 mod checks;
-mod compared;
 mod pipeline;
-mod pipeline_camera;
 mod table;
 mod vote;
 mod wrong_camera;
 mod wrong_picture;
 
 pub use checks::{Check, Checked, Value, Wanted};
-pub use compared::{ComparedCamera, ComparedPicture, ComparedPixels};
-pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, SquareRoot, Way, WhichRoot};
-pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
+pub(crate) use pipeline::{
+    GivenCamera, Measure, Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, Way, WhichRoot,
+};
 pub use table::Mistake;
 pub use vote::Vote;
 pub use wrong_camera::{NoWrongCamera, WrongCamera};
-pub use wrong_picture::WrongPicture;
+pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, WrongPicture};

@@ -42,7 +42,7 @@ entry! {
     /// One sentence on what to look at in a program that makes it.
     advice,
     /// One sentence on an exercise's answer that comes from it, and on what to look at.
-    told,
+    exercise_feedback,
 }
 
 macro_rules! mistakes {
@@ -51,7 +51,7 @@ macro_rules! mistakes {
             $($graded_field:ident: $graded_value:expr,)*
         })*}
         {$($(#[$doc:meta])* $name:ident $id:literal { $($field:ident: $value:expr,)* })*}
-        {$($told_name:ident $told_id:literal: $told:literal,)*}
+        {$($answer_name:ident $answer_id:literal: $feedback:literal,)*}
     ) => {
         /// A classic mistake, from the basis to the hit.
         ///
@@ -61,13 +61,13 @@ macro_rules! mistakes {
         pub enum Mistake {
             $($(#[$graded_doc])* $graded,)*
             $($(#[$doc])* $name,)*
-            $(#[doc = $told] $told_name,)*
+            $(#[doc = $feedback] $answer_name,)*
         }
 
         impl Mistake {
             /// All of them.
             pub const ALL: &'static [Mistake] =
-                &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$told_name,)*];
+                &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$answer_name,)*];
 
             /// The mistakes that a graded program is tried for, in the order in which they are tried
             /// and named.
@@ -82,8 +82,8 @@ macro_rules! mistakes {
                     $(Mistake::$name => const {
                         &Entry { id: $id, $($field: $value,)* ..Entry::EMPTY }
                     })*
-                    $(Mistake::$told_name => const {
-                        &Entry { id: $told_id, told: $told, ..Entry::EMPTY }
+                    $(Mistake::$answer_name => const {
+                        &Entry { id: $answer_id, exercise_feedback: $feedback, ..Entry::EMPTY }
                     })*
                 }
             }
@@ -103,8 +103,8 @@ mistakes! {
         hint: "Any camera given by view, or by at, shows it.",
         advice: "Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w \
                  . view is below 0.",
-        told: "𝐰 is made from view without the minus: 𝐰 points backwards, so 𝐰 · view must be below \
-               0.",
+        exercise_feedback: "𝐰 is made from view without the minus: 𝐰 points backwards, so 𝐰 · view \
+            must be below 0.",
         ways: &[|p| p.basis.w_forwards = true],
     }
 
@@ -115,7 +115,7 @@ mistakes! {
         shows: "The picture is upside down, but left is still left.",
         hint: "Any camera given by view, or by at, shows it.",
         advice: "Look at the order of v's cross product: v = w x u, which points up in the image.",
-        told: "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
+        exercise_feedback: "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
         ways: &[|p| p.basis.v_swapped ^= true],
     }
 
@@ -129,7 +129,7 @@ mistakes! {
         hint: "Here up × 𝐰 has length 1: give up another length, or tip it towards the view.",
         advice: "Look for a normalize that is missing: w = -view/|view| and u = up x w / |up x w| \
                  have length 1; and where |d| is not 1, a = d . d is not.",
-        told: "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
+        exercise_feedback: "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
         ways: &[
             |p| p.basis.set_raw(false, true),
             |p| p.basis.set_raw(true, false),
@@ -149,7 +149,7 @@ mistakes! {
                 away from it, and 𝐯 does not.",
         hint: "Here up is a unit vector perpendicular to the view: tip the camera up or down.",
         advice: "Look at v: up is only a hint, and v = w x u is perpendicular to w.",
-        told: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is perpendicular to 𝐰.",
+        exercise_feedback: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is perpendicular to 𝐰.",
         ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
     }
 
@@ -161,7 +161,7 @@ mistakes! {
         hint: "Here the distance is 1: give the viewport another distance.",
         advice: "Look at the direction's part along w: it is -distance w, with the viewport's own \
                  distance.",
-        told: "The distance is left out: the part along 𝐰 is −distance.",
+        exercise_feedback: "The distance is left out: the part along 𝐰 is −distance.",
         ways: &[|p| p.distance = Distance::One, |p| p.distance = Distance::LeftOut],
     }
 
@@ -251,7 +251,7 @@ mistakes! {
         hint: "Any camera given by view, or by at, shows it.",
         advice: "Look at the order of u's cross product: u = up x w, which points right in the \
                  image.",
-        told: "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
+        exercise_feedback: "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
         ways: &[|p| p.basis.swap_both(), |p| p.basis.u_swapped ^= true],
     }
 
@@ -266,8 +266,8 @@ mistakes! {
     BForHalfB "b-for-half-b" {
         advice: "Look at b in the quadratic formula: with b = d . (p - center) it is (-b - \
                  sqrt(b^2 - ac))/a, with twice that (-b - sqrt(b^2 - 4ac))/(2a).",
-        told: "𝑏 has a factor 2 too much: with 𝑏 = 𝐝 · (𝐩 − centre), 𝐷 is 𝑏² − 𝑎𝑐 and the root is \
-               divided by 𝑎.",
+        exercise_feedback: "𝑏 has a factor 2 too much: with 𝑏 = 𝐝 · (𝐩 − centre), 𝐷 is 𝑏² − 𝑎𝑐 and \
+            the root is divided by 𝑎.",
         ways: &[
             |p| p.quadratic.set(2.0, 4.0, 1.0, 1.0),
             |p| p.quadratic.set(1.0, 1.0, 4.0, 2.0),
@@ -283,7 +283,7 @@ mistakes! {
     FarRoot "far-root" {
         advice: "Look at which root is taken: the smallest t above 0 is the hit, of one object and \
                  among all.",
-        told: "That is the second root, where the ray leaves. Which one is first?",
+        exercise_feedback: "That is the second root, where the ray leaves. Which one is first?",
         ways: &[|p| p.root = WhichRoot::Far, |p| p.root = WhichRoot::Farthest],
     }
 
@@ -297,7 +297,8 @@ mistakes! {
     TForDistance "t-for-distance" {
         advice: "Look at what t counts: t is in lengths of d, which is not normalized, and the \
                  distance along the ray is t |d|.",
-        told: "That is the distance along the ray. 𝑡 is in units of |𝐝|, and |𝐝| is not 1.",
+        exercise_feedback: "That is the distance along the ray. 𝑡 is in units of |𝐝|, and |𝐝| is \
+            not 1.",
         ways: &[
             |p| p.measure = Measure::Distance,
             |p| p.measure = Measure::PointOfUnit,
@@ -321,7 +322,7 @@ mistakes! {
         formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
         shows: "The camera looks away from at, which is exactly behind it.",
         hint: "Give the camera by eye, at and up.",
-        told: "at − eye is the view: 𝐰 points the other way, from at to eye.",
+        exercise_feedback: "at − eye is the view: 𝐰 points the other way, from at to eye.",
         ways: &[|p| p.basis.w_forwards = true],
     }
 
@@ -332,7 +333,7 @@ mistakes! {
         shows: "The viewport is |view| times as far and as high, but not as wide: everything is \
                 stretched sideways where |view| > 1, squeezed where |view| < 1.",
         hint: "Here the view has length 1: move at farther away, or give view another length.",
-        told: "𝐰 = −view is not normalized, nor is what is made from it.",
+        exercise_feedback: "𝐰 = −view is not normalized, nor is what is made from it.",
         ways: &[|p| p.basis.set_raw(true, false)],
     }
 
@@ -342,7 +343,7 @@ mistakes! {
         formula: "𝐮 ← normalize(𝐰 × up). Right: 𝐮 ← normalize(up × 𝐰).",
         shows: "The picture is turned by 180°: 𝐯, made from 𝐮, is wrong, too.",
         hint: "Any camera given by view, or by at, shows it.",
-        told: "𝐮 = 𝐰 × up points left: the factors are exchanged.",
+        exercise_feedback: "𝐮 = 𝐰 × up points left: the factors are exchanged.",
         ways: &[|p| p.basis.u_swapped ^= true],
     }
 
@@ -356,19 +357,21 @@ mistakes! {
     /// `direction = u*U + v*V + distance*W`.
     DistanceAdded "distance-added" {
         advice: "Look at the direction's part along w: it is added, and it is -distance w.",
-        told: "The part along 𝐰 has the wrong sign: 𝐰 points backwards.",
+        exercise_feedback: "The part along 𝐰 has the wrong sign: 𝐰 points backwards.",
         ways: &[|p| p.distance = Distance::Plus],
     }
 
     /// The step from the eye to the viewport left out.
     FlatDirection "flat-direction" {
-        told: "This stays in the viewport's plane. How far in front of the eye is the viewport?",
+        exercise_feedback: "This stays in the viewport's plane. How far in front of the eye is the \
+            viewport?",
         ways: &[|p| p.distance = Distance::LeftOut],
     }
 
     /// w is the view itself, neither turned round nor normalized.
     WIsView "w-is-view" {
-        told: "𝐰 is view itself: 𝐰 points the other way, and is of length 1: 𝐰 = −view/|view|.",
+        exercise_feedback: "𝐰 is view itself: 𝐰 points the other way, and is of length 1: 𝐰 = \
+            −view/|view|.",
         ways: &[
             |p| (p.basis.w_forwards, p.basis.w_raw) = (true, true),
             |p| (p.basis.w_forwards, p.basis.w_raw, p.basis.u_raw) = (true, true, true),
@@ -377,7 +380,7 @@ mistakes! {
 
     /// Neither w nor u is normalized.
     NothingNormalized "nothing-normalized" {
-        told: "𝐰 and 𝐮 are not normalized, nor is what is made from them.",
+        exercise_feedback: "𝐰 and 𝐮 are not normalized, nor is what is made from them.",
         ways: &[|p| p.basis.set_raw(true, true)],
     }
 
@@ -385,33 +388,33 @@ mistakes! {
     SignOfB "sign-of-b" {
         advice: "Look at the sign of b: b = d . (p - center), and t begins with -b; with center - p \
                  for p - center, b has the other sign.",
-        told: "The sign of 𝑏 is lost: 𝑡 begins with −𝑏, and 𝑏 is negative here.",
+        exercise_feedback: "The sign of 𝑏 is lost: 𝑡 begins with −𝑏, and 𝑏 is negative here.",
         ways: &[|p| p.quadratic.set(-1.0, 1.0, 1.0, 1.0)],
     }
 
     /// Half of `b` in the D of the full quadratic.
     HalfBForB "half-b-for-b" {
-        told: "𝑏 lacks a factor 2: where 𝐷 is 𝑏² − 4𝑎𝑐, 𝑏 = 2 𝐝 · (𝐩 − centre).",
+        exercise_feedback: "𝑏 lacks a factor 2: where 𝐷 is 𝑏² − 4𝑎𝑐, 𝑏 = 2 𝐝 · (𝐩 − centre).",
         ways: &[|p| p.quadratic.set(1.0, 1.0, 4.0, 2.0)],
     }
 
     /// `a` for `2a` below the full quadratic's root.
     DividedByA "divided-by-a" {
-        told: "This is twice what it should be: where 𝑏 = 2 𝐝 · (𝐩 − centre), divide by 2𝑎, not by \
-               𝑎.",
+        exercise_feedback: "This is twice what it should be: where 𝑏 = 2 𝐝 · (𝐩 − centre), divide \
+            by 2𝑎, not by 𝑎.",
         ways: &[|p| p.quadratic.set(2.0, 4.0, 4.0, 1.0)],
     }
 
     /// `2a` for `a` below the halved quadratic's root.
     DividedBy2A "divided-by-2a" {
-        told: "This is half of what it should be: where 𝑏 = 𝐝 · (𝐩 − centre), without a 2, divide \
-               by 𝑎, not by 2𝑎.",
+        exercise_feedback: "This is half of what it should be: where 𝑏 = 𝐝 · (𝐩 − centre), without \
+            a 2, divide by 𝑎, not by 2𝑎.",
         ways: &[|p| p.quadratic.set(1.0, 1.0, 1.0, 2.0)],
     }
 
     /// `a = d . d` left out.
     ALeftOut "a-left-out" {
-        told: "𝑎 = 𝐝 · 𝐝 is left out: it is 1 only where |𝐝| is.",
+        exercise_feedback: "𝑎 = 𝐝 · 𝐝 is left out: it is 1 only where |𝐝| is.",
         ways: &[|p| p.quadratic.a_left_out = true],
     }
 
@@ -424,7 +427,7 @@ mistakes! {
     /// `-center` for `p - center`; or `t d` for `p + t d`.
     OriginLeftOut "origin-left-out" {
         advice: "Look at p - center in the quadratic's b and c: p, which is the eye, is left out.",
-        told: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
+        exercise_feedback: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
         ways: &[|p| p.quadratic.offset = Offset::OriginLeftOut],
     }
 
@@ -432,14 +435,15 @@ mistakes! {
     RadiusNotSquared "radius-not-squared" {
         advice: "Look at c in the quadratic formula: the radius must be squared, c = |p - center|^2 \
                  - r^2.",
-        told: "The radius must be squared: 𝑐 = |𝐩 − centre|² − 𝑟².",
+        exercise_feedback: "The radius must be squared: 𝑐 = |𝐩 − centre|² − 𝑟².",
         ways: &[|p| p.quadratic.radius_unsquared = true],
     }
 
     /// `-b/a`, or the discriminant for its root.
     RootLeftOut "root-left-out" {
         advice: "Look for a square root that is missing: t = (-b - sqrt(D))/a, with D = b^2 - ac.",
-        told: "The root of 𝐷 is left out: this is where the ray is closest to the centre.",
+        exercise_feedback: "The root of 𝐷 is left out: this is where the ray is closest to the \
+            centre.",
         ways: &[
             |p| p.quadratic.square_root = SquareRoot::LeftOut,
             |p| p.quadratic.square_root = SquareRoot::NotTaken,

@@ -2,10 +2,9 @@
 
 use pinhole_core::{Camera, Raster, ResolvedCamera, Scene};
 
-use super::compared::right_objects;
 use super::table::Mistake;
 use super::wrong_camera::WrongCamera;
-use super::wrong_picture::WrongPicture;
+use super::wrong_picture::{WrongPicture, right_objects};
 
 /// Rows and columns that are looked at to see whether two pictures differ.
 const SAMPLES: u32 = 72;

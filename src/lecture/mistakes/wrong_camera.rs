@@ -2,13 +2,12 @@
 
 use std::fmt;
 
-use pinhole_core::arithmetic::{length, unit};
+use pinhole_core::arithmetic::length;
 use pinhole_core::{
     Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, Ray, RayError, ResolvedCamera,
 };
 
-use super::pipeline::{BasisChoices, Pipeline};
-use super::pipeline_camera::{GivenCamera, PipelineCamera};
+use super::pipeline::{BasisChoices, GivenCamera, Pipeline, PipelineCamera};
 use super::table::Mistake;
 
 /// The reason why there is no wrong camera to show.
@@ -167,18 +166,6 @@ impl WrongCamera {
     /// Returns an error if its numbers are beyond the range of `f64`.
     pub fn ray_at(&self, uv: DVec2) -> Result<Ray, RayError> {
         Ray::new(self.given.resolved.eye(), self.direction_at(uv))
-    }
-
-    /// Returns whether every pixel sees the same as in the other camera, whatever the numbers
-    /// behind it.
-    pub fn sees_the_same(&self, other: &WrongCamera) -> bool {
-        let is_same = |pixel: Pixel| {
-            let [a, b] = [self, other].map(|c| unit(c.direction_at(c.uv_of_pixel(pixel))));
-            (a - b).length() <= DIFFERENT.sqrt()
-        };
-        self.given.resolved.eye() == other.given.resolved.eye()
-            && self.image() == other.image()
-            && corners(self.image()).into_iter().all(is_same)
     }
 
     fn is_finite(&self) -> bool {

@@ -2,23 +2,13 @@
 
 use pinhole_core::{Camera, CameraError, ResolvedCamera};
 
-/// A frozen camera and the picture beside the camera view.
+/// A frozen camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {
     /// The camera as given.
     pub camera: Camera,
-    /// The picture beside the camera view.
-    pub beside: Beside,
-}
-
-/// A picture beside the camera view.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Beside {
-    /// The ghost's picture.
-    #[default]
-    Picture,
-    /// The pixels that see another object than the ghost's pixels.
-    Differences,
+    /// True if the map of the pixels that see another object is shown in place of its picture.
+    pub shows_differences: bool,
 }
 
 /// Resolves the ghost with the current camera's image size, as the comparison needs it.

@@ -16,7 +16,7 @@ use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::practice::mistakes::vote;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{pen, readouts, views};
-use crate::ui::workspaces::{Desk, Frame, Page, page};
+use crate::ui::workspaces::{Desk, Page, page, second_picture};
 
 impl App {
     /// One frame.
@@ -259,8 +259,8 @@ impl App {
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
-            let beside = page.beside.map_or("", |beside| beside.name);
-            views::inputs(ui, rects, beside, &mut scene.session, shown, actions);
+            let second = page.second.map_or("", second_picture::name);
+            views::inputs(ui, rects, second, &mut scene.session, shown, actions);
             let is_free = scene.session.hand.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
@@ -274,9 +274,8 @@ impl App {
 
     fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let mut sizes = views::sizes(ui, rects);
-        if let (Some(beside), Some(rect)) = (self.page().beside, rects.beside) {
-            (beside.derive)(&mut sizes, views::physical(ui, rect));
-        }
+        let second = self.page().second.zip(rects.second);
+        sizes.second = second.map(|(second, rect)| (second, views::physical(ui, rect)));
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
@@ -296,10 +295,10 @@ impl App {
             has_lesson: self.scene.lessons.open.is_some(),
             actions,
         };
-        if let (Some(beside), Some(area), Some(rect)) =
-            (page.beside, rects.beside_area, rects.beside)
+        if let (Some(second), Some(area), Some(rect)) =
+            (page.second, rects.second_area, rects.second)
         {
-            (beside.show)(ui, &mut desk, Frame { area, rect });
+            second_picture::show(ui, &mut desk, second, [area, rect]);
         }
         // Nothing is printed before the class has thought.
         // A vote asks its own question, and tells nothing of the step's.

@@ -15,7 +15,7 @@ use crate::model::given::{self, Given};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
-use crate::model::session::ghost::{Beside, Ghost};
+use crate::model::session::ghost::Ghost;
 use crate::model::session::hand::Hand;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
@@ -220,8 +220,8 @@ impl OpenScene {
         let ghost = &mut self.session.ghost;
         match (action, ghost.as_mut()) {
             (GhostAction::Freeze, known) => {
-                let beside = known.map_or(Beside::default(), |known| known.beside);
-                *ghost = Some(Ghost { camera: *camera, beside });
+                let shows_differences = known.is_some_and(|known| known.shows_differences);
+                *ghost = Some(Ghost { camera: *camera, shows_differences });
             }
             (GhostAction::Drop, _) => *ghost = None,
             (GhostAction::Swap, Some(known)) => {

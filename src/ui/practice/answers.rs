@@ -15,7 +15,6 @@ use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::fault;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
@@ -39,7 +38,7 @@ const FAULT: &str = "The scene has a fault: nothing can be checked against it.";
 const WAITS: &str = "They are checked as soon as you let go.";
 
 /// Returns the reason why the answers are not graded.
-fn why_not(derived: &Derived) -> &'static str {
+fn not_graded(derived: &Derived) -> &'static str {
     if derived.fault.is_some() { FAULT } else { WAITS }
 }
 
@@ -79,23 +78,22 @@ fn legend(ui: &mut Ui, whole: bool) {
 
 /// Returns the description of the map for screen readers.
 pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
-    match (&derived.answers, &session.answers) {
+    match (derived.grading(), &session.answers) {
         (_, None) => NONE.to_owned(),
-        (None, Some(_)) => why_not(derived).to_owned(),
+        (None, Some(_)) => not_graded(derived).to_owned(),
         (Some(Err(error)), _) => error.to_string(),
         (Some(Ok(graded)), _) => ungrouped(&format!("{}. {}", graded.agreement(), graded.advice())),
     }
 }
 
-/// Shows, in place of the map, the reason why there is none.
-pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Session) {
-    let text = match (&derived.answers, &session.answers) {
+/// Returns the reason why there is no map.
+pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
+    match (derived.grading(), &session.answers) {
         (_, None) => NONE,
-        (None, Some(_)) => why_not(derived),
+        (None, Some(_)) => not_graded(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
         (Some(Ok(_)), _) => "A basis has no place in the image.",
-    };
-    fault::no_picture(ui, rect, text);
+    }
 }
 
 /// Shows the result of grading, and the actions on the answers.
@@ -107,9 +105,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
         if session.answers.is_none() {
             return;
         }
-        match &derived.answers {
+        match derived.grading() {
             None => {
-                ui.label(RichText::new(why_not(derived)).strong());
+                ui.label(RichText::new(not_graded(derived)).strong());
             }
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));

@@ -10,10 +10,9 @@ use super::views;
 use crate::model::inspection::Inspection;
 use crate::model::number::percent;
 use crate::model::readings::NumberStyle;
-use crate::model::session::ghost::{Beside, Ghost};
+use crate::model::session::ghost::Ghost;
 use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
@@ -34,9 +33,9 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
         None => {
             ui.strong(views::GHOST);
         }
-        Some(Ghost { beside, .. }) => {
-            ui.selectable_value(beside, Beside::Picture, views::GHOST);
-            ui.selectable_value(beside, Beside::Differences, "Differences");
+        Some(Ghost { shows_differences, .. }) => {
+            ui.selectable_value(shows_differences, false, views::GHOST);
+            ui.selectable_value(shows_differences, true, "Differences");
         }
     });
 }
@@ -46,14 +45,13 @@ pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
     against.map_or_else(|| NO_GHOST.to_owned(), seen)
 }
 
-/// Shows, in place of the picture, the reason why there is none.
-pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
-    let text = match ghost.map(|ghost| ghost.camera.resolve()) {
+/// Returns the reason why there is no picture.
+pub(crate) fn why_not(ghost: Option<&Ghost>) -> String {
+    match ghost.map(|ghost| ghost.camera.resolve()) {
         None => NO_GHOST.to_owned(),
         Some(Err(error)) => format!("The ghost sees nothing: {error}"),
         Some(Ok(_)) => "There are no two cameras to compare.".to_owned(),
-    };
-    fault::no_picture(ui, rect, &text);
+    }
 }
 
 /// Returns `33 % of the picture shows another object`.
@@ -72,7 +70,7 @@ pub(crate) fn ui(
     actions: &mut Vec<Action>,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let against = derived.against_ghost.as_deref();
+    let against = derived.against_ghost();
     // More digits do not fit side by side.
     let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ui.horizontal(|ui| {

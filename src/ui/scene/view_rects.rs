@@ -30,9 +30,9 @@ pub(crate) struct ViewRects {
     pub camera: Option<Rect>,
     /// The area for the picture beside the camera view: the error map, a wrong camera's picture,
     /// the ghost's, or the map of wrong answers.
-    pub beside_area: Option<Rect>,
+    pub second_area: Option<Rect>,
     /// The rectangle of that picture, as large as the camera view's.
-    pub beside: Option<Rect>,
+    pub second: Option<Rect>,
     /// The rest below, beside or instead of the pictures: the readouts, or the layout's own
     /// content.
     pub rest: Rect,
@@ -44,7 +44,7 @@ pub(crate) struct Areas {
     pub(crate) world: Option<Rect>,
     pub(crate) camera: Option<Rect>,
     /// A picture beside the camera view's, as large.
-    pub(crate) beside: Option<Rect>,
+    pub(crate) second: Option<Rect>,
     pub(crate) rest: Rect,
 }
 
@@ -68,7 +68,7 @@ pub(crate) enum Numbers {
 impl Divider<'_> {
     /// The whole for what a workspace has in the views' place.
     pub(crate) fn no_views(&self) -> Areas {
-        Areas { world: None, camera: None, beside: None, rest: self.whole }
+        Areas { world: None, camera: None, second: None, rest: self.whole }
     }
 
     /// Both views side by side, and what is below.
@@ -80,7 +80,7 @@ impl Divider<'_> {
     /// Both views side by side.
     pub(crate) fn both(&mut self, views: Rect, rest: Rect) -> Areas {
         let (left, right) = self.across(views, Split::Views, "views handle");
-        Areas { world: Some(left), camera: Some(right), beside: None, rest }
+        Areas { world: Some(left), camera: Some(right), second: None, rest }
     }
 
     /// The world view, the camera's picture and another one beside it, and what is below. Before an
@@ -92,7 +92,7 @@ impl Divider<'_> {
             let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);
             let (left, both) = views.split_left_right_at_x(views.left() + third - HANDLE);
             let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));
-            return Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest };
+            return Areas { world: Some(left), camera: Some(middle), second: Some(right), rest };
         }
         let (views, rest) = match self.splits.is_default(split) {
             true => self.above_with(split, self.rest_below_pictures(split)),
@@ -100,14 +100,14 @@ impl Divider<'_> {
         };
         let (left, right) = self.across(views, Split::PracticeViews, "views handle");
         let (middle, right) = halves(right);
-        Areas { world: Some(left), camera: Some(middle), beside: Some(right), rest }
+        Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
     }
 
     /// Both views, one above the other, and what is beside them.
     pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
         let (views, rest) = self.across(self.whole, split, name);
         let (top, bottom) = self.down(views, Split::Stack);
-        Areas { world: Some(top), camera: Some(bottom), beside: None, rest }
+        Areas { world: Some(top), camera: Some(bottom), second: None, rest }
     }
 
     /// The views, and the readouts below them.
@@ -185,19 +185,19 @@ impl ViewRects {
         presenting: bool,
     ) -> ViewRects {
         // What is beside the camera view has its title and legend before an audience, too.
-        let strip = if presenting && areas.beside.is_none() { 0.0 } else { STRIP };
+        let strip = if presenting && areas.second.is_none() { 0.0 } else { STRIP };
         let below_strip = |rect: Rect| {
             snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
         };
-        let [world, camera_area, beside_area] =
-            [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
+        let [world, camera_area, second_area] =
+            [areas.world, areas.camera, areas.second].map(|part| part.map(below_strip));
         // Two pictures that are compared have the same size, whatever the rounding of their areas.
-        let both = camera_area.zip(beside_area).map(|(a, b)| a.size().min(b.size()));
+        let both = camera_area.zip(second_area).map(|(a, b)| a.size().min(b.size()));
         let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
-        let [camera_area, beside_area] = [camera_area, beside_area].map(|area| area.map(of_both));
+        let [camera_area, second_area] = [camera_area, second_area].map(|area| area.map(of_both));
         let fitted = |area| fitted(area, image, per_point, !presenting);
-        let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
-        ViewRects { world, camera_area, camera, beside_area, beside, rest: areas.rest }
+        let (camera, second) = (camera_area.map(fitted), second_area.map(fitted));
+        ViewRects { world, camera_area, camera, second_area, second, rest: areas.rest }
     }
 }
 

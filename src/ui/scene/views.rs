@@ -68,12 +68,12 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// Takes the inputs of mouse and keys in the views, of which the one beside the camera view is called
-/// `beside`. They were done to `shown`, the last frame.
+/// Takes the inputs of mouse and keys in the views, of which the second picture is called
+/// `second`. They were done to `shown`, the last frame.
 pub(crate) fn inputs(
     ui: &mut Ui,
     rects: &ViewRects,
-    beside: &str,
+    second: &str,
     session: &mut Session,
     shown: &Derived,
     actions: &mut Vec<Action>,
@@ -89,8 +89,8 @@ pub(crate) fn inputs(
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
-    if let Some(rect) = rects.beside {
-        let response = view(ui, rect, beside);
+    if let Some(rect) = rects.second {
+        let response = view(ui, rect, second);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }

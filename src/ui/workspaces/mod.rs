@@ -1,19 +1,16 @@
 //! The workspaces' pages, a file each, and the table of them: what a layout of the window shows and where. A
 //! new one is a file here, a line in [`page`], and a row in the model's table of layouts.
 
-mod accuracy;
-mod answers;
-mod compare;
 mod derivation;
 mod exercises;
 mod lines;
-mod mistakes;
 mod page;
 mod plot;
+pub(crate) mod second_picture;
 mod translator;
 mod views;
 
-pub(crate) use self::page::{Desk, Frame, Page, Tools};
+pub(crate) use self::page::{Desk, Page, Tools};
 
 use crate::model::session::ViewLayout;
 
@@ -27,11 +24,11 @@ pub(crate) fn page(layout: ViewLayout) -> &'static Page {
         ViewLayout::DerivationAlone => &derivation::ALONE,
         ViewLayout::Plot => &plot::PLOT,
         ViewLayout::Lines => &lines::LINES,
-        ViewLayout::Mistakes => &mistakes::MISTAKES,
-        ViewLayout::Compare => &compare::COMPARE,
+        ViewLayout::Mistakes => &second_picture::MISTAKES,
+        ViewLayout::Compare => &second_picture::COMPARE,
         ViewLayout::Translator => &translator::TRANSLATOR,
         ViewLayout::Exercises => &exercises::EXERCISES,
-        ViewLayout::Answers => &answers::ANSWERS,
-        ViewLayout::Accuracy => &accuracy::ACCURACY,
+        ViewLayout::Answers => &second_picture::ANSWERS,
+        ViewLayout::Accuracy => &second_picture::ACCURACY,
     }
 }

@@ -1,6 +1,6 @@
 //! A page as a value: where its views lie, what it has derived, what it draws.
 
-use egui::{Context, Rect, RichText, Ui};
+use egui::{Context, RichText, Ui};
 
 use crate::figures::Subject;
 use crate::model::concept::Hovered;
@@ -12,11 +12,10 @@ use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::exercises::scene::QuestionScene;
 use crate::ui::scene::view_rects::{Areas, Divider};
-use crate::ui::scene::views;
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::tools::translator::TranslatorPanel;
 use crate::ui::view_texture::ViewTexture;
-use crate::view::derive::{Derived, Shown, ViewSizes};
+use crate::view::derive::{Derived, SecondPicture};
 
 /// A page of a workspace.
 pub(crate) struct Page {
@@ -27,7 +26,7 @@ pub(crate) struct Page {
     /// Lays out its parts.
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
     /// The picture beside the camera's, if it has one.
-    pub(crate) beside: Option<&'static Beside>,
+    pub(crate) second: Option<SecondPicture>,
     /// Shows what it has below the views, beside them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
     /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
@@ -38,23 +37,6 @@ pub(crate) struct Page {
     pub(crate) figure: Subject,
 }
 
-/// A picture beside the camera's, as large.
-pub(crate) struct Beside {
-    /// Its name, for screen readers.
-    pub(crate) name: &'static str,
-    /// Asks for it in this size.
-    pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
-    /// Shows it in a frame, with its title above the area.
-    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame),
-}
-
-/// The area of a picture, and where in it the picture is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
-    pub(crate) area: Rect,
-    pub(crate) rect: Rect,
-}
-
 /// The state of the pages from one pass to the next.
 #[derive(Default)]
 pub(crate) struct Tools {
@@ -63,8 +45,8 @@ pub(crate) struct Tools {
     pub(crate) measuring: Measuring,
     /// The scene of the open exercise.
     pub(crate) question: QuestionScene,
-    /// The picture beside the camera's.
-    pub(crate) beside: ViewTexture,
+    /// The second picture.
+    pub(crate) second: ViewTexture,
 }
 
 /// The values that a page shows, and those that it may change.
@@ -89,19 +71,12 @@ impl Page {
         has_panel: true,
         follows_pointer: false,
         areas: |divider| divider.both_above(Split::Readouts),
-        beside: None,
+        second: None,
         rest: |_, _| (),
         asked: |ui, _| hidden(ui),
         hovered: |_, _, _| None,
         figure: Subject::World,
     };
-}
-
-impl Desk<'_> {
-    /// Shows the picture beside the camera's.
-    pub(crate) fn picture(&mut self, ui: &Ui, rect: Rect, shown: &Shown, dimmed: bool) {
-        views::show(ui, rect, shown, &mut self.tools.beside, dimmed);
-    }
 }
 
 /// Says in the middle that something is hidden, and which key shows it, where there is room for that.

@@ -27,7 +27,7 @@ pub(super) const WORLD: Page = Page {
     follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
-        Areas { world: Some(views), camera: None, beside: None, rest }
+        Areas { world: Some(views), camera: None, second: None, rest }
     },
     rest: numbers,
     hovered: |ctx, _, _| readouts::hovered(ctx),
@@ -38,7 +38,7 @@ pub(super) const CAMERA: Page = Page {
     follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
-        Areas { world: None, camera: Some(views), beside: None, rest }
+        Areas { world: None, camera: Some(views), second: None, rest }
     },
     rest: numbers,
     hovered: |ctx, _, _| readouts::hovered(ctx),

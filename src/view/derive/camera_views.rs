@@ -1,9 +1,7 @@
-//! The camera view, and the error map beside it.
+//! The camera view.
 
 use std::sync::Arc;
 
-use egui::Color32;
-use pinhole_core::methods::Method;
 use pinhole_core::{ResolvedCamera, Selection};
 
 use super::buffers::Buffers;
@@ -11,16 +9,14 @@ use super::derived::{Derived, Inputs, Purpose, Shown};
 use super::memo::Memo;
 use super::picture::GoodPicture;
 use super::watch::{Work, watched};
-use super::{HighlightKey, blank, highlight_key};
+use super::{HighlightKey, highlight_key};
 use crate::model::overlay_items::OverlayItems;
-use crate::view::accuracy;
-use crate::view::overlay::{self, CameraView, Highlighted, Loupe, Picture, Style};
+use crate::view::overlay::{self, CameraView, Highlighted, Loupe, Style};
 
-/// Caches of both views.
+/// A cache of the camera view.
 #[derive(Debug, Default)]
 pub(super) struct CameraViews {
-    camera: Memo<Key, Shown>,
-    error_map: Memo<(Method, Key), Shown>,
+    view: Memo<Key, Shown>,
     buffers: Buffers,
 }
 
@@ -40,34 +36,34 @@ struct Key {
 }
 
 impl CameraViews {
-    /// Returns the camera view and the error map, as far as they are shown, of the `number`th good
-    /// picture.
+    /// Returns the camera view, if it is shown, of the `number`th good picture.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
         inputs: Inputs<'_>,
         (good, number): (&GoodPicture, u64),
-    ) -> [Option<Shown>; 2] {
+    ) -> Option<Shown> {
         let Inputs { document, session, sizes, watch } = inputs;
-        // A highlighted concept belongs to the current document; an older picture does not show it.
-        let highlighted = highlight_key(session).filter(|_| derived.fault.is_none());
-        let scene = derived.scene.as_deref();
-        let key = |size: [u32; 2]| Key {
+        let size = sizes.camera?;
+        let key = Key {
             picture: number,
             scanned_pixels: session.scanned_pixels,
             resolved: good.resolved,
             size,
             selection: good.selection,
             items: session.settings.items,
-            highlighted,
+            // A highlighted concept belongs to the current document; an older picture does not show
+            // it.
+            highlighted: highlight_key(session).filter(|_| derived.fault.is_none()),
             loupe: good.loupe.clone(),
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
         };
-        let draw = |picture: &Picture, key: &Key, pixels: &mut [Color32]| {
+        let (scene, buffers) = (derived.scene.as_deref(), &mut self.buffers);
+        let mut draw = |key: &Key| {
             let view = CameraView {
-                picture,
+                picture: &good.picture,
                 resolved: &good.resolved,
                 inspection: Some(&good.inspection),
                 items: key.items,
@@ -79,32 +75,14 @@ impl CameraViews {
                 }),
                 loupe: key.loupe.as_deref(),
             };
-            match key.purpose {
-                Purpose::Window => overlay::camera(&view, pixels),
-                Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
-            }
+            let mut pixels = buffers.take(size);
+            let drawing = match key.purpose {
+                Purpose::Window => overlay::camera(&view, &mut pixels),
+                Purpose::Figure { .. } => overlay::camera_apart(&view, &mut pixels),
+            };
+            key.style.finish(&mut pixels);
+            buffers.shown(size, pixels, drawing)
         };
-        let buffers = &mut self.buffers;
-        let camera = sizes.camera.map(|size| {
-            self.camera.get(key(size), |key| {
-                watched(watch, Work::Overlay, || {
-                    let mut pixels = buffers.take(size);
-                    let drawing = draw(&good.picture, key, &mut pixels);
-                    key.style.finish(&mut pixels);
-                    buffers.shown(size, pixels, drawing)
-                })
-            })
-        });
-        let error_map = good.map.as_ref().zip(sizes.map).map(|((compared, map), size)| {
-            self.error_map.get((compared.method, Key { loupe: None, ..key(size) }), |(_, key)| {
-                let mut pixels = blank(size);
-                let drawing = draw(map, key, &mut pixels);
-                let (comparison, width) = (&compared.comparison, size[0] as usize);
-                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                key.style.finish(&mut pixels);
-                Shown::new(size, pixels, drawing)
-            })
-        });
-        [camera, error_map]
+        Some(self.view.get(key, |key| watched(watch, Work::Overlay, || draw(key))))
     }
 }

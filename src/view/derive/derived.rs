@@ -5,18 +5,16 @@ use std::sync::Arc;
 use egui::ColorImage;
 use pinhole_core::{Counts, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::mistakes::ComparedCamera;
 
-use super::grading::Grading;
 use super::picture::{Compared, TooMany};
+use super::second_picture::{Second, SecondPicture};
 use super::watch::Watch;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
-use crate::model::practice::twin::Twin;
+use crate::model::practice::answer_marks::AnswerMark;
 use crate::model::session::Session;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
-use crate::view::ghost::AgainstGhost;
 use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
@@ -37,14 +35,8 @@ pub struct ViewSizes {
     pub world: Option<[u32; 2]>,
     /// Width and height of the picture in the camera view.
     pub camera: Option<[u32; 2]>,
-    /// Width and height of the error map.
-    pub map: Option<[u32; 2]>,
-    /// Width and height of the wrong camera's picture.
-    pub wrong: Option<[u32; 2]>,
-    /// Width and height of the ghost's picture.
-    pub ghost: Option<[u32; 2]>,
-    /// Width and height of the map of a student's wrong answers.
-    pub answers: Option<[u32; 2]>,
+    /// The second picture, with its width and height.
+    pub second: Option<(SecondPicture, [u32; 2])>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
@@ -107,31 +99,14 @@ pub struct Derived {
     pub truth: Option<Arc<Frame>>,
     /// The method that drew the camera's picture, if it was not the ladder.
     pub drawn_by: Option<Arc<Compared>>,
-    /// The method of the error map, and its errors.
-    pub compared: Option<Arc<Compared>>,
-    /// The error map.
-    pub error_map: Option<Shown>,
     /// The derivation of all numbers, if the layout shows it.
     pub derivation: Option<Arc<Derivation>>,
     /// The functions f(p + t d) of all objects, if the layout shows them.
     pub plot: Option<Plot>,
-    /// The wrong camera beside the right one, or the reason why there is none.
-    pub wrong: Option<Arc<ComparedCamera>>,
-    /// The wrong camera's picture.
-    pub wrong_view: Option<Shown>,
-    /// The ghost, with the camera's image.
-    pub ghost: Option<ResolvedCamera>,
-    /// The camera compared with the ghost, if the layout shows it.
-    pub against_ghost: Option<Arc<AgainstGhost>>,
-    /// The ghost's picture, or the map of differences.
-    pub ghost_view: Option<Shown>,
-    /// The grade of a student's answers, if the layout shows it, or the reason why they cannot be
-    /// graded; `None` if there are no answers, or nothing to grade them by.
-    pub answers: Option<Grading>,
-    /// The map of the wrong answers in the image.
-    pub answers_view: Option<Shown>,
-    /// The answers that the world view draws, a student's beside the right ones.
-    pub twins: Arc<[Twin]>,
+    /// The second picture, if the page has one.
+    pub second: Option<Second>,
+    /// The answers that the world view draws: a student's, and the right ones.
+    pub answer_marks: Arc<[AnswerMark]>,
     /// The observer's traced frame in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }

@@ -1,24 +1,21 @@
 //! Derivation of everything shown from the document: a pure function, with caches keyed by its
 //! inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
-mod beside;
+mod answer_marks;
 mod buffers;
 mod camera_views;
 mod derivations;
 mod derived;
-mod ghost;
-mod grading;
 mod key_light;
 mod memo;
 mod objects;
 mod picture;
 mod plots;
 mod scan;
-mod twins;
+mod second_picture;
 mod watch;
 mod world;
 mod world_views;
-mod wrong;
 
 use std::sync::Arc;
 
@@ -29,20 +26,17 @@ use self::camera_views::CameraViews;
 use self::derivations::Derivations;
 use self::derived::Inputs;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};
-use self::ghost::GhostPictures;
-use self::grading::GradedAnswers;
-pub use self::grading::Grading;
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::plots::Plots;
-use self::twins::Twins;
+use self::second_picture::SecondPictures;
+pub use self::second_picture::{Grading, Second, SecondData, SecondPicture};
 pub use self::watch::{Watch, Work};
 use self::world_views::WorldViews;
-use self::wrong::WrongPictures;
 use crate::model::concept::Concept;
 use crate::model::fault::Fault;
-use crate::model::session::Session;
+use crate::model::session::{Session, ViewLayout};
 use pinhole_exchange::document::Document;
 
 /// Computes [`Derived`] values, each from its arguments alone; its caches only save work.
@@ -54,10 +48,7 @@ pub struct Deriver {
     world_views: WorldViews,
     derivations: Derivations,
     plots: Plots,
-    wrong: WrongPictures,
-    ghosts: GhostPictures,
-    answers: GradedAnswers,
-    twins: Twins,
+    second: SecondPictures,
     /// The camera's picture from before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -65,8 +56,7 @@ pub struct Deriver {
 impl Deriver {
     /// Returns the number of pictures traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        let observed = self.world_views.pictures.traced;
-        self.pictures.traced + observed + self.wrong.count + self.ghosts.count
+        self.pictures.traced + self.world_views.pictures.traced + self.second.count
     }
 
     /// Derives everything to show of a document.
@@ -118,14 +108,14 @@ impl Deriver {
             good.tell(&mut derived);
         }
         let world = self.objects.good().filter(|_| derived.fault.is_none());
-        let good = self.last_good.as_ref().zip(world);
-        if let Some(good) = good {
-            self.answers.update(&mut derived, inputs, good);
+        let exercises = &inputs.session.exercises;
+        if inputs.session.settings.layout == ViewLayout::Exercises && inputs.sizes.world.is_some() {
+            derived.answer_marks = exercises.answer_marks().into();
         }
-        self.wrong.update(&mut derived, inputs, good);
-        self.ghosts.update(&mut derived, inputs, world);
+        if let Some(good) = &self.last_good {
+            self.second.update(&mut derived, inputs, good, world);
+        }
         let generation = self.objects.good().map_or(0, |good| good.generation);
-        derived.twins = self.twins.get(inputs, &derived, generation);
         self.views(&mut derived, inputs, generation);
         derived
     }
@@ -135,16 +125,16 @@ impl Deriver {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
         let good = self.last_good.as_ref().map(|good| (good, self.pictures.made));
         let seen = &*derived;
-        let (world, ([camera_view, error_map], (derivation, plot))) = rayon::join(
+        let (world, (camera_view, (derivation, plot))) = rayon::join(
             || world_views.get(seen, inputs, objects, good),
             || {
                 rayon::join(
-                    || good.map_or([None, None], |good| camera_views.get(seen, inputs, good)),
+                    || camera_views.get(seen, inputs, good?),
                     || (derivations.get(inputs, seen), plots.get(inputs, seen, generation)),
                 )
             },
         );
-        (derived.camera_view, derived.error_map) = (camera_view, error_map);
+        derived.camera_view = camera_view;
         (derived.derivation, derived.plot) = (derivation, plot);
         if let Some(world) = world {
             derived.subsampling[1] = world.subsampling;

@@ -14,11 +14,12 @@ use super::derived::{Derived, Inputs};
 use super::memo::{Fineness, Memo, Same};
 use super::objects::GoodWorld;
 use super::scan::first_pixels;
+use super::second_picture::SecondPicture;
 use super::watch::{self, Watch, Work};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
-use crate::view::accuracy::{self, Comparison};
+use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
@@ -85,8 +86,8 @@ pub(super) struct GoodPicture {
     pub(super) truth: Option<Arc<Frame>>,
     /// The method that drew the picture, if it was not the ladder.
     pub(super) drawn_by: Option<Arc<Compared>>,
-    /// The error map, if it is shown.
-    pub(super) map: Option<(Arc<Compared>, Arc<Picture>)>,
+    /// The method of the error map, if that is shown.
+    pub(super) compared: Option<Arc<Compared>>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
 }
@@ -95,7 +96,6 @@ impl GoodPicture {
     /// Writes down what is said about the picture.
     pub(super) fn tell(&self, derived: &mut Derived) {
         derived.drawn_by.clone_from(&self.drawn_by);
-        derived.compared = self.map.as_ref().map(|(compared, _)| Arc::clone(compared));
         derived.too_many = self.too_many;
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
@@ -125,7 +125,6 @@ pub(super) struct Pictures {
     /// The last two pictures: a frame in new memory takes twice as long, and the one before the last
     /// lends its own.
     shown: Vec<Arc<Picture>>,
-    map: Memo<(Method, TraceKey), Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
@@ -155,18 +154,12 @@ impl Pictures {
         // A method that is too slow for the full picture is not used during a drag, either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
-        let beside = self.beside(&seen, world, settings, sizes.map.is_some(), too_many, watch);
+        let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
+        let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (beside.method, seen, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
-        let map = beside.compared.map(|compared| {
-            let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
-                let pixels = accuracy::colors(&compared.comparison);
-                Arc::new(Picture { raster: raster.clone(), image: resolved.image(), pixels })
-            });
-            (compared, map)
-        });
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
@@ -201,7 +194,7 @@ impl Pictures {
             too_many: beside.too_many,
             truth: beside.truth,
             drawn_by: beside.drawn_by,
-            map,
+            compared: beside.compared,
         }
     }
 

@@ -11,10 +11,10 @@ use super::objects::Objects;
 use super::picture::GoodPicture;
 use super::watch::{Work, watched};
 use super::world::{WorldPicture, WorldPictures};
-use super::{HighlightKey, highlight_key, twins};
+use super::{HighlightKey, answer_marks, highlight_key};
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
-use crate::model::practice::twin::Twin;
+use crate::model::practice::answer_marks::AnswerMark;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::handles::{self, Stage};
 use crate::view::overlay::{
@@ -50,7 +50,7 @@ struct Key {
     ray_point_t: Option<f64>,
     handles: Handles,
     ghost: Option<GhostCamera>,
-    twins: Arc<[Twin]>,
+    answer_marks: Arc<[AnswerMark]>,
     scale: f32,
     style: Style,
     purpose: Purpose,
@@ -94,8 +94,8 @@ impl WorldViews {
             highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
             handles: handles::drawn(&stage, &session.hand, &session.spoken_of()),
-            ghost: twins::ghost(inputs, derived),
-            twins: Arc::clone(&derived.twins),
+            ghost: answer_marks::ghost(inputs, derived),
+            answer_marks: Arc::clone(&derived.answer_marks),
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
@@ -126,7 +126,7 @@ impl WorldViews {
                 ray_point_t: key.ray_point_t,
                 handles: &key.handles,
                 ghost: key.ghost.as_ref(),
-                twins: &key.twins,
+                answer_marks: &key.answer_marks,
                 is_clear: key.purpose.is_clear(),
                 names_all: key.names_all,
             };

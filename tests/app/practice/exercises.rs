@@ -344,7 +344,7 @@ fn what_is_typed_is_drawn_and_what_is_right_only_once_it_was_found_or_shown() {
     assert_eq!(drawn(&window), "drawn: u? (dashed)");
     answers(&mut window, "w", &["0", "1", "0"]);
     click(&mut window, "Check");
-    // What is right needs no twin, and a wrong answer leaves room for a second try.
+    // What is right needs no mark of theirs, and a wrong answer leaves room for a second try.
     assert_eq!(drawn(&window), "drawn: your u (dashed), w");
     answers(&mut window, "u", &["1", "0", "0"]);
     assert_eq!(drawn(&window), "drawn: your u (dashed), w");

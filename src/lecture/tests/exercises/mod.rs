@@ -101,7 +101,7 @@ fn every_mistake_that_gives_an_answer_is_named() {
     for question in questions() {
         for (index, part) in question.parts.iter().enumerate() {
             for (mistake, answer) in &part.mistakes {
-                assert!(!mistake.told().is_empty(), "{mistake}");
+                assert!(!mistake.exercise_feedback().is_empty(), "{mistake}");
                 let verdict = alone(&question, index, answer.clone());
                 let tells = |named: &Mistake| named == mistake || named.is_part_of(*mistake);
                 let named =

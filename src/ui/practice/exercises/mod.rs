@@ -226,7 +226,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         let frame = Stroke::new(1.0, ui.visuals().weak_text_color());
         ui.visuals_mut().widgets.inactive.bg_stroke = frame;
         if part.count() == 0 {
-            ui.label(RichText::new(exercises::asked(part)).size(text_size(ui)));
+            ui.label(RichText::new(part.asked.symbol()).size(text_size(ui)));
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
                     (typed.yes, typed.feedback) = (Some(yes), None);
@@ -235,7 +235,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             return;
         }
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-        let text = RichText::new(format!("{} =", exercises::asked(part))).size(text_size(ui) + 1.0);
+        let text = RichText::new(format!("{} =", part.asked.symbol())).size(text_size(ui) + 1.0);
         let wide = egui::vec2(INDENT * text_size(ui) - 6.0, 30.0);
         ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
             ui.label(text.color(color));

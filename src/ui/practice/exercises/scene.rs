@@ -12,8 +12,8 @@ use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::lines::{LinesLab, Window};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::answer_marks;
 use crate::model::practice::exercises::Exercises;
-use crate::model::practice::twin;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::derivation::DerivationPanel;
@@ -79,7 +79,7 @@ impl QuestionScene {
                 self.solution.lines(ui, derivation, &document, &own, None);
             }
         });
-        let has_yours = self.derived.twins.iter().any(|twin| twin.is_dashed);
+        let has_yours = self.derived.answer_marks.iter().any(|mark| mark.is_dashed);
         world_title(ui, picture, has_yours, exercises, document, actions);
     }
 
@@ -108,8 +108,8 @@ impl QuestionScene {
         if let Some(shown) = &self.derived.world_view {
             views::show(ui, rect, shown, &mut self.texture, false);
         }
-        let twins = &self.derived.twins;
-        views::speak(ui, views::WORLD, &twin::spoken(twins));
+        let marks = &self.derived.answer_marks;
+        views::speak(ui, views::WORLD, &answer_marks::spoken(marks));
         own
     }
 

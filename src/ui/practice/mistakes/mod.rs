@@ -16,7 +16,6 @@ use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::readings::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -89,7 +88,7 @@ pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> St
 
 /// Returns the reason why there is no wrong picture, without the mistake's name while it is to be
 /// guessed.
-fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
+pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
         true => why,
@@ -101,16 +100,6 @@ fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<Strin
 fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     Some(format!("{} of the picture differs", percent(seen.differing, seen.pixels)))
-}
-
-/// Shows, in place of the wrong picture, the reason why there is none.
-pub(crate) fn no_picture(
-    ui: &mut Ui,
-    rect: Rect,
-    wrong: &ComparedCamera,
-    mistakes_view: &MistakesView,
-) {
-    fault::no_picture(ui, rect, &why_not(wrong, mistakes_view).unwrap_or_default());
 }
 
 /// Shows the gallery, the explanation, and the checks, side by side; or the vote in their place.
@@ -130,7 +119,7 @@ pub(crate) fn ui(
         ui.ctx().request_discard("a vote was opened after its picture was drawn");
     }
     if mistakes_view.open_vote.is_some() {
-        return vote::ui(ui, mistakes_view, derived.wrong.as_deref(), seen);
+        return vote::ui(ui, mistakes_view, derived.wrong_camera(), seen);
     }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
@@ -144,7 +133,7 @@ pub(crate) fn ui(
         vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
     });
-    let Some(wrong) = derived.wrong.as_deref() else { return };
+    let Some(wrong) = derived.wrong_camera() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
         if is_narrow {
             ui.spacing_mut().item_spacing.y = 1.0;

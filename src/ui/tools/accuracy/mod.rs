@@ -18,7 +18,7 @@ use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::{self, Comparison, PixelError};
-use crate::view::derive::{Compared, Derived, TooMany};
+use crate::view::derive::{Compared, Derived};
 use crate::view::typesetting::theme;
 
 /// Height of the map's legend, in points.
@@ -111,13 +111,6 @@ pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
         1 => format!("drawn by {method}: 1 wrong screen pixel"),
         wrong => format!("drawn by {method}: {wrong} wrong screen pixels"),
     })
-}
-
-/// Shows, in place of the map, the reason why there is none.
-pub(crate) fn no_map(ui: &mut Ui, rect: Rect, why: TooMany) {
-    ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
-        ui.label(format!("No error map: {why}"));
-    });
 }
 
 /// Shows plot and table, and above them the progress of measuring and the results at the selected

@@ -94,7 +94,7 @@ impl Stage {
             ray_point_t: None,
             handles: &NO_HANDLES,
             ghost: None,
-            twins: &[],
+            answer_marks: &[],
             is_clear: false,
             names_all: true,
         }

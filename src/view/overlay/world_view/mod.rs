@@ -1,11 +1,11 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
+mod answer_marks;
 pub(super) mod camera_in_space;
 pub(super) mod ghost;
 pub(super) mod handles;
 mod highlighted;
 mod objects;
-mod twins;
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
@@ -13,7 +13,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene}
 use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::practice::twin::Twin;
+use crate::model::practice::answer_marks::AnswerMark;
 use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::highlighted::Highlighted;
@@ -63,7 +63,7 @@ pub struct WorldView<'a> {
     /// The camera to compare with.
     pub ghost: Option<&'a GhostCamera>,
     /// A student's answers, and the right ones.
-    pub twins: &'a [Twin],
+    pub answer_marks: &'a [AnswerMark],
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted<'a>>,
     /// The handles that can be dragged.
@@ -283,7 +283,7 @@ impl<'a> WorldView<'a> {
         }
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space(self);
-        sketch.twins(self);
+        sketch.answer_marks(self);
         // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {

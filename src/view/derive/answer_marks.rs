@@ -1,38 +1,61 @@
-//! A graded answer of a student, or a wrong camera's ray, as the world view draws it beside the right
-//! one.
+//! The wrong camera and its ray, and a student's graded answer, as the world view draws them beside the
+//! right ones.
 
 use pinhole_core::{Pixel, Ray, ResolvedCamera, Scene, Selection};
 use pinhole_lecture::grading::{Answers, GivenHit, Graded};
 use pinhole_lecture::mistakes::WrongCamera;
 
-use crate::model::practice::twin::{Twin, TwinShape};
+use super::derived::{Derived, Inputs};
+use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
+use crate::model::session::ViewLayout;
+use crate::model::session::ghost::resolve;
+use crate::view::overlay::GhostCamera;
+
+/// Returns the camera to compare with in the world view: a mistake's, or the frozen one.
+pub(super) fn ghost(
+    Inputs { document, session, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<GhostCamera> {
+    if session.settings.layout == ViewLayout::Mistakes {
+        // It would give away what the class is asked for.
+        let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
+        let wrong = derived.wrong_camera().filter(|_| !is_secret && derived.fault.is_none())?;
+        return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
+    }
+    let ghost = session.ghost.as_ref()?;
+    resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
+}
 
 /// Returns the wrong camera's ray for the selected pixel.
-pub(crate) fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<Twin> {
+pub(super) fn of_mistake(
+    wrong: &WrongCamera,
+    scene: &Scene,
+    selection: Selection,
+) -> Vec<AnswerMark> {
     let ray = match selection.inside(wrong.image()) {
         Selection::Pixel(pixel) => wrong.ray(pixel),
         Selection::Uv(uv) => wrong.ray_at(uv),
     };
     let Ok(ray) = ray else { return Vec::new() };
     let t = scene.first_hit(&ray).map(|hit| hit.t);
-    vec![Twin::yours(TwinShape::Ray(ray, t), "ray′")]
+    vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
 }
 
 /// Returns the student's answer for the selected pixel where it is wrong. Where the file has none for
 /// it, returns the worst answer with the right one beside it.
-pub(crate) fn of_answers(
+pub(super) fn of_answers(
     graded: &Graded,
     camera: &ResolvedCamera,
     scene: &Scene,
     selection: Selection,
-) -> Vec<Twin> {
+) -> Vec<AnswerMark> {
     if let Answers::Basis(vectors) = &graded.answers {
         let names = ["your u", "your v", "your w"];
         let is_wrong = |index: &usize| !graded.grade.is_right[*index];
-        let twin = |index: usize| {
-            Twin::yours(TwinShape::BasisVector(index, vectors[index].value), names[index])
+        let mark = |index: usize| {
+            AnswerMark::yours(MarkShape::BasisVector(index, vectors[index].value), names[index])
         };
-        return (0..vectors.len()).filter(is_wrong).map(twin).collect();
+        return (0..vectors.len()).filter(is_wrong).map(mark).collect();
     }
     let selected = match selection {
         Selection::Pixel(pixel) => index_of(graded, pixel),
@@ -49,12 +72,12 @@ pub(crate) fn of_answers(
         return Vec::new();
     };
     let ray = camera.ray_of_pixel(pixel);
-    let mut twins = yours(graded, worst.index, &ray, scene);
-    if !twins.is_empty() {
+    let mut marks = yours(graded, worst.index, &ray, scene);
+    if !marks.is_empty() {
         let t = scene.first_hit(&ray).map(|hit| hit.t);
-        twins.push(Twin::right(TwinShape::Ray(ray, t), "right ray"));
+        marks.push(AnswerMark::right(MarkShape::Ray(ray, t), "right ray"));
     }
-    twins
+    marks
 }
 
 fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
@@ -63,21 +86,21 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
 }
 
 /// Returns an answer's own ray or hit. A hit of which only t is given lies on the right ray.
-fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<Twin> {
+fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {
             let Ok(ray) = Ray::new(rays[index].origin.value, rays[index].direction.value) else {
                 return Vec::new();
             };
             let t = scene.first_hit(&ray).map(|hit| hit.t);
-            return vec![Twin::yours(TwinShape::Ray(ray, t), "your ray")];
+            return vec![AnswerMark::yours(MarkShape::Ray(ray, t), "your ray")];
         }
         Answers::Hits(hits) => match hits[index].hit {
-            Some(GivenHit { point: Some(point), .. }) => TwinShape::Point(point.value),
-            Some(GivenHit { t: Some(t), .. }) => TwinShape::OnRay(*right, t.value),
+            Some(GivenHit { point: Some(point), .. }) => MarkShape::Point(point.value),
+            Some(GivenHit { t: Some(t), .. }) => MarkShape::OnRay(*right, t.value),
             _ => return Vec::new(),
         },
         Answers::Basis(_) | Answers::Picture(_) => return Vec::new(),
     };
-    vec![Twin::yours(shape, "your hit")]
+    vec![AnswerMark::yours(shape, "your hit")]
 }

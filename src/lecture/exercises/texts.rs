@@ -1,0 +1,337 @@
+//! Questions and verdicts in words. `**p**` marks a vector, `*t*` a scalar. Numbers are exact where they
+//! are recognised.
+
+use pinhole_core::{DVec2, DVec3, Ray, Sphere, shortest};
+
+use super::judge::{ENOUGH_DIGITS, Finding, Verdict};
+use super::question::{Asked, Given, QuestionPart};
+use crate::forms::NumberForm;
+use crate::numbers::written;
+
+/// The question, a paragraph each.
+pub fn question(given: &Given) -> Vec<String> {
+    const CANONICAL: &str =
+        "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
+    let asked_of_basis =
+        "What are **w**, **u** and **v**? Each has length 1: **w** points backwards, away \
+                          from what the camera looks at, **u** to the right and **v** up in the \
+                          image."
+            .to_owned();
+    match *given {
+        Given::Uv(uv) => {
+            let asked =
+                format!("What is the viewing ray **p** + *t* **d** through {}?", uv_text(uv));
+            let meaning = "**p** is where the ray begins, **d** the direction in which it goes.";
+            vec![CANONICAL.to_owned(), asked, meaning.to_owned()]
+        }
+        Given::UvAndWall { uv, z } => vec![CANONICAL.to_owned(), where_on_wall(uv, z)],
+        Given::Distance { uv, distance, z } => at_distance(uv, distance, z),
+        Given::Turned { right, uv, z } => turned(right, uv, z),
+        Given::ViewUp { view, up } => vec![
+            format!("A camera looks along view = {}, with up = {}.", triple(view), triple(up)),
+            asked_of_basis,
+        ],
+        Given::EyeAtUp { eye, at, up } => {
+            let (eye, at, up) = (triple(eye), triple(at), triple(up));
+            let looks =
+                format!("A camera at eye = {eye} looks at the point at = {at}, with up = {up}.");
+            vec![looks, asked_of_basis]
+        }
+        Given::Sphere { ray, sphere } => sphere_and_ray(&ray, &sphere),
+        Given::Lines { line, origin, direction } => lines(line, origin, direction),
+    }
+}
+
+fn where_on_wall(uv: DVec2, z: f64) -> String {
+    format!(
+        "The ray through {}, with **d** as the lecture builds it, meets the plane *z* = {}. At which \
+         *t*, and where?",
+        uv_text(uv),
+        number(z)
+    )
+}
+
+fn at_distance(uv: DVec2, distance: f64, z: f64) -> Vec<String> {
+    let camera = format!(
+        "A canonical camera, but the viewport is at distance {} from the eye.",
+        number(distance)
+    );
+    let asked = format!(
+        "What is **d** through {}, so that *t* = 1 is on the viewport? At which *t* is the plane \
+         *z* = {}?",
+        uv_text(uv),
+        number(z)
+    );
+    vec![camera, asked]
+}
+
+fn turned(right: DVec3, uv: DVec2, z: f64) -> Vec<String> {
+    let axis = |x: f64, name: &str| format!("{}*{name}*", if x < 0.0 { '−' } else { '+' });
+    let camera = format!(
+        "A camera at the origin, with distance 1, is turned about the *y* axis: right is midway \
+         between {} and {}, up in the image is +*y*.",
+        axis(right.x, "x"),
+        axis(right.z, "z")
+    );
+    let asked = format!(
+        "What are **u**, **v** and **w**, and **d** = *u* **u** + *v* **v** − **w** for {}? At which \
+         *t* does it meet the plane *z* = {}?",
+        uv_text(uv),
+        number(z)
+    );
+    vec![camera, asked]
+}
+
+fn sphere_and_ray(ray: &Ray, sphere: &Sphere) -> Vec<String> {
+    let given = format!(
+        "The ray {} + *t* {} and the sphere around {} of radius {}.",
+        triple(ray.origin),
+        triple(ray.direction),
+        triple(sphere.center),
+        number(sphere.radius)
+    );
+    let asked = "At which *t* is the first hit, where, and with which outward unit normal?";
+    vec![given, asked.to_owned()]
+}
+
+fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
+    let given = format!(
+        "The line {} = 0 and the ray {} + *t* {}.",
+        implicit(line),
+        pair(origin),
+        pair(direction)
+    );
+    let asked = "At which *t*, and where, does the ray's line meet the other? Does the ray itself \
+                 (*t* > 0) hit it?";
+    vec![given, asked.to_owned()]
+}
+
+/// `2*x* − *y* + 1`
+fn implicit(line: DVec3) -> String {
+    let mut text = String::new();
+    for (factor, name) in [(line.x, "*x*"), (line.y, "*y*"), (line.z, "")] {
+        if factor == 0.0 {
+            continue;
+        }
+        let sign = match (factor < 0.0, text.is_empty()) {
+            (false, true) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (true, false) => " − ",
+        };
+        text.push_str(sign);
+        if factor.abs() != 1.0 || name.is_empty() {
+            text.push_str(&number(factor.abs()));
+        }
+        text.push_str(name);
+    }
+    text
+}
+
+impl Asked {
+    /// The quantity as it is written, for the label in front of its fields.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Asked::Origin => "𝐩",
+            Asked::Direction => "𝐝",
+            Asked::T => "𝑡",
+            Asked::U => "𝐮",
+            Asked::V => "𝐯",
+            Asked::W => "𝐰",
+            Asked::Point => "point",
+            Asked::Normal => "normal",
+            Asked::Hits => "the ray hits",
+        }
+    }
+}
+
+/// `(u, v) = (0.2, −0.1)`
+fn uv_text(uv: DVec2) -> String {
+    format!("(*u*, *v*) = {}", pair(uv))
+}
+
+/// A space at which no line is broken: a vector stays in one piece.
+const SPACE: char = '\u{a0}';
+
+fn pair(v: DVec2) -> String {
+    format!("({},{SPACE}{})", number(v.x), number(v.y))
+}
+
+fn triple(v: DVec3) -> String {
+    format!("({},{SPACE}{},{SPACE}{})", number(v.x), number(v.y), number(v.z))
+}
+
+impl Verdict {
+    /// The verdict on an answer to this part, in words.
+    pub fn sentence(&self, part: &QuestionPart) -> String {
+        match self {
+            Verdict::Right => "Right.".to_owned(),
+            Verdict::Multiple { times } => {
+                format!("Right: yours is {} times ours, the same ray.", short(*times))
+            }
+            Verdict::Rounded { digits } if self.is_right() => format!("Right, to {digits} digits."),
+            Verdict::Rounded { digits } => format!(
+                "Right to {digits} digits: type at least {ENOUGH_DIGITS}, or give it exactly, as in \
+                 1/sqrt(2)."
+            ),
+            // What is −1 but for the last digits is written as −1.
+            Verdict::Backwards { times } if short(*times) == "−1" => {
+                "Wrong: it points the opposite way: it is minus ours.".to_owned()
+            }
+            Verdict::Backwards { times } => {
+                format!("Wrong: it points the opposite way: it is {} times ours.", short(*times))
+            }
+            Verdict::OtherLength { times } if part.asked.is_unit() => {
+                format!(
+                    "Wrong: the direction is right, but the length is {}: it must be 1.",
+                    short(*times)
+                )
+            }
+            Verdict::OtherLength { times } => format!(
+                "Wrong: the direction is right, but it is {} times ours: here its length matters, because 𝑡 \
+                 is in units of it.",
+                short(*times)
+            ),
+            Verdict::Mistakes(mistakes) => {
+                let texts: Vec<&str> =
+                    mistakes.iter().map(|mistake| mistake.exercise_feedback()).collect();
+                format!("Wrong: {}", texts.join(" Or: "))
+            }
+            Verdict::Wrong(findings) => {
+                let texts: Vec<String> =
+                    findings.iter().map(|finding| found(finding, part)).collect();
+                format!("Wrong: {}.", texts.join("; "))
+            }
+        }
+    }
+}
+
+fn found(finding: &Finding, part: &QuestionPart) -> String {
+    let is_t = part.asked == Asked::T;
+    match *finding {
+        Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
+        Finding::Coordinate(k) => {
+            format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k.min(2)])
+        }
+        Finding::Length(length) => format!("its length is {}, not 1", short(length)),
+        Finding::NotOrthogonal { to, dot } => {
+            format!("it is not perpendicular to {}: the dot product is {}", bold(to), short(dot))
+        }
+        Finding::Angle { degrees } => {
+            let from = match part.asked {
+                Asked::U => "right in the image",
+                Asked::V => "up in the image",
+                Asked::W => "straight backwards",
+                _ => "the direction from the centre to the hit",
+            };
+            format!("it is {}° off {from}", short(degrees))
+        }
+        Finding::OffWall { z, wall } if is_t => {
+            format!("at this 𝑡, 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffWall { z, wall } => {
+            format!("its 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffSphere { distance, radius } => format!(
+            "{} is not on the sphere: it is {} from the centre, and the radius is {}",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(distance),
+            short(radius)
+        ),
+        Finding::OffLine { value } => format!(
+            "{} is not on the line: put into its equation, it gives {}, not 0",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(value)
+        ),
+        Finding::OffRay { distance } => {
+            format!("it is not on the ray, but {} away from it", short(distance))
+        }
+        Finding::OffEye { distance } => {
+            format!("it is {} from the eye, where every view ray starts", short(distance))
+        }
+        Finding::OffUv { uv, wanted } => {
+            let [passed, wanted] =
+                [uv, wanted].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
+            format!("it passes the viewport at (𝑢, 𝑣) = {passed}, not {wanted}")
+        }
+        Finding::NotForwards { along_w } => {
+            format!("it does not point forwards: 𝐝 · 𝐰 is {}, and must be below 0", short(along_w))
+        }
+        Finding::Another if part.count() == 1 => "it should be another number".to_owned(),
+        Finding::Another => "every coordinate should be another number".to_owned(),
+    }
+}
+
+fn bold(name: &str) -> &str {
+    match name {
+        "u" => "𝐮",
+        "v" => "𝐯",
+        "w" => "𝐰",
+        other => other,
+    }
+}
+
+/// The verdict on a part whose answer follows from that to another one.
+pub fn follows(source: Asked) -> String {
+    format!("Wrong: it follows from {}.", source.symbol())
+}
+
+/// `5√2`, `−1/√2`, `3/7`. Decimals stay decimals.
+fn form(form: NumberForm) -> String {
+    if form.decimals().is_some() {
+        return number(form.value());
+    }
+    let (n, k, m) = (form.numerator(), form.root(), form.denominator());
+    let sign = if n < 0 { "−" } else { "" };
+    let above = match (n.unsigned_abs(), k) {
+        (n, k) if k == 1 || form.is_root_below() => n.to_string(),
+        (1, k) => format!("√{k}"),
+        (n, k) => format!("{n}√{k}"),
+    };
+    match (form.is_root_below(), m) {
+        (true, _) => format!("{sign}{above}/√{k}"),
+        (false, 1) => format!("{sign}{above}"),
+        (false, m) => format!("{sign}{above}/{m}"),
+    }
+}
+
+/// The number as short as it can be, with the real minus.
+fn number(x: f64) -> String {
+    shortest(x).replace('-', "−")
+}
+
+/// The largest number in a fraction or below a root that is still read at a glance.
+const SHORT: u64 = 100;
+
+/// For sentences: exact where it is short.
+fn short(x: f64) -> String {
+    let is_short = |form: &NumberForm| match form.decimals() {
+        Some(decimals) => decimals <= 5,
+        None => [form.numerator().unsigned_abs(), form.root(), form.denominator()]
+            .into_iter()
+            .all(|n| n <= SHORT),
+    };
+    NumberForm::recognise(x).filter(is_short).map(form).unwrap_or_else(|| written(x, 5))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_holds_no_long_fraction_or_root() {
+        for (x, text) in [
+            (50f64.sqrt(), "5√2"),
+            (74f64.sqrt(), "√74"),
+            (-1.0 / 3.0, "−1/3"),
+            (-2.5, "−2.5"),
+            (4241f64.sqrt() / 5.0, "13.025"),
+            (101f64.sqrt(), "10.05"),
+            (22.0 / 113.0, "0.19469"),
+            (1.0 / 512.0, "0.0019531"),
+            (250.0, "250"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+    }
+}

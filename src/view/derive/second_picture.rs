@@ -1,0 +1,388 @@
+//! The second picture, beside the camera's: where another method errs, what a wrong camera or the ghost
+//! sees, or where a student's answers are wrong.
+
+use std::sync::Arc;
+
+use pinhole_core::{Camera, ImageSize, Outputs, Paint, Raster, ResolvedCamera, Selection, Shade};
+use pinhole_exchange::answers;
+use pinhole_exchange::document::Document;
+use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
+use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, Mistake};
+
+use super::answer_marks::{of_answers, of_mistake};
+use super::derived::Inputs;
+use super::memo::{Memo, Same};
+use super::objects::GoodWorld;
+use super::picture::{Compared, GoodPicture};
+use super::watch::{self, Watch, Work, watched};
+use super::{Derived, HighlightKey, Shown, blank, highlight_key, opaque};
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::practice::answer_marks::AnswerMark;
+use crate::model::practice::student_answers::StudentAnswers;
+use crate::model::session::ghost::resolve;
+use crate::view::accuracy;
+use crate::view::ghost::{AgainstGhost, difference_map};
+use crate::view::overlay::{self, CameraView, Highlighted, Picture, Style};
+
+/// The kind of a second picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SecondPicture {
+    /// The map of the errors of another method.
+    ErrorMap,
+    /// The picture of a camera with a classic mistake, or the map of the pixels that differ.
+    WrongCamera,
+    /// The picture of the ghost, or the map of the pixels that differ.
+    Ghost,
+    /// The map of a student's right and wrong answers.
+    Answers,
+}
+
+/// A second picture with the data behind it.
+#[derive(Clone, Debug)]
+pub struct Second {
+    /// The data, which also says why there is no picture.
+    pub data: SecondData,
+    /// The picture.
+    pub view: Option<Shown>,
+}
+
+/// The data behind a second picture.
+#[derive(Clone, Debug)]
+pub enum SecondData {
+    /// The method of the error map, and its errors.
+    ErrorMap(Arc<Compared>),
+    /// The wrong camera and the right one, or the reason why there is no wrong one.
+    WrongCamera(Arc<ComparedCamera>),
+    /// The camera compared with the ghost.
+    Ghost(Arc<AgainstGhost>),
+    /// The grade of a student's answers.
+    Answers(Grading),
+}
+
+/// A grade, or the reason why there is none.
+pub type Grading = Result<Arc<Graded>, Arc<str>>;
+
+impl Derived {
+    /// Returns the second picture.
+    pub fn second_view(&self) -> Option<&Shown> {
+        self.second.as_ref()?.view.as_ref()
+    }
+
+    /// Returns the method of the error map, and its errors.
+    pub fn compared(&self) -> Option<&Compared> {
+        match &self.second.as_ref()?.data {
+            SecondData::ErrorMap(compared) => Some(compared),
+            _ => None,
+        }
+    }
+
+    /// Returns the wrong camera and the right one.
+    pub fn wrong_camera(&self) -> Option<&ComparedCamera> {
+        match &self.second.as_ref()?.data {
+            SecondData::WrongCamera(wrong) => Some(wrong),
+            _ => None,
+        }
+    }
+
+    /// Returns the camera compared with the ghost.
+    pub fn against_ghost(&self) -> Option<&AgainstGhost> {
+        match &self.second.as_ref()?.data {
+            SecondData::Ghost(against) => Some(against),
+            _ => None,
+        }
+    }
+
+    /// Returns the grade of a student's answers; `None` if there are no answers, or nothing to grade
+    /// them by.
+    pub fn grading(&self) -> Option<&Grading> {
+        match &self.second.as_ref()?.data {
+            SecondData::Answers(grading) => Some(grading),
+            _ => None,
+        }
+    }
+}
+
+/// The inputs of a second picture, with the objects and their colours by number.
+#[derive(Debug, PartialEq)]
+enum Key {
+    ErrorMap(Same<Compared>),
+    WrongCamera(Camera, [u64; 2], Raster, Shade, Mistake),
+    Ghost([Camera; 2], [u64; 2], Raster, Shade, Selection),
+    Answers(Camera, [u64; 2], StudentAnswers),
+}
+
+/// The data of a second picture, and the picture; of two cameras, also the map of the pixels that
+/// differ. The map of answers depends on the size of the view, and is made with it.
+type Made = (SecondData, Vec<Arc<Picture>>);
+
+/// The inputs of the view: the picture by number and the map in its place, the ray, the size, and the
+/// overlay.
+type ViewKey = ((u64, bool), Selection, [u32; 2], OverlayItems, Option<HighlightKey>, f32, Style);
+
+/// A cache of the second pictures: the last one of each kind, and the view of the one that is shown.
+#[derive(Debug, Default)]
+pub(super) struct SecondPictures {
+    made: [Memo<Key, Option<(u64, Made)>>; 4],
+    view: Memo<ViewKey, Option<Shown>>,
+    marks: Memo<(u64, Selection), Arc<[AnswerMark]>>,
+    /// Number of pictures made so far, which distinguishes one from the next.
+    pub(super) count: u64,
+}
+
+impl SecondPictures {
+    /// Updates the second picture, if the page has one. `world` is `None` while there is a fault.
+    pub(super) fn update(
+        &mut self,
+        derived: &mut Derived,
+        inputs: Inputs<'_>,
+        good: &GoodPicture,
+        world: Option<&GoodWorld>,
+    ) {
+        let Some((kind, size)) = inputs.sizes.second else { return };
+        let Some((number, made)) = self.made(kind, inputs, good, world) else { return };
+        if let Some(world) = world {
+            derived.answer_marks = self.marks(number, &made.0, inputs, good, world);
+        }
+        let view = self.view((number, &made), size, inputs, good, world);
+        derived.second = Some(Second { data: made.0, view });
+    }
+
+    fn made(
+        &mut self,
+        kind: SecondPicture,
+        inputs: Inputs<'_>,
+        good: &GoodPicture,
+        world: Option<&GoodWorld>,
+    ) -> Option<(u64, Made)> {
+        let Inputs { document, session, sizes, watch } = inputs;
+        let memo = &mut self.made[kind as usize];
+        let (camera, shade) = (document.camera, session.settings.shade);
+        let mistake = session.mistakes_view.shown();
+        let numbers = world.map(|world| [world.generation, world.palette]);
+        let raster =
+            || good.subsampling.raster(good.resolved.image(), sizes.second.map_or([1; 2], |s| s.1));
+        let key = match (kind, numbers) {
+            (SecondPicture::ErrorMap, _) => Key::ErrorMap(Same(good.compared.clone()?)),
+            (SecondPicture::WrongCamera, Some(numbers)) => {
+                Key::WrongCamera(camera, numbers, raster(), shade, mistake)
+            }
+            // An older picture, but not under another mistake's name.
+            (SecondPicture::WrongCamera, None) => {
+                let of_mistake =
+                    |key: &Key| matches!(key, Key::WrongCamera(.., of) if *of == mistake);
+                return memo.known(of_mistake)?.clone();
+            }
+            (SecondPicture::Ghost, Some(numbers)) => {
+                let cameras = [camera, session.ghost.as_ref()?.camera];
+                Key::Ghost(cameras, numbers, raster(), shade, session.selection)
+            }
+            (SecondPicture::Answers, Some(numbers)) => {
+                let key = Key::Answers(camera, numbers, session.answers.clone()?);
+                // Grading traces many variants of the student's program, so it waits until the drag
+                // rests.
+                if sizes.under_hand && memo.known(|known| *known == key).is_none() {
+                    return None;
+                }
+                key
+            }
+            (SecondPicture::Ghost | SecondPicture::Answers, None) => return None,
+        };
+        let count = &mut self.count;
+        memo.get(key, |key| {
+            *count += 1;
+            let made = match (key, world) {
+                (Key::ErrorMap(Same(compared)), _) => Some(error_map(compared)),
+                (Key::WrongCamera(.., raster, shade, mistake), Some(world)) => {
+                    let camera = (&camera, &good.resolved, *mistake);
+                    Some(wrong_camera(camera, world, raster, *shade, watch))
+                }
+                (Key::Ghost([_, ghost], _, raster, shade, selection), Some(world)) => {
+                    let cameras = ((&camera, &good.resolved), ghost);
+                    ghost_picture(cameras, world, raster, *shade, *selection, watch)
+                }
+                (Key::Answers(.., answers), Some(world)) => {
+                    Some((SecondData::Answers(graded(document, world, answers)), Vec::new()))
+                }
+                (_, None) => None,
+            };
+            made.map(|made| (*count, made))
+        })
+    }
+
+    /// Returns the answers and rays to draw in the world view beside the right ones.
+    fn marks(
+        &mut self,
+        number: u64,
+        data: &SecondData,
+        Inputs { session, .. }: Inputs<'_>,
+        good: &GoodPicture,
+        world: &GoodWorld,
+    ) -> Arc<[AnswerMark]> {
+        let selection = session.shown_selection();
+        let camera = match data {
+            SecondData::Answers(Ok(_)) => None,
+            // A mark would give away what is to be guessed.
+            SecondData::WrongCamera(wrong) if session.mistakes_view.is_revealed() => {
+                wrong.camera.as_ref().ok()
+            }
+            _ => return Arc::default(),
+        };
+        self.marks.get((number, selection), |_| match (data, camera) {
+            (SecondData::Answers(Ok(graded)), _) => {
+                of_answers(graded, &good.resolved, &world.scene, selection).into()
+            }
+            (_, Some(wrong)) => of_mistake(wrong, &world.scene, selection).into(),
+            _ => Arc::default(),
+        })
+    }
+
+    /// Draws the picture in `size` dots, with the overlay items of the camera it belongs to.
+    fn view(
+        &mut self,
+        (number, (data, pictures)): (u64, &Made),
+        size: [u32; 2],
+        Inputs { document, session, sizes, watch }: Inputs<'_>,
+        good: &GoodPicture,
+        world: Option<&GoodWorld>,
+    ) -> Option<Shown> {
+        let mut items = session.settings.items;
+        let (mut resolved, mut inspection, mut selection) =
+            (&good.resolved, &*good.inspection, good.selection);
+        let mut shows_differences = false;
+        let mut highlighted = None;
+        match data {
+            // A highlighted concept belongs to the current document.
+            SecondData::ErrorMap(_) => {
+                highlighted = highlight_key(session).filter(|_| world.is_some());
+            }
+            SecondData::WrongCamera(_) => {
+                shows_differences = session.mistakes_view.shows_differences();
+                // Both belong to the right camera; in this picture they would be elsewhere.
+                items = items.with(Item::UvAxes, false).with(Item::Hit, false);
+            }
+            SecondData::Ghost(against) => {
+                shows_differences = session.ghost.is_some_and(|ghost| ghost.shows_differences);
+                items = items.with(Item::Hit, items.shows(Item::Hit) && !shows_differences);
+                (resolved, inspection, selection) =
+                    (&against.ghost, &against.inspection, session.selection);
+            }
+            SecondData::Answers(_) => {}
+        }
+        let number = (number, shows_differences);
+        let key = (number, selection, size, items, highlighted, sizes.scale, sizes.style);
+        self.view.get(key, |_| {
+            let picture = match data {
+                SecondData::Answers(graded) => Arc::new(answers_map(graded.as_ref().ok()?, size)?),
+                _ => Arc::clone(pictures.get(usize::from(shows_differences))?),
+            };
+            let highlighted = highlighted.zip(world).map(|((concept, digits, dims), world)| {
+                let (camera, scene) = (&document.camera, &*world.scene);
+                Highlighted { concept, camera, scene, digits, dims }
+            });
+            let view = CameraView {
+                picture: &picture,
+                resolved,
+                inspection: Some(inspection),
+                items,
+                size: size.map(|n| n as usize),
+                scale: sizes.scale,
+                style: sizes.style,
+                highlighted,
+                loupe: None,
+            };
+            Some(watched(watch, Work::Overlay, || {
+                let mut pixels = blank(size);
+                let drawing = overlay::camera(&view, &mut pixels);
+                if let SecondData::ErrorMap(compared) = data {
+                    let (comparison, width) = (&compared.comparison, size[0] as usize);
+                    let raster = &picture.raster;
+                    accuracy::mark_wrong(comparison, raster, width, sizes.scale, &mut pixels);
+                }
+                sizes.style.finish(&mut pixels);
+                Shown::new(size, pixels, drawing)
+            }))
+        })
+    }
+}
+
+fn picture(raster: &Raster, image: ImageSize, pixels: Vec<egui::Color32>) -> Arc<Picture> {
+    Arc::new(Picture { raster: raster.clone(), image, pixels })
+}
+
+fn error_map(compared: &Arc<Compared>) -> Made {
+    let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
+    let map = picture(raster, image, accuracy::colors(&compared.comparison));
+    (SecondData::ErrorMap(Arc::clone(compared)), vec![map])
+}
+
+fn wrong_camera(
+    (camera, resolved, mistake): (&Camera, &ResolvedCamera, Mistake),
+    world: &GoodWorld,
+    raster: &Raster,
+    shade: Shade,
+    watch: Watch<'_>,
+) -> Made {
+    watched(watch, Work::Trace, || {
+        let color_of = |i: u32| world.colors[i as usize];
+        let paint = Paint { shade, color_of, to_pixel: opaque };
+        let (wrong, compared) =
+            ComparedCamera::new(camera, resolved, &world.scene, mistake, raster, paint);
+        let pictures = compared.map_or(Vec::new(), |ComparedPicture { pixels, wrong, right }| {
+            let differences = difference_map(&wrong, &right);
+            [pixels, differences].map(|pixels| picture(raster, camera.image, pixels)).into()
+        });
+        (SecondData::WrongCamera(Arc::new(wrong)), pictures)
+    })
+}
+
+/// Traces both cameras; `None` if the ghost sees nothing.
+fn ghost_picture(
+    ((camera, now), ghost): ((&Camera, &ResolvedCamera), &Camera),
+    world: &GoodWorld,
+    raster: &Raster,
+    shade: Shade,
+    selection: Selection,
+    watch: Watch<'_>,
+) -> Option<Made> {
+    let resolved = resolve(ghost, camera).ok()?;
+    let colors = (shade, |i: u32| world.colors[i as usize]);
+    let outputs = Outputs { object: true, ..Outputs::NONE };
+    let trace =
+        |camera| watch::picture(&world.scene, camera, raster, outputs, colors, (None, watch));
+    let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
+    let then = (ghost, &resolved, &frame);
+    let against = AgainstGhost::new((camera, &now_frame), then, &world.scene, selection).ok()?;
+    let differences = difference_map(&now_frame.object, &frame.object);
+    let pictures = [pixels, differences].map(|pixels| picture(raster, camera.image, pixels));
+    Some((SecondData::Ghost(Arc::new(against)), pictures.into()))
+}
+
+fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> Grading {
+    let StudentAnswers { file, count_from } = answers;
+    let camera = &document.camera;
+    let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
+        .map_err(|error| Arc::from(error.to_string()))?;
+    // The document's colours, even if the window shows others.
+    let color_of = |object| document.color_of(object);
+    let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
+    let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
+    Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
+}
+
+/// Returns the map of the answers with as many pixels as are shown. A pixel that stands for several is
+/// wrong if one of them is.
+fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
+    let cells = graded.map()?;
+    let image = graded.image;
+    let raster = Raster::shown_on(image, width, height);
+    let [rows, columns] = raster.nearest(image);
+    let width = raster.columns().len();
+    let mut worst = vec![Cell::Unanswered; raster.len()];
+    for (index, cell) in cells.into_iter().enumerate() {
+        let (row, column) = (index / image.width() as usize, index % image.width() as usize);
+        let known = &mut worst[rows[row] * width + columns[column]];
+        *known = (*known).max(cell);
+    }
+    let pixels = worst.into_iter().map(|cell| opaque(cell.color())).collect();
+    Some(Picture { pixels, image, raster })
+}
