@@ -10,10 +10,8 @@ use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
-use crate::model::translator::Target;
 use crate::view::overlay::Style;
-use pinhole_exchange::format::Importer;
-use pinhole_exchange::programs::IMPORTERS;
+use pinhole_exchange::format::{Conventions, Format};
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -261,9 +259,9 @@ pub struct ExportArguments {
     pub scene: PathBuf,
     /// The other program, form or language
     #[arg(long, value_name = "NAME")]
-    #[arg(value_parser = one_of(Target::all(), target))]
-    pub to: Target,
-    /// Where to write it; else to standard output. Of COLMAP, the folder of its files
+    #[arg(value_parser = one_of(Format::all(), format_help))]
+    pub to: &'static Format,
+    /// Where to write it; else to standard output
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Leave the objects out
@@ -277,17 +275,11 @@ pub struct ExportArguments {
 /// `pinhole import`
 #[derive(Args, Clone, Debug)]
 pub struct ImportArguments {
-    /// Another program's file, recognised by what is in it and by its name; - reads standard input
-    ///
-    /// Of COLMAP, the folder of cameras.txt and images.txt, or one of them.
+    /// A glTF (.gltf, .glb), or a text with a camera in numbers; - reads standard input
     pub file: PathBuf,
     /// The scene file to write; else to standard output
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: Option<PathBuf>,
-    /// Read it as this, whatever it looks like
-    #[arg(long, value_name = "NAME")]
-    #[arg(value_parser = one_of(&IMPORTERS, |from| help(from.name, from.label)))]
-    pub from: Option<&'static Importer>,
 }
 
 /// `pinhole check`
@@ -360,19 +352,12 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     })
 }
 
-fn help(name: &'static str, text: &'static str) -> PossibleValue {
-    PossibleValue::new(name).help(text)
-}
-
-fn target(to: Target) -> PossibleValue {
-    match to {
-        Target::Format(format) => {
-            let axes = format.conventions.axes.map(|axis| axis.name).join(", ");
-            PossibleValue::new(to.name())
-                .help(format!("{}; its camera's x, y, z are {axes}", to.label()))
-        }
-        Target::Code(_) => help(to.name(), to.label()),
-    }
+fn format_help(format: &'static Format) -> PossibleValue {
+    let axes = |conventions: &Conventions| conventions.axes.map(|axis| axis.name).join(", ");
+    PossibleValue::new(format.name).help(match &format.conventions {
+        Some(own) => format!("{}; its camera's x, y, z are {}", format.label, axes(own)),
+        None => format.label.to_owned(),
+    })
 }
 
 fn image_measure() -> impl TypedValueParser<Value = u32> {

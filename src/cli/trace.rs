@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use pinhole_core::{Ray, Root, Scene};
-use pinhole_exchange::csv::rays;
+use pinhole_exchange::csv;
 use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
@@ -22,7 +22,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     // All rays are read before the first is traced, so that a bad row leaves no half an answer.
     let (path, bytes) = read(&arguments.rays, limits::TABLE)?;
-    let rays = rays::parse(path, &bytes)?;
+    let rays = csv::rays(path, &bytes)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());
     let output = arguments.output.as_deref().filter(|output| !is_standard(output));

@@ -6,10 +6,9 @@
 //! - [`scenes`]: the scenes that come with the program, and what a scene on the command line means.
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
-//! - [`images`]: PNG and OpenEXR.
+//! - [`images`]: PNG, GIF and OpenEXR.
 //! - [`format`](mod@format): what every other program's format has: conventions, a scene to export, what is imported.
-//! - [`programs`]: other programs' cameras and scenes, written, and read where they are files or literal
-//!   numbers.
+//! - [`programs`]: other programs' cameras and scenes, written; and a camera from a glTF or from numbers.
 //! - [`code`]: the camera at hand as a short program in six languages.
 //!
 //! Whatever is wrong with a file is a [`FileError`], which says where and what would be right. A file is

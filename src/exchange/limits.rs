@@ -21,12 +21,8 @@ pub const ROW: usize = 64 << 10;
 /// Maximum number of spheres in a table, and of its other rows.
 pub const ROWS: usize = 10_000_000;
 
-/// Maximum number of nested brackets or elements. What is written by a program or a person has
-/// few.
+/// Maximum number of nested brackets. What is written by a program or a person has few.
 pub const NESTING: usize = 64;
-
-/// Maximum number of an XML element's attributes: its parser holds each against all others.
-pub const ATTRIBUTES: usize = 64;
 
 /// Files that a shell has opened for the program. They may be pipes.
 const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];

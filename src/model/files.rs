@@ -1,15 +1,13 @@
 //! The open document, its origin, and reading and writing it.
 
 use std::fs;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use pinhole_exchange::atomic::{Batch, is_same_file};
+use pinhole_exchange::atomic::is_same_file;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::format::{Exported, Text};
 use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, limits, scene_file};
+use pinhole_exchange::{limits, scene_file};
 use serde::{Deserialize, Serialize};
 
 /// Maximum number of files in the list of recent files.
@@ -307,36 +305,4 @@ pub fn is_text(path: &Path) -> bool {
 
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
-}
-
-/// Returns the files that a camera in another program's format becomes: one by its own path, several
-/// in a folder of this path.
-pub(crate) fn files_of<'a>(written: &'a Exported, path: &Path) -> Vec<(PathBuf, &'a Text)> {
-    match &written.files[..] {
-        [(_, text)] => vec![(path.to_owned(), text)],
-        files => files.iter().map(|(name, text)| (path.join(name), text)).collect(),
-    }
-}
-
-/// Writes a camera in another program's format: a single text as a file, several texts as a folder
-/// of files, all of them or none.
-///
-/// # Errors
-/// Returns an error if a file or the folder cannot be written.
-pub(crate) fn save_written(written: &Exported, path: &Path) -> Result<(), FileError> {
-    let is_folder = written.files.len() != 1;
-    let is_new = is_folder && !path.exists();
-    if is_folder {
-        fs::create_dir_all(path).map_err(|error| FileError::unwritable(path, &error))?;
-    }
-    let mut batch = Batch::default();
-    let mut files = files_of(written, path).into_iter();
-    let saved = files
-        .try_for_each(|(path, text)| batch.add(&path, |file| file.write_all(text.text.as_bytes())))
-        .and_then(|()| batch.finish());
-    if saved.is_err() && is_new {
-        // It is empty: what it was made for is not there.
-        let _ = fs::remove_dir(path);
-    }
-    saved
 }

@@ -11,7 +11,7 @@ const SCENE: &str = "pinhole = 1\nspheres = \"balls.csv\"\n\n[camera]\neye = [0,
                      view = [0, 0, -1]\nup = [0, 1, 0]\n";
 
 /// The same scene under names with the endings of what is written.
-const SCENES: [&str; 5] = ["s.toml", "s.png", "s.exr", "s.json", "cameras.txt"];
+const SCENES: [&str; 4] = ["s.toml", "s.png", "s.exr", "s.json"];
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -46,10 +46,6 @@ fn no_output_is_written_over_an_input() {
         (
             &format!("export s.toml --to povray -o {absolute}"),
             &format!("-o would write over {absolute}, which is read as s.toml"),
-        ),
-        (
-            "export ./cameras.txt --to colmap -o .",
-            "-o would write over ./cameras.txt, which is read",
         ),
         ("trace s.toml --rays in.csv -o s.toml", "-o would write over s.toml, which is read"),
         ("trace s.toml --rays in.csv -o balls.csv", "-o would write over balls.csv, which is read"),
@@ -119,19 +115,16 @@ fn of_two_files_none_is_written_if_one_cannot_be() {
 
 #[cfg(unix)]
 #[test]
-fn of_a_folder_nothing_is_written_if_one_file_cannot_be() {
-    use std::os::unix::fs::symlink;
-
+fn of_several_files_nothing_is_written_if_one_cannot_be() {
     let folder = tempfile::tempdir().unwrap();
-    let model = folder.path().join("model");
-    fs::create_dir(&model).unwrap();
-    fs::write(model.join("cameras.txt"), "old").unwrap();
-    symlink("no/folder", model.join("images.txt")).unwrap();
-    let run = run_in(folder.path(), &["export", "canonical", "--to", "colmap", "-o", "model"]);
+    fs::write(folder.path().join("a.png"), "old").unwrap();
+    std::os::unix::fs::symlink("no/folder", folder.path().join("a.exr")).unwrap();
+    let line = "render canonical --width 8 -o a.png --aov a.exr";
+    let run = run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
     assert_eq!(run.status, 1);
-    assert!(run.stderr.contains("images.txt: cannot be written"), "{}", run.stderr);
-    assert_eq!(fs::read_to_string(model.join("cameras.txt")).unwrap(), "old");
-    assert_eq!(entries(&model), ["cameras.txt", "images.txt"]);
+    assert!(run.stderr.contains("a.exr: cannot be written"), "{}", run.stderr);
+    assert_eq!(fs::read_to_string(folder.path().join("a.png")).unwrap(), "old");
+    assert_eq!(entries(folder.path()), ["a.exr", "a.png"]);
 }
 
 /// An animation takes a while, in a temporary file or folder.

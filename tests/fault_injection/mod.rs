@@ -284,31 +284,6 @@ fn export_of_a_file() {
     });
 }
 
-const MODEL: [&str; 4] = ["model", "model/cameras.txt", "model/images.txt", "model/points3D.txt"];
-
-#[test]
-fn export_of_a_folder() {
-    check(&Case {
-        name: "export of a folder",
-        prepare: |folder| {
-            fs::create_dir(folder.join("model")).unwrap();
-            old_files(folder, &MODEL[1..]);
-        },
-        program: |folder| pinhole(folder, "export @s.toml --to colmap --camera-only -o @model"),
-        writes: &MODEL,
-    });
-}
-
-#[test]
-fn export_of_a_new_folder() {
-    check(&Case {
-        name: "export of a new folder",
-        prepare: |_| {},
-        program: |folder| pinhole(folder, "export @s.toml --to colmap --camera-only -o @model"),
-        writes: &MODEL,
-    });
-}
-
 #[test]
 fn render() {
     check(&Case {

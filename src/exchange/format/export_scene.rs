@@ -4,8 +4,8 @@ use std::fmt;
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
-    Camera, DVec3, Intrinsics, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere,
-    Viewport,
+    Camera, DVec3, Intrinsics, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
+    Sphere, Viewport,
 };
 
 use super::text::n;
@@ -42,10 +42,15 @@ pub struct ExportScene<'a> {
     pub document: &'a Document,
     /// Objects that go with the camera.
     pub include: Include,
+    /// The spheres, where objects are asked for.
+    pub(crate) spheres: Vec<ExportObject<Sphere>>,
+    /// The planes, where objects are asked for.
+    pub(crate) planes: Vec<ExportObject<Plane>>,
     resolved: ResolvedCamera,
 }
 
 /// A sphere or plane with its looks.
+#[derive(Clone, Debug)]
 pub(crate) struct ExportObject<S> {
     pub(crate) shape: S,
     pub(crate) color: Rgb,
@@ -62,14 +67,13 @@ impl<'a> ExportScene<'a> {
     /// Returns the fault of the camera, or of an object that is asked for.
     pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, Unsupported> {
         let resolved = document.camera.resolve().map_err(|error| Unsupported(error.to_string()))?;
-        if include != Include::CameraAlone {
-            document.scene().map_err(|error| Unsupported(error.to_string()))?;
-        }
-        Ok(ExportScene { document, include, resolved })
-    }
-
-    pub(crate) fn camera_alone(&self) -> ExportScene<'a> {
-        ExportScene { include: Include::CameraAlone, ..self.clone() }
+        let scene = match include {
+            Include::CameraAlone => Scene::default(),
+            _ => document.scene().map_err(|error| Unsupported(error.to_string()))?,
+        };
+        let spheres = export_objects(document, 0, scene.spheres());
+        let planes = export_objects(document, scene.spheres().len(), scene.planes());
+        Ok(ExportScene { document, include, spheres, planes, resolved })
     }
 
     /// The camera with its basis.
@@ -137,43 +141,16 @@ impl<'a> ExportScene<'a> {
         )))
     }
 
-    /// The spheres, where objects are asked for.
-    pub(crate) fn spheres(&self) -> Vec<ExportObject<Sphere>> {
-        let scene = self.scene();
-        let shapes = scene.spheres().iter().enumerate();
-        shapes.map(|(index, shape)| self.object(index, *shape)).collect()
-    }
-
-    /// The planes, where objects are asked for.
-    pub(crate) fn planes(&self) -> Vec<ExportObject<Plane>> {
-        let scene = self.scene();
-        let first = scene.spheres().len();
-        let shapes = scene.planes().iter().enumerate();
-        shapes.map(|(k, shape)| self.object(first + k, *shape)).collect()
-    }
-
     /// Returns the note on objects that a format has no place for, where there are some.
     pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
-        let is_empty = self.spheres().is_empty() && self.planes().is_empty();
+        let is_empty = self.spheres.is_empty() && self.planes.is_empty();
         (!is_empty).then(|| format!("objects are left out: {why}"))
-    }
-
-    fn scene(&self) -> pinhole_core::Scene {
-        match self.include {
-            Include::CameraAlone => pinhole_core::Scene::default(),
-            _ => self.document.scene().unwrap_or_default(),
-        }
-    }
-
-    fn object<S>(&self, index: usize, shape: S) -> ExportObject<S> {
-        let color = self.document.color_of(index as u32);
-        ExportObject { shape, color, title: self.document.title_of(index) }
     }
 
     /// Returns the nearest and the farthest distance for a program that cannot look everywhere.
     pub(crate) fn clip(&self) -> (f64, f64) {
         let eye = self.resolved.eye();
-        let spheres = self.spheres();
+        let spheres = &self.spheres;
         let reach = |s: &ExportObject<Sphere>| length(s.shape.center - eye) + s.shape.radius;
         let far = spheres.iter().map(reach).fold(1e4, f64::max);
         let gap = |s: &ExportObject<Sphere>| (length(s.shape.center - eye) - s.shape.radius).abs();
@@ -193,6 +170,20 @@ impl<'a> ExportScene<'a> {
         // A thousand times as far as anything that matters, and round.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
+}
+
+/// The objects with their looks; the first one's index is `first`.
+fn export_objects<S: Copy>(
+    document: &Document,
+    first: usize,
+    shapes: &[S],
+) -> Vec<ExportObject<S>> {
+    let object = |(k, shape): (usize, &S)| ExportObject {
+        shape: *shape,
+        color: document.color_of((first + k) as u32),
+        title: document.title_of(first + k),
+    };
+    shapes.iter().enumerate().map(object).collect()
 }
 
 /// Returns the note on a square that stands for a plane.

@@ -29,7 +29,7 @@ pub(crate) fn n(x: f64) -> String {
 }
 
 impl Text {
-    /// The text of parts some of which went through [`flipped`].
+    /// The text whose numbers may be marked by [`flipped`].
     pub(crate) fn from_marked(marked: &str) -> Text {
         let mut made = Text::default();
         let mut from = 0;
@@ -42,17 +42,11 @@ impl Text {
         }
         made
     }
-
-    pub(crate) fn append(&mut self, other: &Text) {
-        let by = self.text.len();
-        self.text.push_str(&other.text);
-        self.flipped.extend(other.flipped.iter().map(|part| part.start + by..part.end + by));
-    }
 }
 
-/// Marks a part.
-pub(crate) fn flipped(text: impl AsRef<str>) -> String {
-    format!("{OPEN}{}{CLOSE}", text.as_ref())
+/// A number whose sign is turned.
+pub(crate) fn flipped(x: f64) -> String {
+    format!("{OPEN}{}{CLOSE}", n(x))
 }
 
 /// A text that came from outside, such as a name, without what would end a line, hide or mark a part.
@@ -65,25 +59,29 @@ pub(crate) fn quotable(name: &str) -> String {
     one_line(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
 }
 
-/// Writes a number with a point or an exponent, where `1` would be a whole number and divided as one.
+/// A number with a point or an exponent, where `1` would be a whole number and divided as one.
 pub(crate) fn real(x: f64) -> String {
-    let text = n(x);
-    if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
+    point(n(x))
+}
+
+/// The text of a number as one with a point or an exponent.
+pub(crate) fn point(number: String) -> String {
+    if number.contains(['.', 'e']) { number } else { number + ".0" }
 }
 
 /// `1, 2, 3`
 pub(crate) fn commas(v: DVec3) -> String {
-    v.to_array().map(n).join(", ")
+    commas_of(v, n)
+}
+
+/// A vector's numbers between commas, each as it is written by this.
+pub(crate) fn commas_of(v: DVec3, number: impl Fn(f64) -> String) -> String {
+    v.to_array().map(number).join(", ")
 }
 
 /// `1 2 3`
 pub(crate) fn spaces(v: DVec3) -> String {
     v.to_array().map(n).join(" ")
-}
-
-/// Writes a vector's numbers, each of them marked.
-pub(crate) fn flipped_all(v: DVec3, between: &str) -> String {
-    v.to_array().map(|x| flipped(n(x))).join(between)
 }
 
 /// A colour of the screen as light (the sRGB curve of IEC 61966-2-1), to six digits.
@@ -93,12 +91,4 @@ pub(crate) fn light(color: Rgb) -> [String; 3] {
         let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
         n((light * 1e6).round() / 1e6)
     })
-}
-
-/// The byte of the screen nearest to that much light.
-pub(crate) fn byte_of_light(light: f64) -> u8 {
-    let light = light.clamp(0.0, 1.0);
-    let s =
-        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
-    (s * 255.0).round() as u8
 }

@@ -4,16 +4,14 @@
 use pinhole_core::{Basis, Sphere};
 
 use crate::format::text::{commas, light, n, quotable, real};
-use crate::format::{
-    Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported, square_note,
-};
+use crate::format::{Conventions, ExportScene, Format, PixelConvention, Unsupported, square_note};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",
     label: "Blender Python",
     short: "Blender",
-    ending: "py",
-    conventions: Conventions {
+    file: "scene.py",
+    conventions: Some(Conventions {
         axes: Conventions::OURS,
         given_by: "matrix_world: u, v, w, eye as columns",
         pixels: PixelConvention::Corner,
@@ -22,12 +20,11 @@ pub(super) const FORMAT: Format = Format {
         distance: "none: clip_start and clip_end cut, and change no ray",
         shape: "any: pixel_aspect_x and pixel_aspect_y",
         lengths: "f32",
-    },
+    }),
     write,
-    importer: None,
 };
 
-fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
+fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
     let viewport = subject.viewport();
@@ -37,7 +34,6 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     // Blender takes neither below 1.
     let shape = subject.pixel_shape();
     let (aspect_x, aspect_y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
-    let mut notes = Vec::new();
     if aspect_x.max(aspect_y) > 200.0 {
         return Err(Unsupported(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
@@ -62,14 +58,14 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         real(aspect_x),
         real(aspect_y),
     );
-    text.push_str(&objects(subject, &mut notes));
-    Ok(Exported::one_file("scene.py", &text, notes))
+    text.push_str(&objects(subject, notes));
+    Ok(text)
 }
 
 /// Meshes in the objects' places.
 fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
-    let (spheres, planes) = (subject.spheres(), subject.planes());
+    let (spheres, planes) = (&subject.spheres, &subject.planes);
     if !(spheres.is_empty() && planes.is_empty()) {
         text.push_str(
             "\n\ndef looks(name, color):\n    thing = bpy.context.object\n    thing.name = name\n    \

@@ -4,14 +4,14 @@
 use pinhole_core::Sphere;
 
 use crate::format::text::{commas, light, n, real};
-use crate::format::{Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported};
+use crate::format::{Conventions, ExportScene, Format, PixelConvention, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
     short: "One Weekend",
-    ending: "cc",
-    conventions: Conventions {
+    file: "main.cc",
+    conventions: Some(Conventions {
         axes: Conventions::OURS,
         given_by: "lookfrom, lookat, vup",
         pixels: PixelConvention::ColumnFirst,
@@ -20,12 +20,11 @@ pub(super) const FORMAT: Format = Format {
         distance: "focus_dist: the viewport is there, t = 1 too",
         shape: "square only; image_height = int(image_width / aspect_ratio)",
         lengths: "f64",
-    },
+    }),
     write,
-    importer: None,
 };
 
-fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
+fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
     subject.square_pixels("Ray Tracing in One Weekend")?;
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
@@ -46,8 +45,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         commas(up),
         n(subject.viewport().distance),
     );
-    let mut notes = Vec::new();
-    let spheres = subject.spheres();
+    let spheres = &subject.spheres;
     if !spheres.is_empty() {
         text.push_str("\nhittable_list world;\n");
     }
@@ -60,10 +58,10 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
             n(radius),
         ));
     }
-    notes.extend(subject.planes().iter().map(|plane| {
+    notes.extend(subject.planes.iter().map(|plane| {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
-    Ok(Exported::one_file("main.cc", &text, notes))
+    Ok(text)
 }
 
 /// The ratio from which `int(image_width / aspect_ratio)` is the height.

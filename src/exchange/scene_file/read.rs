@@ -8,7 +8,7 @@ use toml_edit::Document as Toml;
 use toml_parser::lexer::TokenKind;
 
 use super::{VERSION, note};
-use crate::csv::spheres;
+use crate::csv::load_spheres;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::error::one_line;
 use crate::fields::{Field, Section, Source};
@@ -242,7 +242,7 @@ fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
     let file = base.unwrap_or(Path::new("")).join(path);
     let items = match base {
         None => Vec::new(),
-        Some(_) => spheres::load(&file).map_err(|error| match error.location {
+        Some(_) => load_spheres(&file).map_err(|error| match error.location {
             Some(_) => error,
             // The path is at fault, and it stands in the scene file.
             None => field.error(&error.to_string()),

@@ -1,10 +1,13 @@
 //! A camera from the clipboard, and the translator's text to a file.
 
+use std::io::Write as _;
+use std::path::Path;
+
 use egui::{Context, Event};
+use pinhole_exchange::atomic;
 use pinhole_exchange::format::{ExportScene, Exported};
 
 use super::scene::OpenScene;
-use crate::model::files::{files_of, save_written};
 use crate::model::translator::with;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
@@ -42,30 +45,25 @@ fn translated(scene: &OpenScene) -> Option<Exported> {
 
 /// Asks where to write the translator's text.
 pub(super) fn ask_where_to_save(scene: &OpenScene) -> Option<Dialog> {
-    let written = translated(scene)?;
-    let target = scene.session.translator.chosen();
-    let (name, ending) = match written.files.len() {
-        1 => (written.files[0].0, target.ending()),
-        // A folder has no ending.
-        _ => (target.name(), ""),
-    };
+    translated(scene)?;
+    let format = scene.session.translator.chosen();
     let question = FileQuestion {
         title: "Save the camera for another program",
         verb: "Save",
         endings: &[],
         hint: "path of the file",
-        writes: Some(ending),
+        writes: Some(format.ending()),
     };
-    Some(Dialog::Translate(PathField::new(question, scene.open.file(), name)))
+    Some(Dialog::Translate(PathField::new(question, scene.open.file(), format.file)))
 }
 
-/// Writes the translator's text, or its files into a folder; what there is to tell if that fails.
-pub(super) fn save(scene: &OpenScene, path: &std::path::Path) -> Option<Dialog> {
-    let written = translated(scene)?;
-    let files = files_of(&written, path);
-    let saved = files
-        .iter()
-        .try_for_each(|(path, _)| scene.open.check_output(path))
-        .and_then(|()| save_written(&written, path).map_err(|error| error.to_string()));
+/// Writes the translator's text; what there is to tell if that fails.
+pub(super) fn save(scene: &OpenScene, path: &Path) -> Option<Dialog> {
+    let text = translated(scene)?.text.text;
+    let write = |()| {
+        let written = atomic::write(path, |file| file.write_all(text.as_bytes()));
+        written.map_err(|error| error.to_string())
+    };
+    let saved = scene.open.check_output(path).and_then(write);
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
 }

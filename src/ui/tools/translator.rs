@@ -9,12 +9,13 @@ use egui::{
     WidgetText, vec2,
 };
 use pinhole_core::{Pixel, Selection};
+use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::format::Text;
+use pinhole_exchange::format::{Format, Text};
+use pinhole_exchange::programs::FORMATS;
 
 use crate::model::letters::typeset_message;
-use crate::model::translator::conventions::Row;
-use crate::model::translator::{MOST_OBJECTS, Notice, Target, Translation, Translator, shortened};
+use crate::model::translator::{MOST_OBJECTS, Notice, Row, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
 use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -69,7 +70,7 @@ impl TranslatorPanel {
             if ui.add_enabled(can, egui::Button::new("Copy")).clicked()
                 && let Ok(written) = &translation.written
             {
-                ui.ctx().copy_text(written.joined().text);
+                ui.ctx().copy_text(written.text.text.clone());
             }
             ui.add_enabled(can, egui::Button::new("Save as a file…"))
                 .asks(ExchangeAction::AskSave, actions);
@@ -85,7 +86,7 @@ impl TranslatorPanel {
             let shown = if choice.every_digit { 17 } else { digits };
             text(ui, translation, shown);
             ui.add_space(6.0);
-            table(ui, &translation.rows, choice.chosen().short());
+            table(ui, &translation.rows, choice.chosen().short);
         });
     }
 
@@ -129,19 +130,19 @@ fn pixel_of(document: &Document, selection: Selection) -> Pixel {
 
 /// Shows a button for each format, and below them one for each language.
 fn targets(ui: &mut Ui, translator: &mut Translator) {
-    let mut row = |ui: &mut Ui, title: &str, is_code: bool| {
+    let mut row = |ui: &mut Ui, title: &str, formats: &'static [Format]| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
             ui.label(RichText::new(title).weak());
-            for target in Target::all().filter(|t| matches!(t, Target::Code(_)) == is_code) {
-                let name = target.name();
-                let button = ui.selectable_value(&mut translator.target, name, target.short());
-                button.on_hover_text(target.label());
+            for format in formats {
+                let target = &mut translator.target;
+                let button = ui.selectable_value(target, format.name, format.short);
+                button.on_hover_text(format.label);
             }
         });
     };
-    row(ui, "program", false);
-    row(ui, "code", true);
+    row(ui, "program", &FORMATS);
+    row(ui, "code", &LANGUAGES);
 }
 
 /// Shows the written text with flipped signs marked, and the notes on what the format cannot
@@ -154,22 +155,16 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
             return;
         }
     };
-    for (name, text) in &written.files {
-        if written.files.len() > 1 {
-            ui.label(RichText::new(*name).strong());
-        }
-        Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
-            ui.set_width(ui.available_width());
-            let exact = text.text.trim_end();
-            let shown = shortened(text, digits);
-            let size = code_size(ui, &shown.text);
-            let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
-            let response = response.with_role(egui::accesskit::Role::Code);
-            response.named("translation").spoken(exact);
-        });
-    }
-    let is_marked = written.files.iter().any(|(_, text)| !text.flipped.is_empty());
-    if is_marked || translation.rows.iter().any(|row| row.flipped) {
+    Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        let exact = written.text.text.trim_end();
+        let shown = shortened(&written.text, digits);
+        let size = code_size(ui, &shown.text);
+        let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
+        let response = response.with_role(egui::accesskit::Role::Code);
+        response.named("translation").spoken(exact);
+    });
+    if !written.text.flipped.is_empty() || translation.rows.iter().any(|row| row.flipped) {
         ui.horizontal_wrapped(|ui| {
             let format = underlined(ui, FontId::proportional(TEXT));
             ui.label(LayoutJob::single_section("underlined".to_owned(), format));

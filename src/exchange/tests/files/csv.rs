@@ -9,7 +9,7 @@ use pinhole_exchange::document::Item;
 use pinhole_exchange::{FileError, scene_file};
 
 fn parse(text: &str) -> Result<Vec<Item<Sphere>>, FileError> {
-    spheres::parse(Path::new("balls.csv"), text.as_bytes())
+    spheres(Path::new("balls.csv"), text.as_bytes())
 }
 
 fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Item<Sphere> {
@@ -75,7 +75,7 @@ fn bad_files_are_told_line_column_and_value() {
         let message = parse(text).unwrap_err().to_string();
         assert_eq!(message, format!("balls.csv:{expected}"), "in:\n{text}");
     }
-    let message = spheres::parse(Path::new("b.csv"), b"x,y,z,r,name\n1,2,3,4,\xff\n").unwrap_err();
+    let message = spheres(Path::new("b.csv"), b"x,y,z,r,name\n1,2,3,4,\xff\n").unwrap_err();
     assert_eq!(
         message.to_string(),
         "b.csv:2:9: column name is \"\u{fffd}\": it must be UTF-8 text"
@@ -111,7 +111,7 @@ fn a_row_without_an_end_is_refused_and_a_long_value_shortened() {
 
 #[test]
 fn rays_need_a_direction() {
-    let parse = |text: &str| rays::parse(Path::new("rays.csv"), text.as_bytes());
+    let parse = |text: &str| rays(Path::new("rays.csv"), text.as_bytes());
     let rays = parse("ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-1\n1,2,3,4,5,6\n").unwrap();
     assert_eq!(rays.len(), 2);
     assert_eq!((rays[1].origin, rays[1].direction.z), (DVec3::new(1.0, 2.0, 3.0), 6.0));

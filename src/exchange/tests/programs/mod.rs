@@ -1,25 +1,19 @@
-//! Other programs' cameras: there and back, what is wrong with a text, and the other programs
+//! Other programs' cameras: what is written and read, what is wrong with a text, and the other programs
 //! themselves.
 
-mod colmap;
 mod faults;
-mod file_text;
-mod habits;
+mod gltf;
 mod literal;
-mod objects;
-mod opencv;
 mod other_programs;
-mod povray_scenes;
-mod round_trip;
-mod scenes;
-mod trees;
+mod writers;
 
 use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::{Document, Item};
-use pinhole_exchange::format::{ExportScene, Exported, Format, Imported, Importer, Include, Input};
+use pinhole_exchange::format::{ExportScene, Exported, Format, Imported, Include, Input};
+use pinhole_exchange::programs::Importer;
 
 fn format(name: &str) -> &'static Format {
     Format::named(name).unwrap()
@@ -30,11 +24,10 @@ fn written(name: &str, document: &Document, with: Include) -> Exported {
 }
 
 fn text_of(name: &str, document: &Document) -> String {
-    written(name, document, Include::Objects).joined().text
+    written(name, document, Include::Objects).text.text
 }
 
-fn read(name: &str, text: &str) -> Result<Imported, FileError> {
-    let importer = Importer::named(name).unwrap();
+fn read(importer: Importer, text: &str) -> Result<Imported, FileError> {
     importer.read(&Input { path: Path::new("in"), text }, &Camera::CANONICAL)
 }
 

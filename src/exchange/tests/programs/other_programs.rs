@@ -4,7 +4,7 @@
 //!
 //! A program that is not there is told, and left out. `PINHOLE_TEST_PROGRAMS` makes it an error:
 //! `required` for all of them, or their names, as `povray,numpy`. `PINHOLE_TEST_PYTHON` is the Python
-//! to ask for numpy, mitsuba, cv2, pycolmap and bpy; `PINHOLE_TEST_NODE_MODULES` the folder that has
+//! to ask for numpy, mitsuba, cv2 and bpy; `PINHOLE_TEST_NODE_MODULES` the folder that has
 //! three and gltf-validator.
 
 use std::env;
@@ -19,7 +19,7 @@ use pinhole_exchange::format::Include;
 use super::{proofs, written};
 
 /// Returns true where a program is there; one that must be there and is not is an error.
-pub(super) fn there(name: &str, probe: &mut Command) -> bool {
+fn there(name: &str, probe: &mut Command) -> bool {
     let found = probe.output().is_ok_and(|output| output.status.success());
     let wanted = env::var("PINHOLE_TEST_PROGRAMS").unwrap_or_default();
     let required = wanted == "required" || wanted.split(',').any(|wanted| wanted == name);
@@ -28,20 +28,20 @@ pub(super) fn there(name: &str, probe: &mut Command) -> bool {
     found
 }
 
-pub(super) fn python() -> Command {
+fn python() -> Command {
     let python = env::var_os("PINHOLE_TEST_PYTHON").unwrap_or_else(|| "python3".into());
     Command::new(python)
 }
 
-pub(super) fn python_with(name: &str, module: &str) -> bool {
+fn python_with(name: &str, module: &str) -> bool {
     there(name, python().args(["-c", &format!("import {module}")]))
 }
 
-pub(super) fn script(name: &str) -> PathBuf {
+fn script(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs/other_programs").join(name)
 }
 
-pub(super) fn output(command: &mut Command) -> String {
+fn output(command: &mut Command) -> String {
     let output = command.output().unwrap();
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{command:?}: {complaint}");
@@ -99,9 +99,8 @@ fn assert_agrees(program: &str, scene: &str, document: &Document, table: &str) {
 /// A folder with the exported files and the spheres, as JSON and as lines.
 fn folder_of(format: &str, document: &Document, with: Include) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for (name, sheet) in &written(format, document, with).files {
-        fs::write(folder.path().join(name), &sheet.text).unwrap();
-    }
+    let text = written(format, document, with).text.text;
+    fs::write(folder.path().join(super::format(format).file), text).unwrap();
     let spheres: Vec<String> = document
         .spheres
         .iter()
@@ -269,23 +268,7 @@ fn opencv_sees_points_in_the_same_places() {
     }
 }
 
-#[test]
-fn colmap_sees_points_in_the_same_places() {
-    if !python_with("colmap", "pycolmap") {
-        return;
-    }
-    for (name, document) in proofs() {
-        let folder = folder_of("colmap", &document, Include::CameraAlone);
-        let (text, seen) = points(&document);
-        fs::write(folder.path().join("points.json"), text).unwrap();
-        let mut run = python();
-        run.arg(script("colmap_points.py")).arg(folder.path());
-        let table = output(run.arg(folder.path().join("points.json")));
-        assert_sees("COLMAP", name, &seen, 0.0, &table);
-    }
-}
-
-pub(super) fn node_modules() -> PathBuf {
+fn node_modules() -> PathBuf {
     env::var_os("PINHOLE_TEST_NODE_MODULES").map_or("node_modules".into(), PathBuf::from)
 }
 

@@ -20,6 +20,7 @@ use std::borrow::Cow;
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
+use pinhole_exchange::format::Format;
 use pinhole_exchange::scenes::{SceneSource, builtin};
 use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
@@ -31,7 +32,6 @@ use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::{ThemeName, ViewLayout, shade_about, shade_label};
-use crate::model::translator::Target;
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
     Leave, LessonAction, LookAction, Observe, Overlay, PlayAction, Switch,
@@ -129,7 +129,7 @@ fn program() -> Vec<UiCommand> {
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
         Edit, "Redo", "Makes the change again that was undone last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
-        Edit, "Paste a camera", "Sets the camera from another program's text on the clipboard.",
+        Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard.",
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
@@ -254,10 +254,10 @@ fn layouts() -> impl Iterator<Item = UiCommand> {
 }
 
 fn translations() -> impl Iterator<Item = UiCommand> {
-    Target::all().map(|target| {
-        let name = format!("translate into {}", target.label());
+    Format::all().map(|format| {
+        let name = format!("translate into {}", format.label);
         let about = "Shows the camera in these terms.";
-        command(Group::Layout, name, about, ExchangeAction::TranslateInto(target.name()))
+        command(Group::Layout, name, about, ExchangeAction::TranslateInto(format.name))
     })
 }
 

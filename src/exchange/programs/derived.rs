@@ -1,0 +1,182 @@
+//! What a text gives by other numbers: a frame, an angle, the ratio of an image's sides.
+
+use pinhole_core::glam::{DAffine3, DMat4};
+use pinhole_core::{
+    Basis, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Viewport, extent_of_fov,
+    fov_of_extent,
+};
+
+use crate::format::text::n;
+
+/// Note on a mirrored camera: the picture stays, the world is seen in a mirror.
+pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \
+                            the picture is the same";
+
+/// Makes a map of 16 numbers, column after column; `None` of any other count, or where the last row is not
+/// 0 0 0 1.
+pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
+    let m = DMat4::from_cols_array(columns.try_into().ok()?);
+    (m.row(3).to_array() == [0.0, 0.0, 0.0, 1.0]).then(|| DAffine3::from_mat4(m))
+}
+
+/// Returns the orientation and the eye of a camera that looks along its own -z with y up, by its frame in
+/// the world, whose axes may have any length. In a left-handed world, every z is negated, and a note says so.
+///
+/// # Errors
+/// Returns what is wrong with the axes, as "one of its axes is (0, 0, 0)".
+pub(super) fn right_handed(
+    frame: &DAffine3,
+    notes: &mut Vec<String>,
+) -> Result<(Orientation, DVec3), String> {
+    let mut frame = *frame;
+    let is_mirrored = Basis::is_left_handed(frame.x_axis, frame.y_axis, frame.z_axis);
+    if is_mirrored {
+        let mirrored = |v: DVec3| DVec3::new(v.x, v.y, 0.0 - v.z);
+        let [x, y, z] = [frame.x_axis, frame.y_axis, frame.z_axis].map(mirrored);
+        frame = DAffine3::from_cols(x, y, z, mirrored(frame.translation));
+    }
+    let orientation = orientation([frame.x_axis, frame.y_axis, frame.z_axis], notes)?;
+    if is_mirrored {
+        notes.push(MIRRORED.to_owned());
+    }
+    Ok((orientation, frame.translation))
+}
+
+/// The orientation whose right, up and backwards these are, and what had to be straightened.
+fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation, String> {
+    let axes = axes.map(without_noise);
+    let [right, up, backwards] = axes;
+    if let Ok(basis) = Basis::by_hand(right, up, backwards) {
+        return Ok(Orientation::Basis(basis));
+    }
+    let [Some(u), Some(v), Some(w)] = axes.map(|axis| axis.try_normalize()) else {
+        return Err("one of its axes is (0, 0, 0): it must be a rotation".to_owned());
+    };
+    let off = Basis::error_of(u, v, w);
+    if off > 0.02 {
+        return Err(format!(
+            "its axes are off a right angle by up to {}: it must be a rotation, without shear",
+            n((off * 1e4).round() / 1e4)
+        ));
+    }
+    let basis = Basis::from_view_up(-w, v).map_err(|error| error.to_string())?;
+    if off > ORTHONORMAL_TOLERANCE {
+        notes.push(format!(
+            "its axes are off a right angle by {off:.0e}: w is as given, v and u straightened"
+        ));
+    }
+    Ok(Orientation::Basis(basis))
+}
+
+/// An axis whose parts that are a rounding from -1, 0 or 1 of its length are just that.
+fn without_noise(axis: DVec3) -> DVec3 {
+    let roundings = 4.0 * f64::EPSILON;
+    let length = axis.length();
+    DVec3::from_array(axis.to_array().map(|x| match (x / length).round() * length {
+        whole if (x - whole).abs() <= roundings * length => settled(x, roundings * length),
+        _ => x,
+    }))
+}
+
+/// The number with fewest digits near `x` that still does what is asked; `x` where none does.
+pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
+    (0..17)
+        .filter_map(|digits| format!("{x:.digits$e}").parse::<f64>().ok())
+        .find(|x| fits(*x))
+        .unwrap_or(x)
+}
+
+/// The number with fewest digits that is within the roundings from `x`.
+pub(super) fn settled(x: f64, roundings: f64) -> f64 {
+    if x.abs() <= roundings {
+        return 0.0;
+    }
+    shortest_where(x, |y| (y - x).abs() <= roundings)
+}
+
+/// The viewport at `distance` whose height `fits`, near the one that is seen under this angle in radians, and
+/// that is `aspect` times as wide as high; in as few digits as give both.
+fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) -> Viewport {
+    let height = shortest_where(extent_of_fov(fov, distance), fits);
+    let is_in_ratio = |x: f64| (x / height / aspect - 1.0).abs() <= 2.0 * f64::EPSILON;
+    let width = match aspect {
+        1.0 => height,
+        aspect => shortest_where(height * aspect, is_in_ratio),
+    };
+    Viewport { width, height, distance }
+}
+
+/// The viewport at `distance` that is seen under this vertical angle in degrees, and is `aspect` times as wide
+/// as high.
+pub(super) fn viewport_of_angle(degrees: f64, aspect: f64, distance: f64) -> Viewport {
+    let fits = |height| fov_of_extent(height, distance).to_degrees() == degrees;
+    viewport(degrees.to_radians(), aspect, distance, fits)
+}
+
+/// As [`viewport_of_angle`], of an angle in radians.
+pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
+    viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
+}
+
+/// The image of `height` rows that has this ratio of width to height.
+fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
+    let width = (f64::from(height) * aspect).round();
+    (1.0..=f64::from(ImageSize::MAX))
+        .contains(&width)
+        .then(|| ImageSize::new(width as u32, height).ok())?
+}
+
+/// An image near the one at hand whose sides have this ratio, so that its pixels are square: as high
+/// or as wide, else by tens of pixels, else any. A ratio may have been rounded to a float.
+fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
+    let (w, h) = (at_hand.width(), at_hand.height());
+    let by_height = |height: u32, off: f64| {
+        image_of_height(height, aspect).filter(|image| (image.aspect() / aspect - 1.0).abs() <= off)
+    };
+    let are_tens =
+        |image: &ImageSize| [image.width(), image.height()].iter().all(|n| n.is_multiple_of(10));
+    [1e-12, 1e-6].into_iter().find_map(|off| {
+        let as_wide = (f64::from(w) / aspect).round().clamp(1.0, f64::from(ImageSize::MAX)) as u32;
+        let as_wide = || by_height(as_wide, off).filter(are_tens);
+        let mut heights: Vec<u32> = (1..=h.saturating_mul(2)).collect();
+        heights.sort_by_key(|height| height.abs_diff(h));
+        let near = || heights.iter().filter_map(|height| by_height(*height, off));
+        by_height(h, off)
+            .or_else(as_wide)
+            .or_else(|| near().find(are_tens))
+            .or_else(|| near().next())
+    })
+}
+
+/// The image where a format gives the ratio of its sides and no more: that at hand if it has this
+/// ratio, else one near it.
+pub(super) fn image_of_ratio(
+    at_hand: ImageSize,
+    aspect: f64,
+    program: &str,
+    notes: &mut Vec<String>,
+) -> ImageSize {
+    let image = match (at_hand.aspect() - aspect).abs() <= 1e-9 * aspect {
+        true => at_hand,
+        false => image_in_ratio(at_hand, aspect)
+            .or_else(|| image_of_height(at_hand.height(), aspect))
+            .unwrap_or(at_hand),
+    };
+    let unsaid = format!("{program} does not say how many pixels there are");
+    notes.push(size_note(&unsaid, image, " taken"));
+    image
+}
+
+/// Returns the note on an image whose size is not given: what is not said, and why this size is taken.
+pub(super) fn size_note(unsaid: &str, image: ImageSize, taken: &str) -> String {
+    format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
+}
+
+/// The size of an image as read.
+pub(super) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
+    let whole = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(ImageSize::MAX)).contains(&x);
+    if !(whole(width) && whole(height)) {
+        return Err(format!("it must be whole numbers from 1 to {}", ImageSize::MAX));
+    }
+    ImageSize::new(width as u32, height as u32).map_err(|error| error.to_string())
+}

@@ -1,0 +1,244 @@
+//! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos, *glTF
+//! 2.0 Specification*, section 3.10). Spheres and planes are meshes there, one sphere and one square whose
+//! vertices all share, and are written only when asked for.
+
+use std::f32::consts::PI;
+
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use pinhole_core::Rgb;
+
+use crate::format::text::{commas, light, n, quotable};
+use crate::format::{
+    Conventions, ExportScene, Format, Include, PixelConvention, Unsupported, square_note,
+};
+
+pub(super) const FORMAT: Format = Format {
+    name: "gltf",
+    label: "glTF 2.0",
+    short: "glTF",
+    file: "scene.gltf",
+    conventions: Some(Conventions {
+        axes: Conventions::OURS,
+        given_by: "the node's matrix: u, v, w, eye as columns",
+        pixels: PixelConvention::Device,
+        view: "yfov: vertical, in radians, and aspectRatio = width / height",
+        field: |subject| n(subject.viewport().vertical_fov()),
+        distance: "none: znear and zfar cut, and change no ray",
+        shape: "any: aspectRatio need not be the canvas's",
+        lengths: "f32 in most programs",
+    }),
+    write,
+};
+
+/// u, v, w and eye, column after column.
+pub(super) fn columns(subject: &ExportScene) -> String {
+    let basis = subject.resolve().basis();
+    let [u, v, w, eye] = [basis.u, basis.v, basis.w, subject.resolve().eye()].map(commas);
+    [u + ", 0", v + ", 0", w + ", 0", eye + ", 1"].join(",\n        ")
+}
+
+fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
+    let [width, height] = subject.size();
+    let viewport = subject.viewport();
+    let (near, far) = subject.clip();
+    let meshes = match subject.include {
+        Include::Meshes => Meshes::new(subject, notes),
+        _ => {
+            let why = "glTF has meshes only, which are written when asked for";
+            notes.extend(subject.objects_left_out(why));
+            Meshes::default()
+        }
+    };
+    let nodes: Vec<String> = (0..=meshes.nodes.len()).map(|k| k.to_string()).collect();
+    let text = format!(
+        "{{\n  \"asset\": {{ \"version\": \"2.0\", \"generator\": \"Pinhole\" }},\n  \"scene\": 0,\n  \
+         \"scenes\": [{{ \"nodes\": [{}] }}],\n  \"cameras\": [\n    {{\n      \
+         \"type\": \"perspective\",\n      \"perspective\": {{\n        \"yfov\": {},\n        \
+         \"aspectRatio\": {},\n        \"znear\": {},\n        \"zfar\": {}\n      }},\n      \
+         \"extras\": {{ \"imageWidth\": {width}, \"imageHeight\": {height}, \"distance\": {} }}\n    \
+         }}\n  ],\n  \"nodes\": [\n    {{\n      \"name\": \"camera\",\n      \"camera\": 0,\n      \
+         \"matrix\": [\n        {}\n      ]\n    }}{}\n  ]{}\n}}\n",
+        nodes.join(", "),
+        n(viewport.vertical_fov()),
+        n(viewport.width / viewport.height),
+        n(near),
+        n(far),
+        n(viewport.distance),
+        columns(subject),
+        meshes.nodes.iter().map(|node| format!(",\n    {node}")).collect::<String>(),
+        meshes.tables,
+    );
+    Ok(text)
+}
+
+/// Steps from pole to pole, and twice as many round.
+const STEPS: u16 = 32;
+
+/// The nodes of the objects, and the tables that they need.
+#[derive(Default)]
+struct Meshes {
+    nodes: Vec<String>,
+    tables: String,
+}
+
+/// Vertices and triangles.
+struct Shape {
+    points: Vec<[f32; 3]>,
+    triangles: Vec<[u16; 3]>,
+}
+
+impl Meshes {
+    fn new(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
+        let (spheres, planes) = (&subject.spheres, &subject.planes);
+        if spheres.is_empty() && planes.is_empty() {
+            return Meshes::default();
+        }
+        let mut colors: Vec<Rgb> = Vec::new();
+        let mut mesh_of = |color: Rgb, shape: usize| {
+            let k = colors.iter().position(|known| *known == color).unwrap_or_else(|| {
+                colors.push(color);
+                colors.len() - 1
+            });
+            2 * k + shape
+        };
+        let mut nodes = Vec::new();
+        for sphere in spheres {
+            let (center, r) = (commas(sphere.shape.center), n(sphere.shape.radius));
+            let (name, mesh) = (quotable(&sphere.title), mesh_of(sphere.color, 0));
+            nodes.push(format!(
+                "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"translation\": [{center}], \
+                 \"scale\": [{r}, {r}, {r}] }}"
+            ));
+        }
+        for plane in planes {
+            let (middle, half, [a, b]) = subject.square_of(&plane.shape);
+            let (name, mesh) = (quotable(&plane.title), mesh_of(plane.color, 1));
+            nodes.push(format!(
+                "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"matrix\": [{}, 0, {}, 0, {}, 0, {}, 1] }}",
+                commas(half * a),
+                commas(half * b),
+                commas(a.cross(b)),
+                commas(middle)
+            ));
+            notes.push(square_note(&plane.title, "glTF", half));
+        }
+        if !spheres.is_empty() {
+            let triangles = sphere().triangles.len();
+            notes.push(format!(
+                "each sphere is a mesh of {triangles} triangles, inside its outline"
+            ));
+        }
+        Meshes { nodes, tables: tables(&colors) }
+    }
+}
+
+/// The vertices of all shapes, and how they are found.
+#[derive(Default)]
+struct Vertices {
+    bytes: Vec<u8>,
+    views: Vec<String>,
+    accessors: Vec<String>,
+}
+
+fn vertices() -> Vertices {
+    let Vertices { mut bytes, mut views, mut accessors } = Vertices::default();
+    let shapes = [sphere(), square()];
+    for Shape { points, triangles } in &shapes {
+        let from = bytes.len();
+        bytes.extend(points.iter().flatten().flat_map(|x| x.to_le_bytes()));
+        let length = bytes.len() - from;
+        views.push(format!(
+            "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": 34962 }}"
+        ));
+        let from = bytes.len();
+        bytes.extend(triangles.iter().flatten().flat_map(|k| k.to_le_bytes()));
+        let length = bytes.len() - from;
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        views.push(format!(
+            "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": 34963 }}"
+        ));
+        let (view, points_count, index_count) =
+            (accessors.len(), points.len(), 3 * triangles.len());
+        let bound = |of: fn(f32, f32) -> f32| {
+            let bound = |k: usize| points.iter().map(|p| p[k]).reduce(of).unwrap_or_default();
+            [0, 1, 2].map(|k| bound(k).to_string()).join(", ")
+        };
+        accessors.push(format!(
+            "{{ \"bufferView\": {view}, \"componentType\": 5126, \"count\": {points_count}, \
+             \"type\": \"VEC3\", \"min\": [{}], \"max\": [{}] }}",
+            bound(f32::min),
+            bound(f32::max)
+        ));
+        accessors.push(format!(
+            "{{ \"bufferView\": {}, \"componentType\": 5123, \"count\": {index_count}, \
+             \"type\": \"SCALAR\" }}",
+            view + 1
+        ));
+    }
+    Vertices { bytes, views, accessors }
+}
+
+/// Meshes, two of every colour, with their materials, and the vertices.
+fn tables(colors: &[Rgb]) -> String {
+    let Vertices { bytes, views, accessors } = vertices();
+    let material = |color: &Rgb| {
+        format!(
+            "{{ \"pbrMetallicRoughness\": {{ \"baseColorFactor\": [{}, 1], \"metallicFactor\": 0 }}, \
+             \"doubleSided\": true }}",
+            light(*color).join(", ")
+        )
+    };
+    let mesh = |k: usize| {
+        let (points, material) = (2 * (k % 2), k / 2);
+        format!(
+            "{{ \"primitives\": [{{ \"attributes\": {{ \"POSITION\": {points} }}, \"indices\": {}, \
+             \"material\": {material} }}] }}",
+            points + 1
+        )
+    };
+    let list = |items: Vec<String>| items.join(",\n    ");
+    format!(
+        ",\n  \"meshes\": [\n    {}\n  ],\n  \"materials\": [\n    {}\n  ],\n  \
+         \"accessors\": [\n    {}\n  ],\n  \"bufferViews\": [\n    {}\n  ],\n  \
+         \"buffers\": [{{ \"byteLength\": {}, \"uri\": \"data:application/octet-stream;base64,{}\" }}]",
+        list((0..2 * colors.len()).map(mesh).collect()),
+        list(colors.iter().map(material).collect()),
+        list(accessors),
+        list(views),
+        bytes.len(),
+        BASE64_STANDARD.encode(&bytes)
+    )
+}
+
+/// The unit sphere, by longitude and latitude, seen anticlockwise from outside.
+fn sphere() -> Shape {
+    let round = 2 * STEPS;
+    let mut points = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+    for step in 1..STEPS {
+        let down = PI * f32::from(step) / f32::from(STEPS);
+        for turn in 0..round {
+            let around = 2.0 * PI * f32::from(turn) / f32::from(round);
+            points.push([down.sin() * around.cos(), down.cos(), -down.sin() * around.sin()]);
+        }
+    }
+    let at = |step: u16, turn: u16| 2 + (step - 1) * round + turn % round;
+    let mut triangles = Vec::new();
+    for turn in 0..round {
+        triangles.push([0, at(1, turn), at(1, turn + 1)]);
+        triangles.push([1, at(STEPS - 1, turn + 1), at(STEPS - 1, turn)]);
+        for step in 1..STEPS - 1 {
+            let (a, b) = (at(step, turn), at(step, turn + 1));
+            let (c, d) = (at(step + 1, turn), at(step + 1, turn + 1));
+            triangles.push([a, c, b]);
+            triangles.push([b, c, d]);
+        }
+    }
+    Shape { points, triangles }
+}
+
+/// A square from -1 to 1 in x and y.
+fn square() -> Shape {
+    let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+    Shape { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+}

@@ -1,0 +1,280 @@
+//! The camera of a glTF, in JSON or binary. All of its numbers are read as `f64`: the crate `gltf` has `f32`,
+//! which would move the camera in the eighth digit.
+
+use pinhole_core::glam::DAffine3;
+use pinhole_core::{Basis, Camera, DVec3};
+use serde_json::Value;
+
+use super::derived::{affine, image_of, image_of_ratio, right_handed, viewport_of_radians};
+use crate::format::{Imported, Input};
+use crate::{FileError, Location};
+
+/// The bytes with which a binary glTF begins.
+pub(super) const MAGIC: &[u8] = b"glTF";
+
+/// Returns true for a text that is meant as a glTF with a camera.
+pub(super) fn detect(text: &str) -> bool {
+    text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
+}
+
+/// The JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the JSON (Khronos,
+/// *glTF 2.0 Specification*, section 4.4). A camera needs nothing of the others.
+///
+/// # Errors
+/// Returns what is wrong with its header or its first chunk.
+pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
+    let is_cut = |what: &str, has: u32, of: usize| {
+        format!("binary glTF: {what} is {has} bytes, and {of} are there: is all of the file there?")
+    };
+    let Some((header, rest)) = bytes.split_at_checked(20) else {
+        return Err(is_cut("the header with that of the JSON", 20, bytes.len()));
+    };
+    let number = |at: usize| header[at..].first_chunk().map_or(0, |four| u32::from_le_bytes(*four));
+    let [version, whole, json] = [4, 8, 12].map(number);
+    if version != 2 {
+        return Err(format!("binary glTF: the version is {version}: it must be 2"));
+    }
+    if u64::from(whole) > bytes.len() as u64 {
+        return Err(is_cut("the length", whole, bytes.len()));
+    }
+    let kind = &header[16..];
+    if kind != b"JSON" {
+        let kind = kind.escape_ascii();
+        return Err(format!("binary glTF: the first chunk's type is {kind}: it must be JSON"));
+    }
+    let chunk = usize::try_from(json).ok().and_then(|length| rest.get(..length));
+    let chunk = chunk.ok_or_else(|| is_cut("the JSON", json, rest.len()))?;
+    std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
+}
+
+/// Reads the camera; what the text leaves open is as in the one at hand.
+pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
+    let value = parse(input)?;
+    let root = Node { input, path: String::new(), value: &value };
+    let mut notes = Vec::new();
+    let nodes = root.need("nodes", "the camera must be in a node")?.items();
+    let cameras = root.need("cameras", "it must hold the camera")?.items();
+    let taken = node_of_camera(&root, &nodes, &cameras, &mut notes)?;
+    let (index, number) = taken.ok_or_else(|| {
+        FileError::of_file(input.path, "nodes: none has a camera: one must have \"camera\": 0")
+    })?;
+    let camera = number.index().and_then(|number| cameras.get(number));
+    let camera =
+        camera.ok_or_else(|| number.fault("it must be the number of one of the cameras"))?;
+    let lens = camera.need("perspective", "the camera must be a perspective one")?;
+    let yfov = lens.need("yfov", "it must be the vertical field of view in radians")?;
+    let fov = yfov.number()?;
+    if !(fov > 0.0 && fov < std::f64::consts::PI) {
+        return Err(yfov.fault("it must be between 0 and pi, in radians"));
+    }
+    let aspect = lens.get("aspectRatio").map(|aspect| aspect.positive()).transpose()?;
+    let extra = |name: &str| camera.get("extras").and_then(|extras| extras.get(name));
+    let image = match extra("imageWidth").zip(extra("imageHeight")) {
+        Some((width, height)) => {
+            image_of(width.number()?, height.number()?).map_err(|right| width.fault(&right))?
+        }
+        None => {
+            let aspect = aspect.unwrap_or(at_hand.image.aspect());
+            image_of_ratio(at_hand.image, aspect, "glTF", &mut notes)
+        }
+    };
+    let distance = extra("distance").map(|d| d.positive()).transpose()?;
+    let distance = distance.unwrap_or(at_hand.viewport.distance);
+    let viewport = viewport_of_radians(fov, aspect.unwrap_or(image.aspect()), distance);
+    // Scales are no matter.
+    let (orientation, eye) = right_handed(&world_of(&nodes, index)?, &mut notes)
+        .map_err(|right| nodes[index].fault(&format!("it is no rotation: {right}")))?;
+    if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
+        notes.push("meshes are left out: Pinhole has spheres and planes".to_owned());
+    }
+    Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
+}
+
+/// The node whose camera is taken, with that camera's number: the first perspective one of the scene that is
+/// shown, else the first of all, else the first camera of any kind.
+fn node_of_camera<'a>(
+    root: &Node<'a>,
+    nodes: &[Node<'a>],
+    cameras: &[Node],
+    notes: &mut Vec<String>,
+) -> Result<Option<(usize, Node<'a>)>, FileError> {
+    let shown = shown(root, nodes)?;
+    let all = nodes.iter().enumerate().filter_map(|(k, node)| Some((k, node.get("camera")?)));
+    let all: Vec<(usize, Node)> = all.collect();
+    let is_perspective = |(_, number): &&(usize, Node)| {
+        let camera = number.index().and_then(|number| cameras.get(number));
+        camera.is_some_and(|camera| camera.value.get("perspective").is_some())
+    };
+    let mut perspective = all.iter().filter(is_perspective);
+    let first = perspective.clone().find(|(k, _)| shown[*k]).or_else(|| perspective.next());
+    let Some(taken) = first else { return Ok(all.into_iter().next()) };
+    let node = &nodes[taken.0];
+    let name = node.value.get("name").and_then(Value::as_str);
+    let name = name.map_or_else(|| node.path.clone(), |name| format!("node \"{name}\""));
+    if all.len() > 1 {
+        let more = all.len() - 1;
+        let (cameras, are) = if more == 1 { ("camera", "is") } else { ("cameras", "are") };
+        notes.push(format!("{name} is taken; {more} more {cameras} {are} left out"));
+    }
+    if !shown[taken.0] {
+        notes.push(format!("{name} is not in the scene that is shown: no camera is"));
+    }
+    Ok(Some(taken.clone()))
+}
+
+/// Marks the nodes of the scene that is shown: the one of number `scene`, else the first one; all where
+/// there are no scenes.
+fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
+    let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
+    let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
+        Some(number) => {
+            let scene = number.index().and_then(|number| scenes.get(number));
+            let right = "it must be the number of one of the scenes";
+            Some(scene.ok_or_else(|| number.fault(right))?)
+        }
+        None => scenes.first(),
+    };
+    let Some(scene) = scene else { return Ok(vec![true; nodes.len()]) };
+    let mut shown = vec![false; nodes.len()];
+    let mut left: Vec<usize> = scene.indices("nodes").collect();
+    while let Some(index) = left.pop() {
+        if shown.get(index) == Some(&false) {
+            shown[index] = true;
+            left.extend(nodes[index].indices("children"));
+        }
+    }
+    Ok(shown)
+}
+
+/// A node's frame in the world, by way of the nodes that it is a child of.
+fn world_of(nodes: &[Node], index: usize) -> Result<DAffine3, FileError> {
+    let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
+    for (parent, node) in nodes.iter().enumerate() {
+        for child in node.indices("children") {
+            if let Some(parents) = parents.get_mut(child) {
+                parents.push(parent);
+            }
+        }
+    }
+    let mut passed = vec![false; nodes.len()];
+    let (mut above, mut world) = (index, DAffine3::IDENTITY);
+    loop {
+        world = local(&nodes[above])? * world;
+        passed[above] = true;
+        above = match parents[above][..] {
+            [] => return Ok(world),
+            [parent] if !passed[parent] => parent,
+            [_] => return Err(nodes[above].fault("it is below itself: it must be no child of it")),
+            _ => return Err(nodes[above].fault("it must be a child of one node only")),
+        };
+    }
+}
+
+/// A node's frame in its parent's.
+fn local(node: &Node) -> Result<DAffine3, FileError> {
+    if let Some(matrix) = node.get("matrix") {
+        return affine(&matrix.numbers::<16>()?)
+            .ok_or_else(|| matrix.fault("it must be affine, column after column"));
+    }
+    let vector = |name, default| {
+        node.get(name).map_or(Ok(default), |v| v.numbers::<3>().map(DVec3::from_array))
+    };
+    let mut local = DAffine3::from_translation(vector("translation", DVec3::ZERO)?);
+    if let Some(rotation) = node.get("rotation") {
+        let [x, y, z, w] = rotation.numbers::<4>()?;
+        let Basis { u, v, w } = Basis::of_quaternion([w, x, y, z])
+            .ok_or_else(|| rotation.fault("it must be a unit quaternion x, y, z, w"))?;
+        local = local * DAffine3::from_cols(u, v, w, DVec3::ZERO);
+    }
+    Ok(local * DAffine3::from_scale(vector("scale", DVec3::ONE)?))
+}
+
+/// Parses the text as JSON.
+fn parse(input: &Input) -> Result<Value, FileError> {
+    serde_json::from_str(input.text).map_err(|error| {
+        let said = error.to_string();
+        let said = said.split(" at line ").next().unwrap_or_default();
+        let problem = match said.strip_prefix("EOF while parsing ") {
+            Some(inside) => format!("the text ends inside {inside}: is all of the file there?"),
+            None if said == "recursion limit exceeded" => {
+                "brackets are nested more than 127 deep here".to_owned()
+            }
+            None => said.to_owned(),
+        };
+        // serde_json's columns are bytes, and 0 before the first one.
+        let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
+        let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
+        let location = Location::of_byte(input.text.as_bytes(), byte);
+        FileError::at(input.path, location, format!("no JSON: {problem}"))
+    })
+}
+
+/// A value of JSON, and its path: `cameras[0].perspective.yfov`.
+#[derive(Clone)]
+struct Node<'a> {
+    input: &'a Input<'a>,
+    path: String,
+    value: &'a Value,
+}
+
+impl<'a> Node<'a> {
+    fn path_of(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    fn get(&self, key: &str) -> Option<Node<'a>> {
+        let value = self.value.get(key)?;
+        Some(Node { input: self.input, path: self.path_of(key), value })
+    }
+
+    fn need(&self, key: &str, right: &str) -> Result<Node<'a>, FileError> {
+        let problem = || format!("{} is missing: {right}", self.path_of(key));
+        self.get(key).ok_or_else(|| FileError::of_file(self.input.path, problem()))
+    }
+
+    fn items(&self) -> Vec<Node<'a>> {
+        let items = self.value.as_array().map_or(&[][..], Vec::as_slice).iter().enumerate();
+        let node =
+            |(k, value)| Node { input: self.input, path: format!("{}[{k}]", self.path), value };
+        items.map(node).collect()
+    }
+
+    /// The indices in the list of this name.
+    fn indices(&self, list: &str) -> impl Iterator<Item = usize> {
+        let list = self.value.get(list).and_then(Value::as_array);
+        let list = list.map_or(&[][..], Vec::as_slice).iter();
+        list.filter_map(|index| usize::try_from(index.as_u64()?).ok())
+    }
+
+    /// `path is value: right`, at the last of the path's names where it stands but once.
+    fn fault(&self, right: &str) -> FileError {
+        let value: String = self.value.to_string().chars().take(60).collect();
+        let problem = format!("{} is {value}: {right}", self.path);
+        let name = self.path.rsplit('.').next().unwrap_or_default();
+        let quoted = format!("\"{}\"", name.split('[').next().unwrap_or_default());
+        let mut matches = self.input.text.match_indices(&quoted);
+        match (matches.next(), matches.next()) {
+            (Some((at, _)), None) => self.input.error_at(at, problem),
+            _ => FileError::of_file(self.input.path, problem),
+        }
+    }
+
+    fn number(&self) -> Result<f64, FileError> {
+        let number = self.value.as_f64().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.fault("it must be a finite number"))
+    }
+
+    fn positive(&self) -> Result<f64, FileError> {
+        let number = self.number()?;
+        if number > 0.0 { Ok(number) } else { Err(self.fault("it must be greater than 0")) }
+    }
+
+    fn numbers<const N: usize>(&self) -> Result<[f64; N], FileError> {
+        let numbers: Result<Vec<f64>, FileError> = self.items().iter().map(Node::number).collect();
+        numbers?.try_into().map_err(|_| self.fault(&format!("it must be {N} numbers")))
+    }
+
+    fn index(&self) -> Option<usize> {
+        self.value.as_u64().and_then(|index| usize::try_from(index).ok())
+    }
+}

@@ -1,0 +1,235 @@
+//! The camera that is read of a glTF, in JSON and binary, and trees that no file may have.
+
+use std::path::Path;
+
+use pinhole_core::{DVec3, OrientationKind};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::format::Imported;
+use pinhole_exchange::programs::file_text;
+
+use super::{FileError, Importer, proofs, scene_of, text_of};
+
+fn read(text: &str) -> Result<Imported, FileError> {
+    super::read(Importer::Gltf, text)
+}
+
+const CAMERAS: &str = r#""cameras": [
+    {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "zfar": 100, "znear": 0.01}},
+    {"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1, "znear": 0.01}}]"#;
+
+fn gltf(more: &str, nodes: &str) -> String {
+    format!("{{\"asset\": {{\"version\": \"2.0\"}}, {more}\n{CAMERAS},\n\"nodes\": [{nodes}]}}")
+}
+
+#[track_caller]
+fn assert_taken(text: &str, eye: [f64; 3], said: &[&str]) {
+    let taken = read(text).unwrap();
+    assert_eq!(taken.camera.eye, DVec3::from_array(eye), "{text}");
+    let unsaid = |note: &&String| !note.starts_with("glTF does not say how many pixels");
+    assert_eq!(taken.notes.iter().filter(unsaid).collect::<Vec<_>>(), said, "{text}");
+}
+
+#[track_caller]
+fn assert_refused(text: &str, message: &str) {
+    assert_eq!(read(text).unwrap_err().to_string(), message);
+}
+
+#[test]
+fn the_first_perspective_camera_of_the_scene_that_is_shown_is_taken() {
+    let two = r#"{"translation": [1, 0, 0], "camera": 1}, {"name": "far", "translation": [5, 0, 3], "camera": 1}"#;
+    let scenes = r#""scenes": [{"nodes": [0]}, {"nodes": [1]}],"#;
+    assert_taken(
+        &gltf(&format!("\"scene\": 1, {scenes}"), two),
+        [5.0, 0.0, 3.0],
+        &["node \"far\" is taken; 1 more camera is left out"],
+    );
+    assert_taken(
+        &gltf(scenes, two),
+        [1.0, 0.0, 0.0],
+        &["nodes[0] is taken; 1 more camera is left out"],
+    );
+    let ortho = r#"{"rotation": [-0.383, 0, 0, 0.924], "camera": 0}, {"translation": [0.5, 0.5, 3.0], "camera": 1}"#;
+    assert_taken(
+        &gltf("", ortho),
+        [0.5, 0.5, 3.0],
+        &["nodes[1] is taken; 1 more camera is left out"],
+    );
+    // Deeper in the scene, and in none.
+    let deep = r#"{"camera": 1}, {"children": [2]}, {"children": [3], "translation": [0, 1, 0]},
+                  {"translation": [0, 0, 7], "camera": 1}"#;
+    assert_taken(
+        &gltf(r#""scenes": [{"nodes": [1]}],"#, deep),
+        [0.0, 1.0, 7.0],
+        &["nodes[3] is taken; 1 more camera is left out"],
+    );
+    assert_taken(
+        &gltf(r#""scenes": [{"nodes": [1]}],"#, r#"{"translation": [0, 0, 2], "camera": 1}, {}"#),
+        [0.0, 0.0, 2.0],
+        &["nodes[0] is not in the scene that is shown: no camera is"],
+    );
+    assert_refused(
+        &gltf("", r#"{"camera": 0}"#),
+        "in: cameras[0].perspective is missing: the camera must be a perspective one",
+    );
+    assert_refused(
+        &gltf(r#""scene": 2, "scenes": [{"nodes": [0]}],"#, r#"{"camera": 1}"#),
+        "in:1:31: scene is 2: it must be the number of one of the scenes",
+    );
+}
+
+#[test]
+fn a_ring_of_nodes_and_two_parents_are_refused() {
+    for (nodes, message) in [
+        (
+            r#"{"children": [1]}, {"children": [0], "camera": 1}"#,
+            "nodes[0] is {\"children\":[1]}: it is below itself: it must be no child of it",
+        ),
+        (
+            r#"{"children": [0], "camera": 1}"#,
+            "nodes[0] is {\"camera\":1,\"children\":[0]}: it is below itself: it must be no child of it",
+        ),
+        (
+            r#"{"children": [2]}, {"children": [2]}, {"camera": 1}"#,
+            "nodes[2] is {\"camera\":1}: it must be a child of one node only",
+        ),
+    ] {
+        assert_eq!(read(&gltf("", nodes)).unwrap_err().problem, message);
+    }
+}
+
+/// Each took the stack, or time that grows with the square of the nodes.
+#[test]
+fn long_chains_and_rings_end() {
+    let many = 100_000;
+    let step = |k: usize| format!("{{\"children\": [{}], \"translation\": [0, 0, 1]}}", k + 1);
+    let chain: Vec<String> = (0..many).map(step).collect();
+    let chain = chain.join(", ");
+    let scene = "\"scenes\": [{\"nodes\": [0]}],";
+    assert_taken(&gltf(scene, &format!("{chain}, {{\"camera\": 1}}")), [0.0, 0.0, 1e5], &[]);
+    let ring = gltf(scene, &format!("{chain}, {{\"camera\": 1, \"children\": [0]}}"));
+    assert!(read(&ring).unwrap_err().problem.contains("it is below itself"));
+
+    let deep = format!("{{\"object\": {}{}}}", "{\"children\": [".repeat(many), "]}".repeat(many));
+    let error = read(&deep).unwrap_err();
+    assert_eq!(error.to_string(), "in:1:894: no JSON: brackets are nested more than 127 deep here");
+}
+
+#[test]
+fn places_in_json_are_characters_counted_from_one() {
+    for (text, message) in [
+        ("", "in:1:1: no JSON: the text ends inside a value: is all of the file there?"),
+        ("{\"é\": 1, x}", "in:1:10: no JSON: key must be a string"),
+        ("{\n  \"a\": 1,\n  é\n}", "in:3:3: no JSON: key must be a string"),
+    ] {
+        assert_refused(text, message);
+    }
+}
+
+#[test]
+fn a_camera_by_rotation_in_a_parent() {
+    let text = r#"{"asset": {"version": "2.0"}, "cameras": [{"type": "perspective",
+        "perspective": {"yfov": 1.0, "znear": 0.1, "aspectRatio": 2}}],
+        "nodes": [{"children": [1], "translation": [1, 0, 0]},
+        {"camera": 0, "translation": [0, 2, 0], "scale": [3, 3, 3],
+         "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]}]}"#;
+    let Imported { camera, notes } = read(text).unwrap();
+    assert_eq!(camera.eye, DVec3::new(1.0, 2.0, 0.0));
+    assert!((camera.resolve().unwrap().basis().w - DVec3::X).length() < 1e-12);
+    assert_eq!((camera.image.width(), camera.image.height()), (800, 400));
+    assert_eq!(notes, ["glTF does not say how many pixels there are: 800 × 400 taken"]);
+}
+
+/// Whatever is written is read back: the pose to the bit, the viewport to a few roundings.
+#[test]
+fn what_is_written_is_read_back() {
+    for (name, document) in proofs() {
+        let camera = document.camera.given_by(OrientationKind::Basis).unwrap();
+        let back = read(&text_of("gltf", &scene_of(camera))).unwrap().camera;
+        assert_eq!((back.eye, back.orientation), (camera.eye, camera.orientation), "{name}");
+        let ([a, b], image) = ([back, camera].map(|camera| camera.viewport), camera.image);
+        assert_eq!((back.image, a.distance), (image, b.distance), "{name}");
+        assert!((a.width - b.width).abs().max((a.height - b.height).abs()) < 1e-12, "{name}");
+    }
+}
+
+fn text(bytes: &[u8]) -> Result<(String, Option<String>), String> {
+    file_text(Path::new("in"), bytes.to_owned()).map_err(|error| error.to_string())
+}
+
+/// A binary glTF of this JSON and a chunk of vertices.
+fn binary(json: &str) -> Vec<u8> {
+    let padded = format!("{json}{}", " ".repeat(json.len().next_multiple_of(4) - json.len()));
+    let mut chunks = Vec::new();
+    for (kind, chunk) in [(b"JSON", padded.as_bytes()), (b"BIN\0", &[0xff; 8])] {
+        chunks.extend((chunk.len() as u32).to_le_bytes());
+        chunks.extend(kind);
+        chunks.extend(chunk);
+    }
+    let length = 12 + chunks.len() as u32;
+    [b"glTF", &2_u32.to_le_bytes()[..], &length.to_le_bytes(), &chunks].concat()
+}
+
+#[test]
+fn a_binary_gltf_is_the_camera_of_its_json() {
+    for (name, document) in proofs() {
+        let json = text_of("gltf", &document);
+        let (taken, note) = text(&binary(&json)).unwrap();
+        assert_eq!(taken.trim_end(), json.trim_end());
+        assert_eq!(note, None);
+        let [own, other] = [&json, &taken].map(|json| read(json).unwrap().camera);
+        assert_eq!(own, other, "{name}");
+    }
+}
+
+#[test]
+fn a_damaged_binary_gltf_is_told() {
+    let whole = binary(&text_of("gltf", &Document::default()));
+    let count = whole.len();
+    let json = u32::from_le_bytes(*whole[12..].first_chunk().unwrap());
+    let with = |at: usize, bytes: &[u8]| {
+        let mut other = whole.clone();
+        other[at..at + bytes.len()].copy_from_slice(bytes);
+        other
+    };
+    let there = "are there: is all of the file there?";
+    for (damaged, said) in [
+        (
+            whole[..19].to_owned(),
+            format!("the header with that of the JSON is 20 bytes, and 19 {there}"),
+        ),
+        (
+            whole[..count - 1].to_owned(),
+            format!("the length is {count} bytes, and {} {there}", count - 1),
+        ),
+        (
+            with(12, &u32::MAX.to_le_bytes()),
+            format!("the JSON is {} bytes, and {} {there}", u32::MAX, count - 20),
+        ),
+        (with(4, &[1]), "the version is 1: it must be 2".to_owned()),
+        (with(16, b"BIN\0"), "the first chunk's type is BIN\\x00: it must be JSON".to_owned()),
+        (with(24, &[0xff]), "the JSON must be UTF-8".to_owned()),
+    ] {
+        assert_eq!(text(&damaged).unwrap_err(), format!("in: binary glTF: {said}"));
+    }
+    // Where it says that it has less JSON, the JSON's own fault is told.
+    let (cut, _) = text(&with(12, &(json / 2).to_le_bytes())).unwrap();
+    assert!(read(&cut).unwrap_err().problem.contains("is all of the file there?"));
+    for end in 4..count {
+        assert!(text(&whole[..end]).is_err());
+    }
+}
+
+#[test]
+fn latin_1_is_read_and_told_and_what_is_no_text_is_refused() {
+    let scene = "1 2 3 0 0 0 0 1 0 # Gr\u{fc}n";
+    let note = "it is not UTF-8: read as Latin-1";
+    assert_eq!(text(scene.as_bytes()), Ok((scene.to_owned(), None)));
+    let latin: Vec<u8> = scene.chars().map(|c| u8::try_from(c).unwrap()).collect();
+    let (taken, told) = text(&latin).unwrap();
+    assert_eq!((taken.as_str(), told.as_deref()), (scene, Some(note)));
+    let no_text = "in: not text: a camera is read from text in UTF-8";
+    // A picture, and UTF-16.
+    for bytes in [&b"\x89PNG\r\n\x1a\n"[..], b"\xff\xfec\0a\0"] {
+        assert_eq!(text(bytes), Err(no_text.to_owned()));
+    }
+}

@@ -1,0 +1,410 @@
+//! The translator: the camera in another program's terms, the table of conventions, and pasted cameras.
+
+use std::ops::Range;
+use std::path::Path;
+
+use pinhole_core::{Camera, DVec3, Orientation, Pixel, shortest};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention, Text,
+    Unsupported,
+};
+use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
+use pinhole_exchange::{FileError, limits, scene_file};
+
+use crate::model::letters::{bold, italic};
+use crate::model::number::{written, written_whole};
+
+/// Maximum number of objects that are written and shown.
+pub const MOST_OBJECTS: usize = 500;
+
+/// The choices in the translator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Translator {
+    /// The name of the [`Format`].
+    pub target: &'static str,
+    /// True if the objects are written, too.
+    pub objects: bool,
+    /// True if numbers are shown to the last digit, as they are always copied and saved.
+    pub every_digit: bool,
+    /// What was done last, while it is shown.
+    pub notice: Option<Notice>,
+}
+
+impl Default for Translator {
+    fn default() -> Translator {
+        Translator { target: "opencv", objects: false, every_digit: false, notice: None }
+    }
+}
+
+impl Translator {
+    /// Returns the chosen format.
+    pub fn chosen(&self) -> &'static Format {
+        Format::named(self.target).unwrap_or(&FORMATS[0])
+    }
+}
+
+/// What was done, to be read in passing: the result of a paste, or of a file that was read again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notice {
+    /// The result in a few words.
+    pub title: String,
+    /// More about it: the parts that were not taken over, or the error in the text.
+    pub notes: Vec<String>,
+    /// True if it went well.
+    pub worked: bool,
+    /// The camera after that, if it is about the camera; the notice is outdated once it has changed.
+    pub camera: Option<Camera>,
+    /// Time in seconds at which this was first shown.
+    pub shown_at: Option<f64>,
+}
+
+/// The note on a left-handed camera among objects that stay as they are.
+const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
+                     but the objects are not: negate their z, too, for the same picture";
+
+/// Reads the camera in a text. Fields that the text leaves open stay as in the camera `at_hand`;
+/// objects are not taken over. Returns no camera if the text has none or an invalid one.
+pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
+    let failed = |title: &str, note: String| {
+        let (title, notes) = (title.to_owned(), vec![note]);
+        (None, Notice { title, notes, worked: false, camera: Some(*at_hand), shown_at: None })
+    };
+    if text.len() > limits::PASTE {
+        let most = limits::PASTE >> 10;
+        let has = text.len().div_ceil(1 << 10);
+        let problem = format!(
+            "it has {has} KiB, and at most {most} KiB are read: copy the camera's lines alone"
+        );
+        return failed("This text was not pasted: nothing was changed", problem);
+    }
+    if let Some(scene) = own_scene(text) {
+        return match scene {
+            Ok(document) => {
+                let title = "Camera pasted: a scene of Pinhole".to_owned();
+                let note = match document.object_count() {
+                    0 => None,
+                    1 => Some("1 object is left out: a paste sets only the camera".to_owned()),
+                    n => Some(format!("{n} objects are left out: a paste sets only the camera")),
+                };
+                taken_over(title, document.camera, note.into_iter().collect())
+            }
+            Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
+        };
+    }
+    let Some(importer) = Importer::of(text) else {
+        return failed("This text is not a camera: nothing was changed", UNKNOWN.to_owned());
+    };
+    let text = Input { path: Path::new("pasted"), text };
+    match importer.read(&text, at_hand) {
+        Ok(read) => {
+            let notes = read.notes.into_iter();
+            let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
+            let title = format!("Camera pasted: {}", importer.label());
+            taken_over(title, read.camera, notes.collect())
+        }
+        Err(error) => failed("Not pasted: this camera cannot be read", error.to_string()),
+    }
+}
+
+fn taken_over(title: String, camera: Camera, notes: Vec<String>) -> (Option<Camera>, Notice) {
+    (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
+}
+
+/// Reads a scene file of this program, if the text is one.
+fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
+    let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
+    is_one.then(|| scene_file::parse_alone(text, Path::new("pasted")))
+}
+
+/// Returns what is written with the camera: the objects if they are wanted and not too many.
+pub fn with(document: &Document, objects: bool) -> Include {
+    let few = document.object_count() <= MOST_OBJECTS;
+    if objects && few { Include::Meshes } else { Include::CameraAlone }
+}
+
+/// A camera in the terms of a format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Translation {
+    /// The text, or the reason why there is none.
+    pub written: Result<Exported, Unsupported>,
+    /// The table of conventions; empty if there is no camera, and for code, which has
+    /// the lecture's own.
+    pub rows: Vec<Row>,
+}
+
+impl Translation {
+    /// Translates a document's camera; the table has the numbers of `pixel`.
+    pub fn new(
+        document: &Document,
+        format: &Format,
+        objects: bool,
+        pixel: Pixel,
+        digits: usize,
+    ) -> Translation {
+        match ExportScene::new(document, with(document, objects)) {
+            Ok(subject) => Translation {
+                written: format.write(&subject),
+                rows: (format.conventions.as_ref())
+                    .map_or_else(Vec::new, |own| rows(own, &subject, pixel, digits)),
+            },
+            Err(error) => Translation { written: Err(error), rows: Vec::new() },
+        }
+    }
+}
+
+/// Returns the text with long numbers cut to `digits` significant digits, for reading.
+pub fn shortened(text: &Text, digits: usize) -> Text {
+    let mut short = Text::default();
+    let mut from = 0;
+    for mark in &text.flipped {
+        push_short(&mut short.text, &text.text, from..mark.start, digits);
+        let start = short.text.len();
+        push_short(&mut short.text, &text.text, mark.clone(), digits);
+        short.flipped.push(start..short.text.len());
+        from = mark.end;
+    }
+    push_short(&mut short.text, &text.text, from..text.text.len(), digits);
+    short
+}
+
+/// Adds a part of the text with its long numbers cut. A digit after a letter begins no number.
+fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
+    let bytes = &text.as_bytes()[..part.end];
+    let (mut from, mut at) = (part.start, part.start);
+    while at < part.end {
+        let before = at.checked_sub(1).map_or(b' ', |k| bytes[k]);
+        if !bytes[at].is_ascii_digit() || before.is_ascii_alphanumeric() || before == b'_' {
+            at += 1;
+            continue;
+        }
+        let is_number = |b: &&u8| b.is_ascii_digit() || **b == b'.';
+        let mut end = at + bytes[at..].iter().take_while(is_number).count();
+        if bytes.get(end) == Some(&b'e') {
+            let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
+            let exponent = bytes[end + 1 + sign..].iter().take_while(|b| b.is_ascii_digit());
+            let count = exponent.count();
+            end += if count > 0 { 1 + sign + count } else { 0 };
+        }
+        let number = &text[at..end];
+        let mantissa = number.split('e').next().unwrap_or_default().bytes();
+        let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
+        if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
+            short.push_str(&text[from..at]);
+            short.push_str(&cut(value, digits));
+            from = end;
+        }
+        at = end;
+    }
+    short.push_str(&text[from..part.end]);
+}
+
+fn cut(value: f64, digits: usize) -> String {
+    let rounded = format!("{value:.*e}", digits.max(1) - 1);
+    rounded.parse().map_or(rounded, shortest)
+}
+
+/// A row of the table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Name of the convention.
+    pub about: &'static str,
+    /// Its form here.
+    pub ours: String,
+    /// Its form there.
+    pub theirs: String,
+    /// True where a sign is turned.
+    pub flipped: bool,
+    /// True where it differs from here.
+    pub differs: bool,
+}
+
+/// Returns an axis as a bold letter with its sign.
+fn letter(axis: Axis) -> String {
+    axis.name.chars().map(bold).collect()
+}
+
+/// Returns the rule by which pixels are counted, and the centre of a pixel of an image of W x H in
+/// numbers.
+fn counted(
+    pixels: PixelConvention,
+    Pixel { row, column }: Pixel,
+    [width, height]: [u32; 2],
+) -> [String; 2] {
+    let (i, j) = (italic('i'), italic('j'));
+    let (y, x) = (f64::from(row), f64::from(column));
+    let (w, h) = (f64::from(width), f64::from(height));
+    let pair = |a: f64, b: f64| format!("({}, {})", written_whole(a), written_whole(b));
+    match pixels {
+        PixelConvention::Corner => [
+            format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
+            pair(x + 0.5, y + 0.5),
+        ],
+        PixelConvention::AtCentre => {
+            [format!("x = {j}, y = {i}: from the centre of the first pixel"), pair(x, y)]
+        }
+        PixelConvention::FromBottom => [
+            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up"),
+            pair(x + 0.5, h - y - 0.5),
+        ],
+        PixelConvention::FromOne => {
+            [format!("{i} + 1, {j} + 1: counted from 1"), pair(y + 1.0, x + 1.0)]
+        }
+        PixelConvention::ColumnFirst => {
+            [format!("get_ray({j}, {i}): the column first"), pair(x, y)]
+        }
+        PixelConvention::Device => {
+            let short = |x: f64| (x * 1e4).round() / 1e4;
+            [
+                format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up"),
+                pair(short((2.0 * x + 1.0 - w) / w), short((h - 2.0 * y - 1.0) / h)),
+            ]
+        }
+    }
+}
+
+fn flips(pixels: PixelConvention) -> bool {
+    matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
+}
+
+/// Returns the table for a camera: a format's conventions beside those here. The row on pixels has the
+/// numbers of `pixel`; `digits` is the number of significant digits.
+fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
+    let image = subject.resolve().image();
+    let size = [image.width(), image.height()];
+    let mut table = axes(conventions, subject, digits);
+    let hand = |right| if right { "right-handed" } else { "left-handed" };
+    let mut line = |about, ours: String, theirs: String, flipped, differs| {
+        table.push(Row { about, ours, theirs, flipped, differs });
+    };
+    let right_handed = conventions.is_right_handed();
+    line(
+        "its axes are",
+        hand(true).into(),
+        hand(right_handed).into(),
+        !right_handed,
+        !right_handed,
+    );
+    let looks = |axis: Axis| if axis == Axis::MINUS_W { "along +z" } else { "along −z" };
+    let forward = conventions.axes[2] == Axis::MINUS_W;
+    line("it looks", looks(Axis::W).into(), looks(conventions.axes[2]).into(), forward, forward);
+    let at_or = match subject.document.camera.orientation {
+        Orientation::At { .. } => "eye, at, up",
+        Orientation::View { .. } => "eye, view, up",
+        Orientation::Basis(_) => "eye and u, v, w",
+    };
+    line("given by", at_or.into(), conventions.given_by.into(), false, true);
+    let pixels = conventions.pixels;
+    let [our_rule, our_centre] = counted(PixelConvention::Corner, pixel, size);
+    let [their_rule, their_centre] = counted(pixels, pixel, size);
+    let (flipped, differs) = (flips(pixels), pixels != PixelConvention::Corner);
+    line("centre of a pixel", our_rule, their_rule, flipped, differs);
+    let ours = format!("row, column ({}, {}), centre {our_centre}", pixel.row, pixel.column);
+    line("in numbers", ours, their_centre, flipped, differs);
+    let viewport = subject.resolve().viewport();
+    let text = format!("{}: {}", conventions.view, conventions.field_of_view(subject));
+    let field_of_view = shortened(&Text { text, flipped: Vec::new() }, digits).text;
+    line(
+        "field of view",
+        format!(
+            "width {} × height {} at distance {}",
+            written_whole(viewport.width),
+            written_whole(viewport.height),
+            written_whole(viewport.distance)
+        ),
+        field_of_view,
+        false,
+        true,
+    );
+    line("distance", "t = 1 is the viewport".into(), conventions.distance.into(), false, true);
+    line(
+        "pixels' shape",
+        "any".into(),
+        conventions.shape.into(),
+        false,
+        !conventions.shape.starts_with("any"),
+    );
+    line(
+        "computes in",
+        "f64, exact where it matters".into(),
+        conventions.lengths.into(),
+        false,
+        false,
+    );
+    table
+}
+
+/// Returns the rows on the camera's axes, with their vectors.
+fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
+    let basis = subject.resolve().basis();
+    let text = |axis: Axis| {
+        let v = basis.to_world_from_camera(axis.direction);
+        // 0 has no sign to read.
+        let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| written(x, digits));
+        format!("{} {} = ({x}, {y}, {z})", axis.meaning, letter(axis))
+    };
+    let names = ["x of the camera", "y of the camera", "z of the camera"];
+    let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));
+    pairs
+        .map(|(about, (ours, theirs))| Row {
+            about,
+            ours: text(ours),
+            theirs: text(theirs),
+            flipped: theirs.is_flipped(),
+            differs: ours != theirs,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Clipboards have what pages and editors put there.
+    #[test]
+    fn a_paste_with_characters_of_more_bytes_is_read_or_told() {
+        let text = "glm::mat4\u{a0}view =\u{a0}glm::lookAt(glm::vec3(4, 3, 3),\u{a0}glm::vec3(0), \
+                    glm::vec3(0, 1, 0)); // it\u{2019}s\n";
+        assert_eq!(pasted(text, &Camera::CANONICAL).1.notes.len(), 1);
+        for (at, _) in text.char_indices() {
+            for strange in ["\u{a0}", "\u{2019}", "\u{201c}", "\r", "\r\u{1d54f}"] {
+                let (head, tail) = text.split_at(at);
+                let (camera, said) = pasted(&format!("{head}{strange}{tail}"), &Camera::CANONICAL);
+                assert_eq!((camera.is_some(), !said.notes.is_empty()), (said.worked, true));
+            }
+        }
+    }
+
+    #[test]
+    fn a_large_paste_is_refused_and_one_of_many_calculations_is_told_in_short() {
+        let sum = |terms: usize| format!("gluLookAt({}1)", "1 + ".repeat(terms));
+        let told = |text: &str| {
+            let (camera, said) = pasted(text, &Camera::CANONICAL);
+            assert_eq!(camera, None);
+            said.notes.join(" ")
+        };
+        assert!(told(&sum(30_000)).len() < 300);
+        assert_eq!(
+            told(&sum(40_000)),
+            "it has 157 KiB, and at most 128 KiB are read: copy the camera's lines alone"
+        );
+    }
+
+    #[test]
+    fn a_pasted_scene_reads_no_file() {
+        let text = "pinhole = 1\nspheres = \"/dev/zero\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\n\
+                    up = [0, 1, 0]\n";
+        assert!(pasted(text, &Camera::CANONICAL).1.worked);
+    }
+
+    #[test]
+    fn long_numbers_are_cut_and_marks_go_along() {
+        let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
+        let exact = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
+        let short = shortened(&exact, 4);
+        assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
+        let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();
+        assert_eq!(marked, ["0.5812", "-0.8137e-20"]);
+        assert_eq!(shortened(&exact, 17).text, text);
+    }
+}
