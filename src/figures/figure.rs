@@ -1,11 +1,12 @@
 //! A figure: what it looks like, and the files that it can be written to.
 
-use egui::{Color32, ColorImage};
+use egui::{Color32, ColorImage, Context, Painter, Vec2};
 
 #[cfg(feature = "figures")]
 use super::vector::{self, Page, Picture, Primitive};
 use crate::view::headless::UiPass;
 use crate::view::overlay::{Path, Style, paint_paths};
+use crate::view::typesetting::fonts;
 use pinhole_exchange::images::png;
 
 /// The formats of a figure.
@@ -65,6 +66,16 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// Creates a figure of what is drawn on a white page, `size` points large.
+    pub(crate) fn drawn(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
+        let ctx = Context::default();
+        fonts::install(&ctx);
+        let size = [size.x, size.y].map(|points| (points * scale).ceil() as usize);
+        let drawn = UiPass::draw(&ctx, size, scale, |ui| draw(ui.painter()));
+        let (title, ground) = (title.to_owned(), Some(Color32::WHITE));
+        Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
+    }
+
     /// The title: what it shows, in words.
     pub fn title(&self) -> &str {
         &self.title

@@ -4,17 +4,15 @@
 //! [`Drawing`](crate::view::overlay::Drawing), and labels, the derivation and the lab of lines are drawn by the
 //! window's own code into an egui pass without a window. PNG is painted from both as the window is. For
 //! SVG and PDF, both become the same `Primitive`s: paths, text and one picture. So what is on the screen is
-//! what is in the file. Charts are made of the same paths and text.
+//! what is in the file.
 //!
 //! - `figure`: a figure, its look and its formats;
 //! - `order`: what is asked for;
 //! - `animation`: many figures, one for each phase of what plays;
 //! - `views`: figures of the two views; `panes`: of the derivation and the lab of lines;
-//! - `chart`: lines, marks and text of a chart, which the report's plot is drawn with;
 //! - `vector`: SVG and PDF, behind the feature `figures`.
 
 mod animation;
-pub(crate) mod chart;
 mod figure;
 mod order;
 mod panes;

@@ -3,6 +3,7 @@
 
 pub mod accuracy;
 pub mod adaptive_resolution;
+pub(crate) mod chart;
 pub mod derivation;
 pub mod derive;
 pub mod formula;

@@ -29,8 +29,7 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
     assert_eq!(count(&svg_of(&report), RING), 0);
     report.cases[0].methods[2].wrong = 1234;
     let svg = svg_of(&report);
-    // One around the mark, one in the table.
-    assert_eq!(count(&svg, RING), 2);
+    assert_eq!(count(&svg, RING), 1);
     assert_eq!(count(&svg, ">1,234</tspan></text>"), 1);
 }
 
@@ -43,7 +42,8 @@ fn a_family_has_a_curve_a_method() {
         let is_long = line.starts_with("<polyline") && line.matches(',').count() >= 5;
         is_long && !line.contains(FRONT) && !line.contains(CONDITION)
     };
-    assert_eq!(svg.lines().filter(is_curve).count(), 17);
+    // Those in f32 are dashed.
+    assert_eq!(svg.lines().filter(is_curve).count(), 9);
     // What the problem costs, whatever the method.
     assert_eq!(count(&svg, CONDITION), 1);
     assert_eq!(count(&svg, ">tiny far sphere</tspan></text>"), 1);
@@ -76,25 +76,22 @@ fn the_pareto_front_is_of_methods_that_decide_all_right() {
     report.cases.truncate(1);
     let front = |report: &Report| {
         let svg = svg_of(report);
-        let line = svg.lines().find(|line| line.contains("<polyline") && line.contains(FRONT));
-        let corners = line.map_or(0, |line| line.matches(',').count());
-        (
-            svg.lines().filter(|line| line.contains("<circle") && line.contains(FRONT)).count(),
-            corners,
-        )
+        ["<circle", "<polyline"].map(|shape| {
+            svg.lines().filter(|line| line.contains(shape) && line.contains(FRONT)).count()
+        })
     };
     // ladder-f32 is the fastest, and textbook-f64 closer; lagrange-f64 is exact there. Stairs, as
     // between two of them there is nothing.
-    assert_eq!(front(&report), (3, 5));
+    assert_eq!(front(&report), [3, 4]);
     let mut alone = report.clone();
     alone.cases[0].methods.truncate(1);
-    assert_eq!(front(&alone), (1, 0), "a front of one is there too");
+    assert_eq!(front(&alone), [1, 0], "a front of one is there too");
     // No digit of t is right.
     alone.cases[0].methods[0].ulp_f64.max = Some(1e16);
-    assert_eq!(front(&alone), (0, 0));
+    assert_eq!(front(&alone), [0, 0]);
     assert_eq!(count(&svg_of(&alone), ">no digit right</tspan></text>"), 1);
     report.cases[0].methods.iter_mut().for_each(|row| row.wrong = 1);
-    assert_eq!(front(&report), (0, 0));
+    assert_eq!(front(&report), [0, 0]);
 }
 
 #[test]

@@ -6,21 +6,19 @@
 //! a line a method. Families are a summary, and pages of four of them each: a family also shows its error
 //! against the knob, and its time panel the worst error of all settings.
 
-mod axis;
-mod frame;
-mod legend;
 pub(crate) mod marker;
-mod overview;
 mod panel;
+mod table;
 
-use egui::Align;
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Vec2, pos2, vec2};
 
-use self::frame::{Frame, MARGIN, TEXT, WEAK, paragraph};
 use self::panel::Errors;
-use super::model::Report;
+pub(crate) use self::panel::Mark;
+use super::model::{Digits, Report};
 use super::summary::{self, Summary};
 use crate::figures::Figure;
-use crate::figures::chart::{Chart, Point, bold, plain};
+use crate::view::chart::GridInk;
+use crate::view::typesetting::fonts;
 
 const TITLE: &str = "Error against run time";
 
@@ -28,32 +26,64 @@ const TITLE: &str = "Error against run time";
 pub const PNG_SCALE: f32 = 1.5;
 
 /// The size of a page, in points.
-const PAGE: [f64; 2] = [1280.0, 720.0];
+const PAGE: Vec2 = vec2(1280.0, 720.0);
+
+/// Margin around all panels.
+const MARGIN: f32 = 28.0;
 
 /// Room for the numbers left of a panel, and for the names of lines right of it.
-const NUMBERS: f64 = 84.0;
-const NAMES: f64 = 46.0;
+const NUMBERS: f32 = 84.0;
+const NAMES: f32 = 46.0;
 
 /// Families on a page: two by two.
-const GRID: usize = 4;
+const FAMILIES: usize = 4;
+
+const TEXT: Color32 = Color32::from_gray(0x1a);
+const WEAK: Color32 = Color32::from_gray(0x5a);
+const FRAME: Color32 = Color32::from_gray(0x70);
+/// Every other formula of a table lies on this.
+const BAND: Color32 = Color32::from_gray(0xf6);
+
+/// The size of numbers at a scale, and of what is to be read.
+const SMALL: f32 = 14.0;
+
+const GRID: GridInk = GridInk { line: Color32::from_gray(0xe4), text: TEXT, size: SMALL };
+
+fn plain(size: f32) -> FontId {
+    FontId::proportional(size)
+}
+
+fn bold(size: f32) -> FontId {
+    FontId::new(size, fonts::bold())
+}
 
 /// Draws a report, with so many dots to a point: a picture a page.
 pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     let summaries = summary::summaries(report);
     let (families, scenes): (Vec<&Summary>, Vec<&Summary>) =
         summaries.iter().partition(|summary| summary.has_knob());
-    let mut charts = Vec::new();
+    let mut pages: Vec<Box<dyn Fn(&Painter) + '_>> = Vec::new();
     if summaries.len() > 1 {
-        charts.push(first(report, &summaries));
+        pages.push(Box::new(|painter| first(painter, report, &summaries)));
     }
-    charts.extend(scenes.into_iter().map(|scene| single(report, scene)));
-    charts.extend(families.chunks(GRID).map(grid));
-    let pages = charts.len();
-    for (page, chart) in (1..).zip(&mut charts).filter(|_| pages > 1) {
-        let note = format!("page {page} of {pages}");
-        chart.text([PAGE[0] - MARGIN, 28.0], Align::RIGHT, plain(16.0), WEAK, note);
+    for scene in scenes {
+        pages.push(Box::new(move |painter| single(painter, report, scene)));
     }
-    charts.into_iter().map(|chart| chart.into_figure(TITLE, scale)).collect()
+    for families in families.chunks(FAMILIES) {
+        pages.push(Box::new(move |painter| grid(painter, families)));
+    }
+    let figure = |(page, draw): (usize, &Box<dyn Fn(&Painter) + '_>)| {
+        Figure::drawn(TITLE, PAGE, scale, |painter| {
+            painter.text(pos2(MARGIN, 28.0), Align2::LEFT_CENTER, TITLE, bold(24.0), TEXT);
+            if pages.len() > 1 {
+                let (at, note) =
+                    (pos2(PAGE.x - MARGIN, 28.0), format!("page {page} of {}", pages.len()));
+                painter.text(at, Align2::RIGHT_CENTER, note, plain(16.0), WEAK);
+            }
+            draw(painter);
+        })
+    };
+    (1..).zip(&pages).map(figure).collect()
 }
 
 /// How to read the marks of a panel.
@@ -74,99 +104,110 @@ const ROUNDS: &str = "Time: the shortest of the rounds, which take the methods i
 const WORDS: &str = "Ulp: the spacing of neighbouring numbers; a t off by 1 ulp of f64 has 16 digits right, \
     by 1 ulp of f32 7. Coverage: the share of rays that hit.";
 
-/// Begins a page; returns where its content begins.
-fn page() -> (Chart, f64) {
-    let mut chart = Chart::new(PAGE[0]);
-    chart.height = PAGE[1];
-    chart.text([MARGIN, 28.0], Align::LEFT, bold(24.0), TEXT, TITLE);
-    (chart, 60.0)
+/// Upper edge of a page's content.
+const TOP: f32 = 60.0;
+
+/// Draws the page of a scene.
+fn single(painter: &Painter, report: &Report, summary: &Summary) {
+    let right = PAGE.x - MARGIN - table::WIDTH;
+    cell(painter, Rect::from_x_y_ranges(MARGIN..=right - 24.0, TOP..=TOP + 440.0), summary);
+    table::of_scene(painter, pos2(right, TOP + 4.0), summary);
+    let y = paragraph(painter, TOP + 462.0, MARKS);
+    let y = paragraph(painter, y, &format!("{ROUNDS} {WORDS}"));
+    foot(painter, y, report);
 }
 
-/// The page of a scene.
-fn single(report: &Report, summary: &Summary) -> Chart {
-    let (mut chart, top) = page();
-    let right = PAGE[0] - MARGIN - legend::WIDTH;
-    cell(&mut chart, [MARGIN, top], [right - MARGIN, 440.0], summary);
-    legend::table(&mut chart, [right + 8.0, top + 28.0], summary);
-    let mut y = top + 462.0;
-    for text in [MARKS, &format!("{ROUNDS} {WORDS}")] {
-        y = paragraph(&mut chart, y, text);
-    }
-    foot(&mut chart, y, report);
-    chart
-}
-
-/// The first page of a report of several scenes or families.
-fn first(report: &Report, summaries: &[Summary]) -> Chart {
-    let (mut chart, top) = page();
+/// Draws the first page of a report of several scenes or families.
+fn first(painter: &Painter, report: &Report, summaries: &[Summary]) {
     let all = summary::overall(summaries);
-    let bottom = overview::draw(&mut chart, top, &all);
+    let bottom = table::of_all(painter, pos2(MARGIN, TOP), &all);
     let wrong = "Wrong: hit or miss, which object is first, or another root of it; such rays are in no \
                  error. None: no digit of t is right, or no hit is.";
-    let mut y = paragraph(&mut chart, bottom + 8.0, &format!("{wrong} {WORDS}"));
+    let mut y = paragraph(painter, bottom + 2.0, &format!("{wrong} {WORDS}"));
     let summary::Overall { noun, in_share, in_errors, .. } = all;
     if in_errors < in_share {
         let which = format!(
             "Of the {in_share} {noun} that all formulas have, ladder-f32 has {in_errors}: errors and times are \
              of those. The error of each is that of its worst setting, the time that of its middle one."
         );
-        y = paragraph(&mut chart, y, &which);
+        y = paragraph(painter, y, &which);
     }
-    foot(&mut chart, y, report);
-    chart
+    foot(painter, y, report);
 }
 
-/// A page of several families.
-fn grid(families: &[&Summary]) -> Chart {
-    let (mut chart, top) = page();
-    let size = [0.5 * (PAGE[0] - 3.0 * MARGIN), 282.0];
+/// Draws a page of several families.
+fn grid(painter: &Painter, families: &[&Summary]) {
+    let size = vec2(0.5 * (PAGE.x - 3.0 * MARGIN), 282.0);
     for (index, summary) in families.iter().enumerate() {
-        let left = MARGIN + (size[0] + MARGIN) * (index % 2) as f64;
-        cell(&mut chart, [left, top + size[1] * (index / 2) as f64], size, summary);
+        let (column, row) = ((index % 2) as f32, (index / 2) as f32);
+        let at = pos2(MARGIN + (size.x + MARGIN) * column, TOP + size.y * row);
+        cell(painter, Rect::from_min_size(at, size), summary);
     }
-    let below = top + 2.0 * size[1];
-    legend::line(&mut chart, below + 10.0, families);
-    paragraph(&mut chart, below + 33.0, &format!("{MARKS} {SETTINGS}"));
-    chart
+    let below = TOP + 2.0 * size.y;
+    legend(painter, below + 10.0, families);
+    paragraph(painter, below + 24.0, &format!("{MARKS} {SETTINGS}"));
 }
 
-/// A scene or a family: its error against time, and against the knob where it has one.
-fn cell(chart: &mut Chart, [left, top]: Point, [width, height]: Point, summary: &Summary) {
+/// Draws the marks of these families' formulas in one line.
+fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
+    let mut formulas: Vec<&str> = Vec::new();
+    for method in families.iter().flat_map(|summary| &summary.methods) {
+        if !formulas.contains(&method.formula) {
+            formulas.push(method.formula);
+        }
+    }
+    let mut at = pos2(MARGIN + 8.0, y);
+    for formula in formulas {
+        marker::marker_of(formula).draw(painter, at, Digits::Double);
+        at.x += 13.0;
+        at.x = painter.text(at, Align2::LEFT_CENTER, formula, plain(16.0), TEXT).right() + 33.0;
+    }
+}
+
+/// Draws a scene or a family: its error against time, and against the knob where it has one.
+fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     let Some(case) = summary.cases.first() else { return };
+    let top = rect.left_top() + vec2(0.0, 4.0);
     let name = if summary.has_knob() { case.name.clone() } else { case.title() };
-    chart.text([left, top + 4.0], Align::LEFT, bold(18.0), TEXT, name);
+    painter.text(top, Align2::LEFT_CENTER, name, bold(18.0), TEXT);
     let coverage = format!("coverage {}", summary.coverage());
     let coverage = match summary.cases.len() {
         1 => coverage,
         count => format!("{count} settings, {coverage}"),
     };
-    chart.text([left + width, top + 4.0], Align::RIGHT, plain(14.0), WEAK, coverage);
-    let mut above = top + 24.0;
-    if !case.about.is_empty() {
-        chart.text([left, above], Align::LEFT, plain(14.0), WEAK, case.about.as_str());
-        above += 18.0;
-    }
+    let right = rect.right_top() + vec2(0.0, 4.0);
+    painter.text(right, Align2::RIGHT_CENTER, coverage, plain(SMALL), WEAK);
+    let about = if case.about.is_empty() { 0.0 } else { 18.0 };
+    painter.text(top + vec2(0.0, 20.0), Align2::LEFT_CENTER, &case.about, plain(SMALL), WEAK);
+    panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary);
+}
+
+/// Draws the panels of a scene or a family with all that stands around them. Returns the marks of
+/// error against time.
+pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<Mark<'a>> {
     let what = "largest error in t, ulps of f64";
-    chart.text([left, above], Align::LEFT, plain(14.0), TEXT, what);
-    let frame = Frame {
-        left: left + NUMBERS,
-        top: above + 12.0,
-        right: left + width - NAMES,
-        bottom: top + height - 48.0,
-    };
-    let errors = Errors::new(summary, frame);
-    if summary.has_knob() {
-        let middle = 0.5 * (frame.left + frame.right);
-        panel::time(chart, Frame { right: middle - 8.0, ..frame }, &errors, summary);
-        panel::knob(chart, Frame { left: middle + 8.0, ..frame }, &errors, summary);
-    } else {
-        panel::time(chart, frame, &errors, summary);
+    painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
+    let frame = Rect::from_min_max(rect.min + vec2(NUMBERS, 21.0), rect.max - vec2(NAMES, 48.0));
+    let errors = Errors::new(summary, frame.y_range());
+    errors.name_ulps(painter, frame.right());
+    if !summary.has_knob() {
+        return panel::time(painter, frame, &errors, summary);
     }
-    errors.name_ulps(chart, frame);
+    let (left, right) = frame.split_left_right_at_fraction(0.5);
+    panel::knob(painter, right.with_min_x(right.left() + 8.0), &errors, summary);
+    panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary)
+}
+
+/// Writes text over as many lines as it needs; returns its lower edge.
+fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
+    let galley = painter.layout(text.to_owned(), plain(SMALL), WEAK, PAGE.x - 2.0 * MARGIN);
+    let below = y + galley.size().y;
+    painter.galley(Pos2::new(MARGIN, y), galley, WEAK);
+    below
 }
 
 /// Writes the reference, the processor, what a reader needs and what was left out.
-fn foot(chart: &mut Chart, mut y: f64, report: &Report) {
+fn foot(painter: &Painter, mut y: f32, report: &Report) {
     let seed = report.seed.map_or(String::new(), |seed| format!("; seed {seed}"));
     for (name, text, more) in [
         ("Reference", &report.reference, ""),
@@ -174,11 +215,11 @@ fn foot(chart: &mut Chart, mut y: f64, report: &Report) {
         ("Note", &report.notes.join("; "), ""),
     ] {
         if !text.is_empty() {
-            y = paragraph(chart, y, &format!("{name}: {text}{more}"));
+            y = paragraph(painter, y, &format!("{name}: {text}{more}"));
         }
     }
     if !report.left_out.is_empty() {
-        paragraph(chart, y, &format!("Left out: {}", left_out(&report.left_out)));
+        paragraph(painter, y, &format!("Left out: {}", left_out(&report.left_out)));
     }
 }
 

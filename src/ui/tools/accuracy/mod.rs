@@ -140,8 +140,7 @@ pub(crate) fn ui(
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
     let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
-    // The axis's name needs the room that the panel's edge would cut off.
-    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom() - 10.0));
+    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
     let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {

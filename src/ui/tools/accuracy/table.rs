@@ -6,7 +6,7 @@ use pinhole_core::methods::Method;
 
 use crate::model::number::short;
 use crate::report::model::{Case, MethodRow};
-use crate::report::plot::marker::marker_of;
+use crate::report::plot::marker::{lightened, marker_of};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
@@ -85,6 +85,11 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
 }
 
 /// Returns a method's colour on this window's background.
-pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
-    theme::finished(ui, marker_of(row.formula()).color_on(ui.visuals().dark_mode))
+fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
+    let color = match (marker_of(row.formula()).color, ui.visuals().dark_mode) {
+        (color, false) => color,
+        (Color32::BLACK, true) => Color32::WHITE,
+        (color, true) => lightened(color),
+    };
+    theme::finished(ui, color)
 }

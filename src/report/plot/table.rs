@@ -1,0 +1,157 @@
+//! The table of methods that stands on every page but those of families: a row a method, with its
+//! mark, its formula in words and its wrong decisions. Of several scenes or families, it also shows
+//! errors and times, each as a line from the least to the most.
+
+use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
+use pinhole_lecture::numbers::grouped;
+
+use super::marker::{WRONG, in_words, marker_of};
+use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
+use crate::model::number::short_plain;
+use crate::report::columns::lines;
+use crate::report::model::Digits;
+use crate::report::summary::{Overall, Summary, Worst, least_middle_most};
+use crate::view::chart::{Scale, columns};
+
+/// Width of the table without errors and times, in points.
+pub(super) const WIDTH: f32 = 512.0;
+
+/// Height of a row, in points.
+const ROW: f32 = 23.0;
+
+/// Left edge of the words, from the table's left edge.
+const WORDS: f32 = 178.0;
+
+/// The columns of errors and of times, from the page's left edge.
+const ERROR: [f32; 2] = [590.0, 885.0];
+const TIME: [f32; 2] = [930.0, 1240.0];
+
+/// A row of the table.
+struct Row<'a> {
+    name: &'a str,
+    formula: &'a str,
+    digits: Digits,
+    wrong: String,
+    is_wrong: bool,
+}
+
+/// Draws the table of a scene.
+pub(super) fn of_scene(painter: &Painter, at: Pos2, summary: &Summary) {
+    let methods = &summary.methods;
+    let place = |worst: &&Worst| {
+        (methods.iter().position(|other| other.formula == worst.formula), worst.digits)
+    };
+    let mut sorted: Vec<&Worst> = methods.iter().collect();
+    sorted.sort_by_key(place);
+    let rows: Vec<Row> = sorted
+        .into_iter()
+        .map(|worst| Row {
+            name: worst.name,
+            formula: worst.formula,
+            digits: worst.digits,
+            wrong: grouped(worst.wrong),
+            is_wrong: worst.wrong > 0,
+        })
+        .collect();
+    let decisions = methods.iter().map(|method| method.decisions).max().unwrap_or(0);
+    table(painter, at, WIDTH, &rows, &format!("of {} compared", grouped(decisions)));
+}
+
+/// Draws the table of all scenes or families; returns its lower edge.
+pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
+    let Overall { methods, noun, in_share, in_errors } = all;
+    let rows: Vec<Row> = methods
+        .iter()
+        .map(|method| Row {
+            name: method.name,
+            formula: method.formula,
+            digits: method.digits,
+            wrong: match method.share {
+                None => "-".to_owned(),
+                Some(0.0) => "0 %".to_owned(),
+                // What is not zero is never written as 0 %.
+                Some(share) => {
+                    format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3)))
+                }
+            },
+            is_wrong: method.wrong > 0,
+        })
+        .collect();
+    let about = format!("mean share, {in_share} {noun}");
+    let body = table(painter, at, PAGE.x - 2.0 * MARGIN, &rows, &about);
+    let spread = format!("least to most of {in_errors} {noun} that all have");
+    let head = |x: f32, name: &str, about: &str| {
+        painter.text(pos2(x, at.y), Align2::LEFT_CENTER, name, bold(17.0), TEXT);
+        painter.text(pos2(x, at.y + 20.0), Align2::LEFT_CENTER, about, plain(SMALL), WEAK);
+    };
+    head(ERROR[0], "largest error in t, ulps of f64", &spread);
+    head(TIME[0], "nanoseconds a pixel", "mark: the one in the middle");
+    let errors: Vec<_> = methods.iter().map(|method| method.errors()).collect();
+    let times: Vec<_> = methods.iter().map(|method| least_middle_most(&method.times)).collect();
+    for (across, values) in [(ERROR, errors), (TIME, times)] {
+        let rect = Rect::from_x_y_ranges(across[0]..=across[1], body.y_range());
+        spreads(painter, rect, &rows, &values);
+    }
+    body.bottom() + 30.0
+}
+
+/// Draws the rows; returns their area.
+fn table(painter: &Painter, at: Pos2, width: f32, rows: &[Row], about: &str) -> Rect {
+    let right = at.x + WIDTH;
+    painter.text(at, Align2::LEFT_CENTER, "method", bold(17.0), TEXT);
+    painter.text(pos2(right, at.y), Align2::RIGHT_CENTER, "wrong decisions", bold(17.0), TEXT);
+    painter.text(pos2(right, at.y + 20.0), Align2::RIGHT_CENTER, about, plain(SMALL), WEAK);
+    let size = vec2(width, ROW * rows.len() as f32);
+    let body = Rect::from_min_size(at + vec2(0.0, 38.0), size);
+    let mut y = body.top();
+    for (index, formula) in rows.chunk_by(|a, b| a.formula == b.formula).enumerate() {
+        if index % 2 == 0 {
+            let size = vec2(width + 12.0, ROW * formula.len() as f32);
+            painter.rect_filled(Rect::from_min_size(pos2(at.x - 6.0, y), size), 0.0, BAND);
+        }
+        let words = lines(in_words(formula[0].formula), 38);
+        for (k, row) in formula.iter().enumerate() {
+            let middle = y + 0.5 * ROW;
+            let text = |x: f32, align: Align2, text: &str, font, color| {
+                painter.text(pos2(x, middle), align, text, font, color);
+            };
+            marker_of(row.formula).draw(painter, pos2(at.x + 8.0, middle), row.digits);
+            text(at.x + 24.0, Align2::LEFT_CENTER, row.name, plain(17.0), TEXT);
+            let words = words.get(k).map_or("", String::as_str);
+            text(at.x + WORDS, Align2::LEFT_CENTER, words, plain(13.0), WEAK);
+            let (font, color) =
+                if row.is_wrong { (bold(17.0), WRONG) } else { (plain(17.0), WEAK) };
+            text(right, Align2::RIGHT_CENTER, &row.wrong, font, color);
+            y += ROW;
+        }
+    }
+    body
+}
+
+/// Draws, for each method, a line from its least to its greatest value, and its mark at the one in the
+/// middle. Zero and infinity have places of their own.
+fn spreads(painter: &Painter, rect: Rect, rows: &[Row], values: &[Option<[f64; 3]>]) {
+    let all = || values.iter().flatten().flatten().copied();
+    let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };
+    let scale = Scale::decades(all(), [rect.left() + 26.0, end]);
+    let position = |value: f64| match value {
+        0.0 => rect.left() + 8.0,
+        f64::INFINITY => rect.right() - 14.0,
+        value => scale.position(value),
+    };
+    columns(painter, rect, &scale.ticks(44.0), GRID);
+    for (value, name) in [(0.0, "0"), (f64::INFINITY, "none")] {
+        if all().any(|other| other == value) {
+            let at = pos2(position(value), rect.bottom() + 3.0);
+            painter.text(at, Align2::CENTER_TOP, name, plain(SMALL), TEXT);
+        }
+    }
+    painter.hline(rect.x_range(), rect.bottom(), (1.5, FRAME));
+    for (index, (row, values)) in rows.iter().zip(values).enumerate() {
+        let Some([low, middle, high]) = values.map(|values| values.map(position)) else { continue };
+        let y = rect.top() + ROW * (index as f32 + 0.5);
+        let marker = marker_of(row.formula);
+        painter.hline(low..=high, y, (2.5, marker.color));
+        marker.draw(painter, pos2(middle, y), row.digits);
+    }
+}
