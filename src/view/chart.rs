@@ -45,8 +45,12 @@ impl Scale {
 
     /// Returns the position of a value.
     pub(crate) fn position(&self, value: f64) -> f32 {
+        self.place(if self.is_logarithmic { value.log10() } else { value })
+    }
+
+    /// Returns the position of a value, or of a power of ten on a logarithmic scale.
+    fn place(&self, value: f64) -> f32 {
         let ([low, high], [from, to]) = (self.range, self.edge);
-        let value = if self.is_logarithmic { value.log10() } else { value };
         // Positions far outside look alike, and f32 has a limited range.
         let share = ((value - low) / (high - low)).clamp(-1e4, 1e4);
         from + share as f32 * (to - from)
@@ -72,20 +76,19 @@ impl Scale {
     /// Returns round values that are at least `gap` points apart.
     pub(crate) fn ticks(&self, gap: f32) -> Vec<Tick> {
         let least = f64::from(gap) / self.unit();
-        let values = if self.is_logarithmic { self.powers(least) } else { self.multiples(least) };
-        let tick = |(value, text)| Tick { value, at: self.position(value), text };
-        values.into_iter().map(tick).collect()
+        if self.is_logarithmic { self.powers(least) } else { self.multiples(least) }
     }
 
-    fn multiples(&self, least: f64) -> Vec<(f64, String)> {
+    fn multiples(&self, least: f64) -> Vec<Tick> {
         let step = round_step(least);
         let [low, high] = self.range.map(|end| end / step);
         let values = (low.ceil() as i64..=high.floor() as i64).map(|k| k as f64 * step);
-        values.map(|value| (value, written(value + 0.0, 5))).collect()
+        let tick = |value| Tick { value, at: self.place(value), text: written(value + 0.0, 5) };
+        values.map(tick).collect()
     }
 
     /// Returns powers of ten and, where there is room, other numbers between them.
-    fn powers(&self, least: f64) -> Vec<(f64, String)> {
+    fn powers(&self, least: f64) -> Vec<Tick> {
         const DIGITS: [&[f64]; 3] = [&[1.0, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0, 3.0]];
         let closest = |digits: &[f64]| {
             let next = digits[1..].iter().chain(&[10.0]);
@@ -95,18 +98,19 @@ impl Scale {
         let [low, high] = self.range;
         // Multiples of the step, so that 1 is among them wherever it is in range.
         let step = least.ceil().max(1.0) as i32;
+        let mut ticks = Vec::new();
         let decades = low.floor() as i32..=high.ceil() as i32;
-        let decades = decades.filter(|exponent| exponent.rem_euclid(step) == 0);
-        let all = decades.flat_map(|exponent| {
-            let number = move |digit: &f64| (exponent, digit.log10(), *digit);
-            digits.unwrap_or(&[1.0]).iter().map(number)
-        });
-        let inside = all.filter(|(e, log, _)| (low..=high).contains(&(f64::from(*e) + log)));
-        let written = |(exponent, _, digit): (i32, f64, f64)| {
-            let value = digit * 10_f64.powi(exponent);
-            (value, if digits.is_some() { short(value) } else { power_of_ten(exponent) })
-        };
-        inside.map(written).collect()
+        for exponent in decades.filter(|exponent| exponent.rem_euclid(step) == 0) {
+            for digit in digits.unwrap_or(&[1.0]) {
+                let power = f64::from(exponent) + digit.log10();
+                if (low..=high).contains(&power) {
+                    let value = digit * 10_f64.powi(exponent);
+                    let text = if digits.is_some() { short(value) } else { power_of_ten(exponent) };
+                    ticks.push(Tick { value, at: self.place(power), text });
+                }
+            }
+        }
+        ticks
     }
 }
 

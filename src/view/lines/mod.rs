@@ -1,9 +1,7 @@
 //! The drawing of the lab of lines: the plane with both lines in it, and the substitution of one
 //! into the other.
 
-pub(crate) mod canvas;
 pub(crate) mod drawing;
-pub(crate) mod handles;
 pub(crate) mod steps;
 
 use egui::{Rect, RichText, Ui, UiBuilder, Vec2, pos2};

@@ -6,25 +6,20 @@ use pinhole_core::DVec2;
 
 use crate::model::lines::{Handle, LinesLab};
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
-use crate::view::lines::canvas::Canvas;
-use crate::view::lines::drawing::{Ink, paint};
-use crate::view::lines::handles::{GRASP, in_sight};
+use crate::view::lines::drawing::{GRASP, Plane};
 use crate::view::lines::steps::number;
-use crate::view::typesetting::theme;
 
 /// Shows the drawing and handles drags in it.
 pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
-    let (ink, background, halo) = Ink::from_style(theme::style(ui));
-    let canvas = |lab: &LinesLab| Canvas::new(ui.painter_at(rect), rect, lab.window, halo);
-    let before = canvas(lab);
+    let before = Plane::new(ui, rect, lab.window);
     let inputs = Handle::ALL.into_iter();
     let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
     let grabbed: Vec<(Handle, Response)> = inputs.collect();
-    let canvas = canvas(lab);
-    canvas.painter.rect_filled(rect, 0.0, background);
-    let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
-    if let Some(seen) = paint(&canvas, lab, &ink, held, digits) {
+    let plane = Plane::new(ui, rect, lab.window);
+    plane.background();
+    let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
+    if let Some(seen) = plane.paint(lab, is_held, digits) {
         let id = ui.scope_id().with("plane");
         ui.ctx().accesskit_node_builder(id, |node| node.set_description(seen));
     }
@@ -55,15 +50,15 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
 }
 
 /// Handles the drags of a handle. Returns the response of its area, if it is visible.
-fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
-    let at = in_sight(canvas, lab, handle)?;
+fn input(ui: &Ui, plane: &Plane, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
+    let at = plane.in_sight(lab, handle)?;
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
     let response = ui.interact(around, id, Sense::click_and_drag());
     let response = response.on_hover_cursor(CursorIcon::Grab);
     keep_arrows(&response, true, true);
     // Round to hundredths, or finer if a pixel is finer.
-    let dots = canvas.scale * f64::from(ui.ctx().pixels_per_point());
+    let dots = plane.unit() * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {
         response.request_focus();
@@ -75,7 +70,7 @@ fn input(ui: &Ui, canvas: &Canvas, lab: &mut LinesLab, handle: Handle) -> Option
         && let Some(pointer) = response.interact_pointer_pos()
     {
         let beside: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        lab.drag(handle, canvas.to_plane(pointer + beside), fineness);
+        lab.drag(handle, plane.to_plane(pointer + beside), fineness);
     }
     if response.has_focus() {
         let presses = |key| ui.input(|i| i.num_presses(key) as f64);

@@ -8,7 +8,6 @@ use egui::{Context, Grid, Id, ScrollArea, Slider, Ui, UiBuilder, Vec2};
 use crate::model::lines::{LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
-pub(crate) use crate::view::lines::canvas::round_step;
 use crate::view::lines::drawing::draw_question;
 pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};

@@ -2,7 +2,6 @@
 //! every object on one axis of t, and beside it a text for each curve.
 
 mod brief;
-mod captions;
 mod drawing;
 mod position;
 
