@@ -54,6 +54,7 @@
 //! | a line of the derivation | `lecture/derivation/` for its numbers, `view/derivation/` for its form |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
+//! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/mod.rs`; a language: `exchange/code.rs` |
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | a workspace of the window | `ui/workspaces/mod.rs` |

@@ -168,7 +168,10 @@ pub(crate) fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: Gri
     }
 }
 
-/// Draws a chain of straight lines. Dash and gap are in points; a dash of 0 is an unbroken line.
+/// Dash and gap of an unbroken line.
+pub(crate) const SOLID: [f32; 2] = [0.0; 2];
+
+/// Draws a chain of straight lines. Dash and gap are in points; see [`SOLID`].
 pub(crate) fn line(
     painter: &Painter,
     points: &[Pos2],

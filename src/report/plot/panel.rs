@@ -7,7 +7,7 @@ use super::{FRAME, GRID, SMALL, TEXT, WEAK, plain};
 use crate::model::number::short_plain;
 use crate::report::model::{Case, Digits, NO_DIGIT, SINGLE};
 use crate::report::summary::{Outcome, Summary, Worst, front, outcome};
-use crate::view::chart::{GridInk, Scale, Tick, columns, line, row_numbers, rows};
+use crate::view::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
@@ -17,9 +17,8 @@ const FRONT: Color32 = Color32::from_rgb(0xc9, 0xd6, 0xe6);
 /// The condition number.
 const CONDITION: Color32 = Color32::from_gray(0xa0);
 
-/// Dash and gap of a dashed line; an unbroken line.
+/// Dash and gap of a dashed line.
 const DASH: [f32; 2] = [7.0, 5.0];
-const SOLID: [f32; 2] = [0.0; 2];
 
 /// The height of the places for zero errors and for methods that have no error to show.
 const LANE: f32 = 20.0;

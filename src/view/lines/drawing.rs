@@ -9,7 +9,7 @@ use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution};
 
 use crate::model::lines::{Handle, LinesLab, Window};
-use crate::view::chart::{self, Scale, Tick};
+use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::lines::steps::number;
 use crate::view::overlay::Colors;
 use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
@@ -25,8 +25,6 @@ pub(crate) const GRASP: f32 = 13.0;
 
 /// Maximum number of points drawn.
 const MOST_POINTS: usize = 400;
-
-const SOLID: [f32; 2] = [0.0; 2];
 
 /// A part of the plane shown in a rectangle, y upwards, both axes with the same scale.
 pub(crate) struct Plane {

@@ -4,7 +4,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Id, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
-use super::{TEXT, drawing, position, said_id};
+use super::{TEXT, drawing, objects_at, point, said_id};
 use crate::model::inspection::Inspection;
 use crate::model::session::presenting::WRITTEN;
 use crate::view::plot::Plot;
@@ -60,11 +60,7 @@ fn paragraphs(
     let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
         curve: None,
         bold: String::new(),
-        text: format!(
-            "{}: {}",
-            position::point(inspection, *t, digits),
-            position::of(plot, values)
-        ),
+        text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
     });
     let curves = plot.curves.iter().enumerate().map(|(k, curve)| {
         let hit = first.is_some_and(|(hit, _)| hit == curve.named.object);

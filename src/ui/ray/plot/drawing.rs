@@ -5,11 +5,11 @@ use egui::{Align2, Color32, Key, Painter, Pos2, Rect, Sense, Stroke, Ui, Vec2, p
 
 use crate::model::session::Heights;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
-use crate::view::chart::{self, GridInk, Scale, Tick};
+use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::lines::steps::number;
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
-use crate::view::typesetting::label_layout::{Font, LabelLayout};
+use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::formula;
 use crate::view::typesetting::theme;
 
@@ -21,7 +21,6 @@ const TOP: (f64, f64) = (4.4, 45.0);
 /// Value of f, in units, at the lower edge: with and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
-const SOLID: [f32; 2] = [0.0; 2];
 /// Dash and gap in points, by a curve's place.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 
@@ -105,7 +104,8 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
             *t = t_at(scale.position(*t) + 3.0 * steps);
         }
     }
-    let text = ray_point_t.map_or("nobody walks".to_owned(), |t| format!("walked to t = {t}"));
+    let text = ray_point_t
+        .map_or("no point marked on the ray".to_owned(), |t| format!("walked to t = {t}"));
     response.with_role(Role::Image).named("Plot of f(p + t d)").described(text);
 }
 
@@ -294,7 +294,8 @@ impl Drawing<'_> {
             let t = number(t, 5);
             let texts = [format!("first hit: t = {t}"), format!("hit: t = {t}"), t];
             let font = Font { size: TEXT + 1.0, color: ink, bold: true };
-            let _ = texts.iter().any(|text| words.write(text, font, beside_hit(at)).is_some());
+            let places = || around(at, Vec2::DOWN, 15.0);
+            let _ = texts.iter().any(|text| words.write(text, font, places()).is_some());
         }
         if let Some((t, _)) = &self.plot.ray_point_t {
             let (x, top) = (self.t.position(*t), self.rect.top() + 3.0);
@@ -312,11 +313,7 @@ impl Drawing<'_> {
             if written.contains(&text) {
                 continue;
             }
-            let below = |y: f32| (at + vec2(0.0, y), Align2::CENTER_TOP);
-            let above = |x: f32, y: f32| (at + vec2(x, -y), Align2::CENTER_BOTTOM);
-            let places =
-                [below(8.0), above(0.0, 8.0), below(27.0), above(0.0, 27.0), above(8.0, 27.0)];
-            let places = places.into_iter().chain([above(-8.0, 27.0)]);
+            let places = around(at, Vec2::DOWN, 8.0).chain(around(at, Vec2::DOWN, 27.0));
             words.write(&text, Font { size: TEXT, color: ink, bold: false }, places);
             written.push(text);
         }
@@ -342,15 +339,7 @@ impl Drawing<'_> {
         let shares = [0.3, 0.22, 0.4, 0.15, 0.5, 0.6, 0.7, 0.08, 0.8, 0.9, 0.02, 0.98];
         let along = shares.iter().filter_map(|share| all.get((share * all.len() as f32) as usize));
         let exits = drawn.exits.iter().map(|(at, direction)| *at - 12.0 * *direction);
-        let around = |at: Pos2| {
-            [
-                (at + vec2(9.0, -3.0), Align2::LEFT_CENTER),
-                (at + vec2(-9.0, -3.0), Align2::RIGHT_CENTER),
-                (at + vec2(0.0, -7.0), Align2::CENTER_BOTTOM),
-                (at + vec2(0.0, 7.0), Align2::CENTER_TOP),
-            ]
-        };
-        along.copied().chain(exits).flat_map(around).collect()
+        along.copied().chain(exits).flat_map(|at| around(at, Vec2::RIGHT, 9.0).take(8)).collect()
     }
 }
 
@@ -360,18 +349,4 @@ fn closely(chain: &[Pos2]) -> impl Iterator<Item = Pos2> {
         let count = (ends[0].distance(ends[1]) / 4.0).ceil().max(1.0) as usize;
         (0..=count).map(move |k| ends[0].lerp(ends[1], k as f32 / count as f32))
     })
-}
-
-/// Returns positions below the hit, then above it.
-fn beside_hit(at: Pos2) -> [(Pos2, Align2); 6] {
-    let below = |x: f32, align| (at + vec2(x, 12.0), align);
-    let above = |x: f32, align| (at + vec2(x, -12.0), align);
-    [
-        below(-4.0, Align2::LEFT_TOP),
-        below(4.0, Align2::RIGHT_TOP),
-        below(0.0, Align2::CENTER_TOP),
-        above(-4.0, Align2::LEFT_BOTTOM),
-        above(4.0, Align2::RIGHT_BOTTOM),
-        above(0.0, Align2::CENTER_BOTTOM),
-    ]
 }

@@ -3,7 +3,6 @@
 
 mod brief;
 mod drawing;
-mod position;
 
 use egui::{
     Context, Id, Label, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2,
@@ -11,6 +10,7 @@ use egui::{
 
 use super::lines::number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::inspection::Inspection;
 use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -51,8 +51,8 @@ pub(crate) fn ui(
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.ray_point_t {
-                text(ui, &position::point(inspection, *t, digits));
-                ui.label(RichText::new(position::of(plot, values)).strong());
+                text(ui, &point(inspection, *t, digits));
+                ui.label(RichText::new(objects_at(plot, values)).strong());
             }
             ui.separator();
             for k in 0..plot.curves.len() {
@@ -106,6 +106,28 @@ fn walk(
         let slider = Slider::new(t, range).show_value(false);
         ui.add(slider.clamping(egui::SliderClamping::Never)).named("walk to t");
     });
+}
+
+/// Returns the coordinates of the point at t, as a formula.
+fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
+    let [x, y, z] = inspection.ray.at(t).to_array().map(|x| number(x, digits));
+    format!("p + t d = ({x}, {y}, {z})")
+}
+
+/// Returns which objects contain the point, and on which ones it is, by the values of f there.
+fn objects_at(plot: &Plot, values: &[f64]) -> String {
+    let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
+        let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
+        curves.map(|(curve, _)| curve.named.title.as_str()).collect()
+    };
+    let inside = titles(&|curve, f| curve.is_inside(f)).join(", ");
+    let on = titles(&|_, f| f == 0.0).join(", ");
+    match (inside.is_empty(), on.is_empty()) {
+        (true, true) => "outside all objects".to_owned(),
+        (false, true) => format!("inside {inside}"),
+        (true, false) => format!("on {on}"),
+        (false, false) => format!("inside {inside}; on {on}"),
+    }
 }
 
 /// Returns the concept that the mouse is on in the text beside the last frame's plot.

@@ -1,8 +1,7 @@
 //! The accuracy view: another method's error map beside the camera's picture; below, error against
 //! run time as plot and table.
 
-mod plot;
-mod table;
+mod methods;
 
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::methods::{Method, trace_by};
@@ -142,10 +141,10 @@ pub(crate) fn ui(
     let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
     let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
     let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
-    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| methods::plot(ui, case));
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-            table::ui(ui, case, &mut session.settings.compared);
+            methods::table(ui, case, &mut session.settings.compared);
         });
     });
 }
