@@ -220,21 +220,18 @@ pub use fearless_simd::Level;
 
 pub use camera::basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::difference::CameraDifference;
-pub use camera::exact_ray::ExactRay;
-pub use camera::image::{ImageError, ImageSize, Pixel};
-pub use camera::intrinsics::Intrinsics;
-pub use camera::ray::{Ray, RayError};
+pub use camera::ray::{ExactRay, Ray, RayError};
 pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};
 pub use camera::selection::Selection;
-pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
+pub use camera::viewport::{
+    ImageError, ImageSize, Intrinsics, Pixel, Viewport, ViewportError, extent_of_fov, fov_of_extent,
+};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use exact::decimal::{shortest, triple};
 pub use exact::double_double::DoubleDouble;
+pub use exact::scale::{shortest, triple};
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
-pub use render::frame::counts::Counts;
-pub use render::frame::depth::Depth;
-pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
+pub use render::frame::{Counts, Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::{HitShader, lambert, shade, shade_at_level};
 pub use render::{
@@ -244,7 +241,6 @@ pub use scene::Scene;
 pub use scene::along_ray::{AlongRay, ParabolaVertex};
 pub use scene::certificate::{Certificate, Hardest, Question};
 pub use scene::error::{ObjectError, SceneError};
-pub use scene::object::{LineRoots, Object, RankedRoot, Root};
+pub use scene::object::{LineRoots, Object, RankedRoot, Root, Roots};
 pub use scene::plane::{Plane, PlaneTerms};
-pub use scene::roots::Roots;
 pub use scene::sphere::{Sphere, SphereQuadratic};

@@ -5,9 +5,9 @@ use glam::DVec3;
 use crate::camera::basis::{Basis, BasisError, check_finite};
 use crate::exact::bounded;
 use crate::exact::bounded::{Number, Vector, scaled};
+use crate::exact::double_double::difference_with_rest;
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
-use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::ldexp;
 use crate::exact::surd::Radicands;
 

@@ -2,13 +2,9 @@
 
 pub(crate) mod basis;
 pub(crate) mod difference;
-pub(crate) mod exact_ray;
 pub(crate) mod fine_basis;
-pub(crate) mod image;
-pub(crate) mod intrinsics;
 pub(crate) mod ray;
 pub(crate) mod resolved;
-pub(crate) mod rotation;
 pub(crate) mod selection;
 pub(crate) mod viewport;
 
@@ -19,10 +15,10 @@ use glam::DVec3;
 
 use crate::camera::basis::{Basis, BasisError, UpAngle};
 use crate::camera::fine_basis::{Aim, FineBasis, angle_terms};
-use crate::camera::image::{ImageError, ImageSize};
 use crate::camera::resolved::{AimGiven, ResolvedCamera};
+use crate::camera::viewport::{ImageError, ImageSize};
 use crate::camera::viewport::{Viewport, ViewportError};
-use crate::exact::error_free::difference_with_rest;
+use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::unit;
 
 /// The way the camera looks and which way is up: one of the three ways to say so.

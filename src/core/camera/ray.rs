@@ -1,10 +1,17 @@
-//! Rays in parametric form.
+//! Rays in parametric form: with a direction in `f64`, and exact, as given or as a camera's view ray,
+//! whose direction no `f64` holds.
 
 use std::fmt;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use crate::exact::decimal::triple;
+use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
+use crate::camera::viewport::Pixel;
+use crate::exact::big_ray::BigRay;
+use crate::exact::bounded::{Number, Vector, length, near, scaled};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::quadratic::DirectionTerms;
+use crate::exact::scale::triple;
 use crate::exact::scale::{ldexp, split};
 
 /// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
@@ -96,5 +103,145 @@ impl Ray {
         }
         let (direction, k) = split(self.direction);
         ldexp(t * direction.length(), k)
+    }
+}
+
+/// A ray on which every decision is what exact real arithmetic gives.
+///
+/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::from_ray`]).
+/// - Of a camera's view ray, eye, at (or view), up, viewport and image are: nothing in between is
+///   rounded, neither the basis nor (u, v) nor the direction
+///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
+///
+/// Both are the same to the intersection code: a direction in double-double with a bound of its
+/// error, and, where that does not suffice, the exact numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct ExactRay<'a> {
+    origin: DVec3,
+    source: Source<'a>,
+    /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
+    /// within 1e-30 and 1e30.
+    pub(crate) fine: DirectionTerms<DoubleDouble>,
+    /// The direction, rounded to `f64`.
+    pub(crate) rough: DirectionTerms<f64>,
+    pub(crate) scale: i32,
+    /// A whole number: a pixel's (u, v) times it has no denominator.
+    pub(crate) stretch: f64,
+}
+
+/// The inputs that the exact numbers are made of.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    Given(DVec3),
+    View(&'a ResolvedCamera, ViewportPoint),
+}
+
+impl ResolvedCamera {
+    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
+    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
+    pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
+        ExactRay::from_view(self, ViewportPoint::Pixel(pixel))
+    }
+
+    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
+    ///
+    /// # Errors
+    /// Returns an error if u or v is not finite.
+    pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
+        if !uv.is_finite() {
+            return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
+        }
+        Ok(ExactRay::from_view(self, ViewportPoint::Uv(uv)))
+    }
+}
+
+impl<'a> ExactRay<'a> {
+    /// The ray as given.
+    ///
+    /// # Errors
+    /// Returns an error if a coordinate is not finite or the direction is zero.
+    pub fn from_ray(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
+        ray.check()?;
+        let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));
+        Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
+    }
+
+    /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
+    pub(crate) fn from_view(camera: &'a ResolvedCamera, point: ViewportPoint) -> ExactRay<'a> {
+        let (direction, scale) = camera.fine_direction(point);
+        let (direction, more) = scaled(direction);
+        let doubt = camera.fine_basis().direction_doubt();
+        let (source, stretch) = (Source::View(camera, point), point.stretch(camera.image()));
+        ExactRay::new(camera.eye(), source, direction, doubt, scale + more, stretch)
+    }
+
+    fn new<'b>(
+        origin: DVec3,
+        source: Source<'b>,
+        d: Vector<DoubleDouble>,
+        doubt: f64,
+        scale: i32,
+        stretch: f64,
+    ) -> ExactRay<'b> {
+        let rounded = near(d);
+        let length = length(rounded);
+        let fine = DirectionTerms { d, length, doubt };
+        // Of a given ray no digit is lost.
+        let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
+        let rough = DirectionTerms { d: rounded, length, doubt: doubt + rounding };
+        ExactRay { origin, source, fine, rough, scale, stretch }
+    }
+
+    /// The point at `t = 0`.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The pixel whose view ray this is, if it is one's.
+    pub fn pixel(&self) -> Option<Pixel> {
+        match self.source {
+            Source::View(_, ViewportPoint::Pixel(pixel)) => Some(pixel),
+            _ => None,
+        }
+    }
+
+    /// The direction of a ray as given; `None` of a view ray.
+    pub(crate) fn given(&self) -> Option<DVec3> {
+        match self.source {
+            Source::Given(direction) => Some(direction),
+            Source::View(..) => None,
+        }
+    }
+
+    /// The ray in `f64`: each coordinate of the direction is the exact one, rounded.
+    pub fn rounded(&self) -> Ray {
+        let direction = match self.source {
+            Source::Given(direction) => direction,
+            Source::View(camera, point) => self.rounded_direction(camera, point),
+        };
+        Ray { origin: self.origin, direction }
+    }
+
+    fn rounded_direction(&self, camera: &ResolvedCamera, point: ViewportPoint) -> DVec3 {
+        let stretch = DoubleDouble::from(self.stretch);
+        let share = self.fine.doubt + DoubleDouble::QUOTIENT;
+        let mut big = None;
+        DVec3::from_array(std::array::from_fn(|i| {
+            let x = self.fine.d[i] / stretch;
+            let rounded = ldexp(x.hi, self.scale);
+            if x.rounds_surely(share * self.fine.length / self.stretch) && rounded.is_normal() {
+                return rounded;
+            }
+            let big = big.get_or_insert_with(|| camera.big_ray(point));
+            big.value(&big.direction[i], &big.scale).to_f64() + 0.0
+        }))
+    }
+
+    /// The exact numbers.
+    pub(crate) fn big(&self) -> BigRay {
+        match self.source {
+            Source::Given(direction) => BigRay::given(self.origin, direction),
+            Source::View(camera, point) => camera.big_ray(point),
+        }
     }
 }

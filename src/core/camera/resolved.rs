@@ -5,14 +5,14 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::basis::Basis;
 use crate::camera::fine_basis::{BigBasis, FineBasis, ViewGiven};
-use crate::camera::image::{ImageSize, Pixel};
 use crate::camera::ray::Ray;
 use crate::camera::viewport::Viewport;
+use crate::camera::viewport::{ImageSize, Pixel};
 use crate::exact::big_ray::BigRay;
 use crate::exact::bounded::{Vector, scaled};
 use crate::exact::double_double::DoubleDouble;
+use crate::exact::double_double::difference_with_rest;
 use crate::exact::dyadic::{Dyadic, exact3, times};
-use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::{exponent, ldexp};
 use crate::exact::surd::{Radicands, Surd};
 

@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use crate::camera::exact_ray::ExactRay;
-use crate::camera::image::{ImageSize, Pixel};
+use crate::camera::ray::ExactRay;
 use crate::camera::ray::RayError;
 use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
 use crate::camera::viewport::Viewport;
+use crate::camera::viewport::{ImageSize, Pixel};
 
 /// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,10 @@
-//! The viewport: the rectangle in front of the eye through which the view rays pass.
+//! The image plane: the viewport, the rectangle in front of the eye through which the view rays pass;
+//! the image, the pixels it is divided into; and both together as computer vision writes them, K, the
+//! matrix of focal lengths and principal point.
 
 use std::fmt;
 
-use crate::exact::decimal::shortest;
+use crate::exact::scale::shortest;
 
 /// Width and height of the viewport and its distance from the eye, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,4 +101,143 @@ pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
 pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
     let is_angle = fov > 0.0 && fov <= std::f64::consts::PI;
     if is_angle { 2.0 * (distance * (0.5 * fov).tan()) } else { 0.0 }
+}
+
+/// The image's width W and height H in pixels, 1 to [`ImageSize::MAX`] each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ImageSize {
+    width: u32,
+    height: u32,
+}
+
+/// A pixel by row (0 on top) and column (0 at the left).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Pixel {
+    /// Row, from 0 at the top to H - 1.
+    pub row: u32,
+    /// Column, from 0 at the left to W - 1.
+    pub column: u32,
+}
+
+/// An image measure outside 1 to [`ImageSize::MAX`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ImageError {
+    /// `width` or `height`.
+    pub field: &'static str,
+    /// The value.
+    pub value: u32,
+}
+
+impl fmt::Display for ImageError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ImageError { field, value } = self;
+        write!(f, "image {field} is {value}: it must be 1 to {} pixels", ImageSize::MAX)
+    }
+}
+
+impl std::error::Error for ImageError {}
+
+impl ImageSize {
+    /// The largest width and height.
+    pub const MAX: u32 = 16_384;
+
+    /// An image of `width` x `height` pixels.
+    ///
+    /// # Errors
+    /// Returns an error if one of them is 0 or above [`ImageSize::MAX`].
+    pub const fn new(width: u32, height: u32) -> Result<ImageSize, ImageError> {
+        ImageSize::within(ImageSize::MAX, width, height)
+    }
+
+    /// An image of which only some rows and columns are ever traced, [`ImageSize::MAX`] of each at
+    /// most: it may be up to four times as large. The margins of [`crate::render::outline::extent`]
+    /// allow for that.
+    #[doc(hidden)]
+    pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
+        ImageSize::within(4 * ImageSize::MAX, width, height)
+    }
+
+    const fn within(most: u32, width: u32, height: u32) -> Result<ImageSize, ImageError> {
+        if width == 0 || width > most {
+            return Err(ImageError { field: "width", value: width });
+        }
+        if height == 0 || height > most {
+            return Err(ImageError { field: "height", value: height });
+        }
+        Ok(ImageSize { width, height })
+    }
+
+    /// W, in pixels.
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// H, in pixels.
+    pub fn height(self) -> u32 {
+        self.height
+    }
+
+    /// W / H.
+    pub fn aspect(self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    /// Number of pixels: W H.
+    pub fn pixel_count(self) -> u64 {
+        u64::from(self.width()) * u64::from(self.height())
+    }
+
+    /// Returns whether the pixel lies in the image.
+    pub fn contains(self, pixel: Pixel) -> bool {
+        pixel.row < self.height && pixel.column < self.width
+    }
+}
+
+/// Focal lengths and principal point in pixels; x to the right, y *down*, from the image's upper left
+/// *corner*, so that pixel (row i, column j) has its centre at `(j + 0.5, i + 0.5)`.
+///
+/// ```text
+///     fx  0 cx        x = fx X / Z + cx
+/// K =  0 fy cy        y = fy Y / Z + cy       X = q.u, Y = -q.v, Z = -q.w
+///      0  0  1
+/// ```
+///
+/// (Hartley, Zisserman, *Multiple View Geometry*, 2nd ed., section 6.1, with y down.) Where pixel
+/// centres are whole numbers, as in OpenCV, cx and cy are a half less.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intrinsics {
+    /// `distance W / width`
+    pub fx: f64,
+    /// `distance H / height`; the same as fx where pixels are square.
+    pub fy: f64,
+    /// Column at which the view direction meets the image: W / 2 for every camera here.
+    pub cx: f64,
+    /// H / 2, likewise.
+    pub cy: f64,
+}
+
+impl Intrinsics {
+    /// Computes those of a viewport that is cut into so many pixels.
+    pub fn from_viewport(viewport: &Viewport, image: ImageSize) -> Intrinsics {
+        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+        Intrinsics {
+            fx: viewport.distance * (w / viewport.width),
+            fy: viewport.distance * (h / viewport.height),
+            cx: 0.5 * w,
+            cy: 0.5 * h,
+        }
+    }
+
+    /// The viewport at `distance` with these focal lengths; the principal point is not regarded.
+    pub fn viewport(&self, image: ImageSize, distance: f64) -> Viewport {
+        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+        Viewport { width: distance * w / self.fx, height: distance * h / self.fy, distance }
+    }
+
+    /// Returns how far right and down of the image's middle the principal point is, in pixels.
+    pub fn off_centre(&self, image: ImageSize) -> [f64; 2] {
+        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+        [self.cx - 0.5 * w, self.cy - 0.5 * h]
+    }
 }

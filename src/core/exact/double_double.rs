@@ -2,10 +2,14 @@
 //!
 //! With `u = 2^-53` every operation below has a proven bound on its relative error. The bounds hold
 //! barring overflow and underflow; callers scale by powers of two.
+//!
+//! Below it are the error-free sums and products that it is made of, of one number or of several side
+//! by side.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::exact::error_free::{Lane, fast_two_sum, two_sum};
+use glam::DVec3;
+
 use crate::exact::scale::ldexp;
 
 /// `hi + lo` with `|lo| <= ulp(hi) / 2`.
@@ -137,5 +141,158 @@ impl DoubleDouble {
 impl From<f64> for DoubleDouble {
     fn from(x: f64) -> Self {
         DoubleDouble { hi: x, lo: 0.0 }
+    }
+}
+
+/// One `f64`, or a SIMD vector of them, all rounded to nearest.
+///
+/// The same operations give the same bits whatever the width, because none of them fuses a product
+/// with a sum but where the result is exact.
+pub(crate) trait Lane:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The rounded square root.
+    fn sqrt(self) -> Self;
+
+    /// `(p, e)` with `p = fl(self * other)` and `self * other = p + e` exactly, for factors below
+    /// 2^996 and products of at least 2^-969. Below that, e is off by at most 2^-1073.
+    fn two_product(self, other: Self) -> (Self, Self);
+
+    /// `x / 2`.
+    fn half(self) -> Self;
+
+    /// The number, or 0 where it is below.
+    fn not_negative(self) -> Self;
+
+    /// `(2^27 + 1) * self`.
+    fn shifted(self) -> Self;
+
+    /// Two halves of at most 26 bits each, by Veltkamp's splitting.
+    #[inline(always)]
+    fn halves(self) -> (Self, Self) {
+        let shifted = self.shifted();
+        let high = shifted - (shifted - self);
+        (high, self - high)
+    }
+}
+
+/// `(s, e)` with `s = fl(a + b)` and `a + b = s + e` exactly, unless the sum overflows (Knuth, *The
+/// Art of Computer Programming* vol. 2, section 4.2.2, theorem B).
+#[inline(always)]
+pub(crate) fn two_sum<F: Lane>(a: F, b: F) -> (F, F) {
+    let sum = a + b;
+    let b_rounded = sum - a;
+    let a_rounded = sum - b_rounded;
+    (sum, (a - a_rounded) + (b - b_rounded))
+}
+
+/// [`two_sum`] where a is 0 or has no smaller exponent than b (Dekker, *A floating-point technique
+/// for extending the available precision*, Numerische Mathematik 18, 1971).
+#[inline(always)]
+pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and products
+/// of at least 2^-969 (Dekker 1971, by Veltkamp's splitting): plain operations, for processors that
+/// have no fused multiply-add, with the same bits as it (but for the sign of an error of 0).
+#[inline(always)]
+pub(crate) fn dekker_product<F: Lane>(a: F, b: F) -> (F, F) {
+    let product = a * b;
+    let ((a_high, a_low), (b_high, b_low)) = (a.halves(), b.halves());
+    let error = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
+    (product, error)
+}
+
+/// Veltkamp's factor, `2^27 + 1`.
+pub(crate) const SPLITTER: f64 = (1_u32 << 27) as f64 + 1.0;
+
+impl Lane for f64 {
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn two_product(self, other: f64) -> (f64, f64) {
+        dekker_product(self, other)
+    }
+
+    #[inline(always)]
+    fn half(self) -> f64 {
+        0.5 * self
+    }
+
+    #[inline(always)]
+    fn not_negative(self) -> f64 {
+        self.max(0.0)
+    }
+
+    #[inline(always)]
+    fn shifted(self) -> f64 {
+        SPLITTER * self
+    }
+}
+
+/// `(d, e)` with `d = fl(a - b)` and `a - b = d + e` exactly, of each coordinate: [`two_sum`].
+fn two_difference(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
+    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
+    (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
+}
+
+/// `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless the
+/// difference overflows.
+pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
+    let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
+    let (difference, rest) = two_difference(shrink * a, shrink * b);
+    (difference, rest, k)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use dashu_float::FBig;
+    use dashu_float::round::mode::HalfEven;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::test_seed::config;
+
+    fn big(x: f64) -> FBig<HalfEven, 2> {
+        FBig::try_from(x).unwrap().with_precision(5000).value()
+    }
+
+    /// Any bits, with an exponent between -400 and 400.
+    fn number() -> impl Strategy<Value = f64> {
+        (any::<u64>(), -400..400_i32).prop_map(|(bits, exponent)| {
+            let mantissa = f64::from_bits(bits & !(0x7ff << 52) | (1023 << 52));
+            mantissa * 2_f64.powi(exponent)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(config(256))]
+
+        #[test]
+        fn sums_are_exact(a in number(), b in number(), close in any::<bool>()) {
+            let b = if close { a * 1e-9 + b * 1e-200 } else { b };
+            let (sum, error) = two_sum(a, b);
+            prop_assert_eq!(sum, a + b);
+            prop_assert_eq!(big(sum) + big(error), big(a) + big(b));
+        }
+
+        #[test]
+        fn products_are_exact(a in number(), b in number()) {
+            let (product, error) = dekker_product(a, b);
+            prop_assert_eq!(product, a * b);
+            prop_assert_eq!(big(product) + big(error), big(a) * big(b));
+        }
     }
 }

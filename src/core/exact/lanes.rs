@@ -10,7 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{ExtractToken, Level, Simd};
 
-use crate::exact::error_free::{Lane, SPLITTER, dekker_product};
+use crate::exact::double_double::{Lane, SPLITTER, dekker_product};
 
 /// A vector of `f64` of the processor's own width.
 #[derive(Clone, Copy)]

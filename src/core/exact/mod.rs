@@ -7,10 +7,8 @@
 
 pub(crate) mod big_ray;
 pub(crate) mod bounded;
-pub(crate) mod decimal;
 pub(crate) mod double_double;
 pub(crate) mod dyadic;
-pub(crate) mod error_free;
 pub(crate) mod lanes;
 pub(crate) mod precise;
 pub(crate) mod quadratic;

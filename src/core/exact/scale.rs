@@ -1,5 +1,5 @@
-//! Scaling by powers of two: exact, and it removes every overflow and underflow from a length, a
-//! cross product or a discriminant.
+//! Scaling by powers of two, which is exact and removes every overflow and underflow from a length, a
+//! cross product or a discriminant; and numbers as the shortest text that reads back.
 
 use glam::DVec3;
 
@@ -82,6 +82,23 @@ pub fn length(v: DVec3) -> f64 {
 /// The angle between two directions of length 1, accurate also where it is small.
 pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
+}
+
+/// The shortest decimal that reads back to the same `f64`: `1`, `0.1`, `1e300`.
+///
+/// Unlike `{}` it never prints hundreds of zeros, unlike `{:?}` it prints no trailing `.0`, and
+/// negative zero, which no reader needs to know of, is `0`.
+pub fn shortest(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let text = format!("{x:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+/// A point or direction as `(1, 2, 3)`.
+pub fn triple(p: DVec3) -> String {
+    format!("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::double_double::DoubleDouble;
@@ -19,9 +19,9 @@ use crate::methods::formulas::{
     ByQ, ClosestPoint, Intersect, Kahan, Lagrange, Perpendicular, Plain, Recentred, Textbook,
 };
 use crate::methods::loops::{FrameBy, ViewRays, first_hit};
-use crate::methods::method::{Formula, Method, Precision};
 use crate::methods::number::{Real, RoundedRay, RoundedScene};
-use crate::render::frame::depth::Depth;
+use crate::methods::{Formula, Method, Precision};
+use crate::render::frame::Depth;
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::render::{retrace, trace_as};
 use crate::scene::Scene;

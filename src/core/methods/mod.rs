@@ -23,11 +23,256 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use std::fmt;
+
+pub use dispatch::{FrameKernel, MethodHit, RayKernel, Traced, frame_kernel, ray_kernel, trace_by};
+
 mod dispatch;
 mod formulas;
 mod loops;
-mod method;
 mod number;
 
-pub use dispatch::{FrameKernel, MethodHit, RayKernel, Traced, frame_kernel, ray_kernel, trace_by};
-pub use method::{Formula, Method, Precision};
+/// A formula for a ray and a sphere.
+///
+/// With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all of them solve
+///
+/// ```text
+/// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
+/// ```
+///
+/// They agree in real arithmetic. They differ in what rounding leaves of D; where each fails,
+/// [`Method::about`] says. A plane is met by the textbook's `t = n.(q - p) / n.d` in all of them
+/// (Glassner, section 2.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Formula {
+    /// The textbook's `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, both roots.
+    ///
+    /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
+    /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
+    Textbook,
+    /// Half the linear coefficient, and the roots `q / a` and `c / q` with
+    /// `q = -(b + sign(b) sqrt D)`, in which nothing cancels but what is in `D = b^2 - a c`.
+    ///
+    /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
+    /// equations 5.6.4 and 5.6.5.
+    HalfB,
+    /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
+    /// within 1.5 ulp of the exact value for the a, b, c at hand.
+    ///
+    /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
+    /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
+    Kahan,
+    /// Half-b with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
+    /// centre at right angles to the ray.
+    ///
+    /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
+    /// intersection*, Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in
+    /// Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
+    Perpendicular,
+    /// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
+    /// with l the distance of that point from the centre.
+    ///
+    /// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient
+    /// CPU ray tracing*, ACM Transactions on Graphics 33(4), 2014),
+    /// `kernels/geometry/sphere_intersector.h`.
+    ClosestPoint,
+    /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
+    /// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
+    ///
+    /// Source: Embree, which does so for curves ("move ray closer to make intersection stable",
+    /// `kernels/geometry/curve_intersector_sweep.h`).
+    Recentred,
+    /// Half-b with `D = r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
+    ///
+    /// Source: Lagrange's identity, *Solutions analytiques de quelques problemes sur les pyramides
+    /// triangulaires*, 1773 (Steele, *The Cauchy-Schwarz Master Class*, 2004, chapter 3).
+    Lagrange,
+}
+
+/// The precision that every operation is rounded to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// 24 binary digits.
+    F32,
+    /// 53 binary digits.
+    F64,
+}
+
+/// A way to find the first hit of a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "&'static str"))]
+pub enum Method {
+    /// The steps that this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
+    /// [`trace`](crate::trace).
+    Ladder,
+    /// The same steps with `t` in `f32`, as pictures are made: [`trace_as::<f32>`](crate::trace_as). It
+    /// traces whole frames, not single rays.
+    LadderF32,
+    /// [`Formula::HalfB`] in double-double, rounded at the end: no filter, no exact step.
+    DoubleDouble,
+    /// A known formula, every operation in one precision, no error bound.
+    Known(Formula, Precision),
+}
+
+impl Method {
+    /// All methods for any ray: the ladder, double-double, then the known formulas, from the plainest
+    /// on, `f32` first.
+    pub const ALL: &'static [Method] = {
+        use Formula::*;
+        use Precision::*;
+        &[
+            Method::Ladder,
+            Method::DoubleDouble,
+            Method::Known(Textbook, F32),
+            Method::Known(Textbook, F64),
+            Method::Known(HalfB, F32),
+            Method::Known(HalfB, F64),
+            Method::Known(Kahan, F32),
+            Method::Known(Kahan, F64),
+            Method::Known(Perpendicular, F32),
+            Method::Known(Perpendicular, F64),
+            Method::Known(ClosestPoint, F32),
+            Method::Known(ClosestPoint, F64),
+            Method::Known(Recentred, F32),
+            Method::Known(Recentred, F64),
+            Method::Known(Lagrange, F32),
+            Method::Known(Lagrange, F64),
+        ]
+    };
+
+    /// All methods for whole frames: [`Method::LadderF32`], then [`Method::ALL`].
+    pub fn of_frames() -> impl Iterator<Item = Method> {
+        std::iter::once(Method::LadderF32).chain(Method::ALL.iter().copied())
+    }
+
+    /// The name in commands, files and tables.
+    pub fn name(self) -> &'static str {
+        self.facts()[0]
+    }
+
+    /// The method of this name.
+    pub fn from_name(name: &str) -> Option<Method> {
+        Method::of_frames().find(|method| method.name() == name)
+    }
+
+    /// The precision of the answer, in whose ulps its error is counted.
+    pub fn precision(self) -> Precision {
+        match self {
+            Method::Known(_, precision) => precision,
+            Method::LadderF32 => Precision::F32,
+            Method::Ladder | Method::DoubleDouble => Precision::F64,
+        }
+    }
+
+    /// Book or paper, in one line.
+    pub fn source(self) -> &'static str {
+        self.facts()[1]
+    }
+
+    /// Returns what it does and where it fails, in one sentence.
+    pub fn about(self) -> &'static str {
+        self.facts()[2]
+    }
+
+    /// Name, source, and what it does and where it fails.
+    fn facts(self) -> [&'static str; 3] {
+        match self {
+            Method::Ladder => [
+                "ladder",
+                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
+                "Each decision in f64 with an error bound, where that leaves doubt in double-double, \
+                 and where that does too, exactly; t from more digits than f64 has, rounded once.",
+            ],
+            Method::LadderF32 => [
+                "ladder-f32",
+                "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps",
+                "How pictures are drawn: each decision in f32 with an error bound, where that leaves \
+                 doubt by the ladder; t within an ulp of f32.",
+            ],
+            Method::DoubleDouble => [
+                "double-double",
+                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
+                 Mathematical Software 44 (2017)",
+                "The half-b formula with about 106 digits, rounded at the end: fails where squares \
+                 leave the range of f64, and on exact ties and tangents of rounded rays.",
+            ],
+            Method::Known(formula, precision) => {
+                let ([single, double], source, about) = formula.facts();
+                [if precision == Precision::F32 { single } else { double }, source, about]
+            }
+        }
+    }
+}
+
+impl From<Method> for &'static str {
+    fn from(method: Method) -> &'static str {
+        method.name()
+    }
+}
+
+impl TryFrom<String> for Method {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Method, String> {
+        Method::from_name(&name).ok_or_else(|| format!("no method is named {name}"))
+    }
+}
+
+impl Formula {
+    /// Names in `f32` and in `f64`, source, and what it does and where it fails.
+    fn facts(self) -> ([&'static str; 2], &'static str, &'static str) {
+        match self {
+            Formula::Textbook => (
+                ["textbook-f32", "textbook-f64"],
+                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1",
+                "(-b -+ sqrt(b^2 - 4ac)) / 2a as it stands: loses the outline of distant spheres, and \
+                 the near root of a large sphere close to the eye.",
+            ),
+            Formula::HalfB => (
+                ["half-b-f32", "half-b-f64"],
+                "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
+                "Half of b, and q = -(b + sign(b) sqrt D) for both roots: keeps the near root of a \
+                 large sphere, still loses the outline of distant ones in b^2 - ac.",
+            ),
+            Formula::Kahan => (
+                ["kahan-f32", "kahan-f64"],
+                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264",
+                "b^2 - ac with fused multiply-adds, almost exact: but a, b and c are rounded before, \
+                 which costs the outline as much as the plain difference does.",
+            ),
+            Formula::Perpendicular => (
+                ["perpendicular-f32", "perpendicular-f64"],
+                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
+                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3",
+                "D from the vector from the centre at right angles to the ray: fails for tiny far \
+                 spheres, whose perpendicular vector has few digits.",
+            ),
+            Formula::ClosestPoint => (
+                ["closest-point-f32", "closest-point-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h",
+                "From the ray's point closest to the centre half a chord back and forth: fails for \
+                 tiny far spheres, and at the near root of a large sphere close to the eye.",
+            ),
+            Formula::Recentred => (
+                ["recentred-f32", "recentred-f64"],
+                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
+                 curve_intersector_sweep.h",
+                "Moves the origin to the ray's point closest to the centre and solves from there: \
+                 fails where the closest-point formula does.",
+            ),
+            Formula::Lagrange => (
+                ["lagrange-f32", "lagrange-f64"],
+                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3",
+                "D as r^2 a - |oc x d|^2, in which little cancels far away: fails on near tangents, \
+                 and inside a sphere near its surface.",
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}

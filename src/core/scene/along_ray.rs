@@ -1,6 +1,6 @@
 //! An object's implicit function along a ray: what is 0 at the roots.
 
-use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::ExactRay;
 use crate::exact::bounded::{Number, Vector, dot, length, near};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::Precise;

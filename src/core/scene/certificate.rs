@@ -13,9 +13,9 @@ use std::cmp::Ordering;
 
 use rayon::prelude::*;
 
-use crate::camera::exact_ray::ExactRay;
-use crate::camera::image::Pixel;
+use crate::camera::ray::ExactRay;
 use crate::camera::resolved::ResolvedCamera;
+use crate::camera::viewport::Pixel;
 use crate::exact::bounded::{Number, SECOND_ORDER, UNIT};
 use crate::exact::quadratic::{DirectionTerms, LARGEST_SHARE, Quadratic, SphereTerms};
 use crate::exact::scale::ldexp;
@@ -25,9 +25,9 @@ use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::objects_from_origin::ObjectsFromOrigin;
 use crate::scene::plane_predicates::{PlaneFromOrigin, Rate};
-use crate::scene::point_power::{FINE_SHARE, ROUGH_SHARE};
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
+use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 
 /// How surely a ray's first hit, or that there is none, is decided.
 ///

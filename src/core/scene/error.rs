@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::exact::decimal::{shortest, triple};
+use crate::exact::scale::{shortest, triple};
 
 /// A fault of one object.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,23 +2,16 @@
 
 pub(crate) mod along_ray;
 pub(crate) mod big_roots;
-pub(crate) mod boxes;
 pub(crate) mod certificate;
 pub(crate) mod error;
-pub(crate) mod line;
 pub(crate) mod object;
 pub(crate) mod object_from_origin;
 pub(crate) mod objects_from_origin;
 pub(crate) mod plane;
-pub(crate) mod plane_order;
 pub(crate) mod plane_predicates;
-pub(crate) mod point_power;
-pub(crate) mod roots;
 pub(crate) mod sphere;
 pub(crate) mod sphere_index;
-pub(crate) mod sphere_order;
 pub(crate) mod sphere_predicates;
-pub(crate) mod spheres;
 
 #[cfg(test)]
 mod tests;
@@ -28,19 +21,19 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::exact::steps::Steps;
 use crate::scene::error::SceneError;
-use crate::scene::line::Line;
 use crate::scene::object::{Object, RankedRoot, Root};
 use crate::scene::object_from_origin::Hit;
+use crate::scene::objects_from_origin::Line;
 use crate::scene::objects_from_origin::ObjectsFromOrigin;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
+use crate::scene::sphere_index::Spheres;
 use crate::scene::sphere_predicates::RootSide;
-use crate::scene::spheres::Spheres;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 ///
@@ -126,7 +119,7 @@ impl Scene {
     }
 
     /// The index over the spheres; `None` where there are fewer than
-    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and
+    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes it, in parallel, and
     /// must not come from within parallel work: a thread that helps out while it waits would come
     /// back here.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {

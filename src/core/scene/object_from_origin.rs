@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::dot;
@@ -15,10 +15,10 @@ use crate::exact::quadratic::LARGEST_SHARE;
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
+use crate::scene::object::Roots;
 use crate::scene::object::{LineRoots, Object, Root};
 use crate::scene::plane::Plane;
 use crate::scene::plane_predicates::PlaneFromOrigin;
-use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 

@@ -1,14 +1,16 @@
-//! An index over a scene's spheres: what of it can be seen is found without a look at every sphere.
-//! It depends on the spheres alone, not on a camera, and is kept until they change.
+//! A scene's spheres and the index over them: spheres of about one size that are close together are
+//! stored together, in boxes, so that a camera finds the visible ones without looking at every sphere.
+//! The index depends on the spheres alone, not on a camera, and is kept until they change.
 
+use std::fmt;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::scene::boxes::Bound;
+use crate::exact::scale::exponent;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 
 /// The id of a slot that holds no sphere of its own.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
@@ -161,4 +163,212 @@ impl SphereIndex {
     fn bound_of_group(&self, group: usize) -> Bound {
         Bound::around(self.blocks_of(group).map(|block| self.blocks[block]))
     }
+}
+
+/// One box with what is known of the spheres inside.
+///
+/// On each axis the box is `middle - half ..= middle + half`, in real numbers and rounded alike: what
+/// is inside lies between the two whichever way they are computed. A half extent is infinite where
+/// it is beyond the range of `f64`; nothing else is but the sum of squares, and nothing is NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bound {
+    pub(crate) middle: [f64; 3],
+    pub(crate) half: [f64; 3],
+    /// The sum of r^2 of the spheres inside.
+    pub(crate) area: f64,
+    /// The largest r of the spheres inside.
+    pub(crate) radius: f64,
+    /// Number of spheres inside.
+    pub(crate) count: u32,
+}
+
+impl Bound {
+    /// A box with nothing inside.
+    pub(crate) const EMPTY: Bound =
+        Bound { middle: [0.0; 3], half: [0.0; 3], area: 0.0, radius: 0.0, count: 0 };
+
+    /// The box of a sphere, not rounded outward: for [`Bound::around`].
+    pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
+        let Sphere { center, radius } = *sphere;
+        let (middle, half) = (center.to_array(), [radius; 3]);
+        Bound { middle, half, area: radius * radius, radius, count: 1 }
+    }
+
+    /// The box around all of these.
+    pub(crate) fn around(boxes: impl Iterator<Item = Bound>) -> Bound {
+        let mut all = Bound::EMPTY;
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for bound in boxes {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(bound.middle[axis] - bound.half[axis]);
+                high[axis] = high[axis].max(bound.middle[axis] + bound.half[axis]);
+            }
+            all.area += bound.area;
+            all.radius = all.radius.max(bound.radius);
+            all.count += bound.count;
+        }
+        if all.count > 0 {
+            for axis in 0..3 {
+                // Each was rounded once: the next number beyond is outside.
+                let ends = (low[axis].next_down(), high[axis].next_up());
+                (all.middle[axis], all.half[axis]) = middle_and_half(ends);
+            }
+        }
+        all
+    }
+}
+
+/// `(middle, half)` with `middle - half <= low` and `high <= middle + half`.
+fn middle_and_half((low, high): (f64, f64)) -> (f64, f64) {
+    // Halved before the sum, which then cannot overflow.
+    let middle = 0.5 * low.max(f64::MIN) + 0.5 * high.min(f64::MAX);
+    (middle, (high - middle).max(middle - low).next_up())
+}
+
+/// Number of spheres from which on there is an index over them: a look at each of fewer is as fast.
+pub(crate) const INDEX_FROM: usize = 256;
+
+/// Checked spheres, with an index that is made at the first demand and kept; it says nothing that
+/// the spheres do not.
+#[derive(Clone, Default)]
+pub(crate) struct Spheres {
+    list: Vec<Sphere>,
+    index: OnceLock<SphereIndex>,
+}
+
+impl Spheres {
+    pub(crate) fn new(list: Vec<Sphere>) -> Spheres {
+        Spheres { list, index: OnceLock::new() }
+    }
+
+    pub(crate) fn list(&self) -> &[Sphere] {
+        &self.list
+    }
+
+    /// The index; `None` of fewer than [`INDEX_FROM`].
+    pub(crate) fn index(&self) -> Option<&SphereIndex> {
+        if self.list.len() < INDEX_FROM {
+            return None;
+        }
+        // Made before the cell is entered: who waited for a cell while its index is made by the same
+        // threads that wait could wait for ever. At worst two are made, and one is used.
+        if self.index.get().is_none() {
+            let _ = self.index.set(SphereIndex::new(&self.list));
+        }
+        self.index.get()
+    }
+
+    /// Puts a checked sphere in place of another one.
+    pub(crate) fn replace(&mut self, index: u32, sphere: Sphere) {
+        self.list[index as usize] = sphere;
+        if let Some(known) = self.index.get_mut() {
+            known.replace(index, &sphere);
+        }
+    }
+}
+
+impl PartialEq for Spheres {
+    fn eq(&self, other: &Self) -> bool {
+        self.list == other.list
+    }
+}
+
+impl fmt::Debug for Spheres {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.list.fmt(f)
+    }
+}
+
+/// Slots in a block.
+pub(crate) const BLOCK: usize = 16;
+
+/// Blocks in a group at most.
+pub(crate) const GROUP: usize = 64;
+
+/// A sphere's centre and number, which is all that is moved while ordering.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Key {
+    pub(crate) center: [f64; 3],
+    pub(crate) id: u32,
+}
+
+/// Number of spheres from which on the two halves of a split may be ordered by two threads.
+const SHARED_FROM: usize = 8192;
+
+/// Classes that radii from 2^-1074 to 2^1024 fall into.
+const CLASSES: usize = (1074 + 1024) / 2;
+
+/// A radius's size class: the power of 4 that it has reached.
+fn class_of(radius: f64) -> usize {
+    ((exponent(radius) + 1074) / 2) as usize
+}
+
+/// All spheres in the order of the index, and the ranges of the size classes.
+///
+/// Within a class, halves by the median along the longest axis of the centres; each cut lies at a
+/// whole number of groups, within a group at a whole number of blocks, so that only the last block
+/// of a class is not full. The order depends on the spheres alone, not on the number of threads.
+pub(crate) fn ordered(spheres: &[Sphere]) -> (Vec<Key>, Vec<Range<usize>>) {
+    let mut counts = [0; CLASSES];
+    for sphere in spheres {
+        counts[class_of(sphere.radius)] += 1;
+    }
+    let mut classes = Vec::new();
+    let mut next = counts.map(|_| 0);
+    let mut start = 0;
+    for (class, count) in counts.into_iter().enumerate().filter(|(_, count)| *count > 0) {
+        next[class] = start;
+        classes.push(start..start + count);
+        start += count;
+    }
+    let mut keys = vec![Key { center: [0.0; 3], id: 0 }; spheres.len()];
+    for (id, sphere) in (0..).zip(spheres) {
+        let slot = &mut next[class_of(sphere.radius)];
+        keys[*slot] = Key { center: sphere.center.to_array(), id };
+        *slot += 1;
+    }
+    for class in &classes {
+        split(&mut keys[class.clone()]);
+    }
+    (keys, classes)
+}
+
+fn split(keys: &mut [Key]) {
+    if keys.len() <= BLOCK {
+        return;
+    }
+    let unit = if keys.len() > BLOCK * GROUP { BLOCK * GROUP } else { BLOCK };
+    let middle = keys.len().div_ceil(unit) / 2 * unit;
+    match longest_axis(keys) {
+        0 => select::<0>(keys, middle),
+        1 => select::<1>(keys, middle),
+        _ => select::<2>(keys, middle),
+    }
+    let is_shared = keys.len() >= SHARED_FROM;
+    let (left, right) = keys.split_at_mut(middle);
+    if is_shared {
+        rayon::join(|| split(left), || split(right));
+    } else {
+        split(left);
+        split(right);
+    }
+}
+
+/// Brings the `middle` smallest of an axis to the front.
+fn select<const AXIS: usize>(keys: &mut [Key], middle: usize) {
+    keys.select_nth_unstable_by(middle, |a, b| a.center[AXIS].total_cmp(&b.center[AXIS]));
+}
+
+/// The axis along which the centres are spread the widest.
+fn longest_axis(keys: &[Key]) -> usize {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for key in keys {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(key.center[axis]);
+            high[axis] = high[axis].max(key.center[axis]);
+        }
+    }
+    let spread = |axis: usize| high[axis] - low[axis];
+    let wider = |a: usize, b: usize| if spread(b) > spread(a) { b } else { a };
+    wider(wider(0, 1), 2)
 }

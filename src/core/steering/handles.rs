@@ -8,7 +8,7 @@ use crate::camera::basis::{Basis, BasisError};
 use crate::camera::fine_basis::Aim;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::exact::error_free::difference_with_rest;
+use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::{ldexp3, length, split, unit};
 use crate::scene::error::ObjectError;
 use crate::scene::sphere::Sphere;

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::viewport::ViewportError;
 use crate::camera::{Camera, CameraError};
-use crate::exact::decimal::shortest;
+use crate::exact::scale::shortest;
 use crate::exact::scale::{angle_between, unit};
 
 /// The smallest angle between up, or -up, and the view that [`Camera::orbited`] and

@@ -8,7 +8,7 @@ use super::steered::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, stea
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::exact::error_free::difference_with_rest;
+use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::{ldexp, length, unit};
 
 impl Camera {

@@ -1,6 +1,317 @@
 //! Many spheres: groups and blocks of them that can be seen, drawn near to far, and those that nearer
 //! ones hide left out.
 
-pub(crate) mod draw;
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::exact::lanes::lanes_of;
+use crate::render::bvh::occlusion::{Occlusion, strips};
+use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
+use crate::render::frame::Counts;
+use crate::render::outline::Outlines;
+use crate::render::outline::small_outlines::SmallOutlines;
+use crate::render::rows::small_spheres::{Runs, draw_small};
+use crate::render::rows::span::{Span, SpanTarget};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
+
 pub(crate) mod occlusion;
 pub(crate) mod visible;
+
+/// Results of drawing a band's part of many spheres.
+#[derive(Default)]
+pub(crate) struct DrawnSpheres {
+    pub(crate) counts: Counts,
+    /// Spheres that cannot be drawn by rows.
+    pub(crate) others: Vec<u32>,
+}
+
+/// Draws what the target's rows see of many spheres, near to far, from a block of a group on. Stops
+/// before the end, and tells before which block, where too many pixels are in doubt.
+#[inline(always)]
+pub(crate) fn draw_visible<S: Simd>(
+    simd: S,
+    visible: &VisibleSpheres,
+    (first_group, mut first_block): (usize, usize),
+    target: &mut SpanTarget,
+    drawn: &mut DrawnSpheres,
+) -> Option<(usize, usize)> {
+    let is_drawn = !visible.others.is_empty() || first_group + first_block > 0;
+    let mut drawing = Drawing {
+        visible,
+        runs: Runs::new(),
+        small: SmallOutlines::default(),
+        outlines: None,
+        occlusion: Occlusion::new(target.axes.width(), target.rows.len(), is_drawn),
+        drawn,
+    };
+    for (number, group) in visible.groups.iter().enumerate().skip(first_group) {
+        let start = std::mem::take(&mut first_block);
+        let rows = own_rows(target, &group.bounds.extent.rows());
+        if rows.is_empty() {
+            continue;
+        }
+        if drawing.is_hidden(target, &group.bounds) {
+            for block in &group.blocks[start..] {
+                drawing.count_hidden(target, block);
+            }
+            continue;
+        }
+        for (k, block) in group.blocks.iter().enumerate().skip(start) {
+            if own_rows(target, &block.extent.rows()).is_empty() {
+                continue;
+            }
+            // Where spheres do not cover one another much, a look at each block costs more than it
+            // saves.
+            if visible.is_crowded && drawing.is_hidden(target, block) {
+                drawing.count_hidden(target, block);
+                continue;
+            }
+            drawing.block(simd, target, (block, group.has_others));
+            if target.is_full() {
+                return Some((number, k + 1));
+            }
+        }
+        if !visible.is_crowded {
+            drawing.occlusion.touch(&rows, &group.bounds.extent.columns());
+        }
+    }
+    None
+}
+
+struct Drawing<'a> {
+    visible: &'a VisibleSpheres<'a>,
+    runs: Runs,
+    /// The outlines of the spheres at hand, if they are small.
+    small: SmallOutlines,
+    outlines: Option<Box<Outlines>>,
+    occlusion: Occlusion,
+    drawn: &'a mut DrawnSpheres,
+}
+
+/// Returns whether this band counts a block's spheres, which are counted once: by the first band
+/// that the block reaches.
+#[inline(always)]
+fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
+    block.extent.rows().start >= target.rows.start
+}
+
+/// Rows of the raster that lie in the target, as rows of the target.
+#[inline(always)]
+fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
+    let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
+    start - target.rows.start..end.max(start) - target.rows.start
+}
+
+impl Drawing<'_> {
+    /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
+    #[inline(always)]
+    fn is_hidden(&mut self, target: &SpanTarget, bounds: &VisibleBox) -> bool {
+        let rows = own_rows(target, &bounds.extent.rows());
+        self.occlusion.hides(target.t, &rows, &bounds.extent.columns(), bounds.nearest)
+    }
+
+    /// Counts the spheres of a block that is passed over.
+    fn count_hidden(&mut self, target: &SpanTarget, block: &VisibleBox) {
+        if own_rows(target, &block.extent.rows()).is_empty() {
+            return;
+        }
+        let spheres = u64::from(self.visible.index.blocks[block.id as usize].count);
+        self.drawn.counts.hidden += spheres;
+        if is_first_band(target, block) {
+            self.drawn.counts.in_view += spheres;
+        }
+    }
+
+    /// Draws the spheres of a block.
+    #[inline(always)]
+    fn block<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        (block, has_others): (&VisibleBox, bool),
+    ) {
+        let index = self.visible.index;
+        let counts_here = is_first_band(target, block);
+        let n = S::f64s::LEN;
+        for from in SphereIndex::slots_of(block.id as usize).step_by(2 * n) {
+            let halves = [index.spheres(from..from + n), index.spheres(from + n..from + 2 * n)];
+            let ids = S::u32s::from_slice(simd, &index.ids[from..from + 2 * n]);
+            let there = !ids.simd_eq(S::u32s::splat(simd, NO_SPHERE));
+            let there = there.to_bitmask();
+            let left = self.small_spheres(simd, target, (from, &halves), (there, counts_here));
+            for (half, slots) in halves.iter().enumerate() {
+                let left = left >> (half * n) & (u64::MAX >> (64 - n));
+                if left != 0 {
+                    let from = from + half * n;
+                    self.other_spheres(
+                        simd,
+                        target,
+                        (from, slots),
+                        (left, counts_here, has_others),
+                    );
+                }
+            }
+        }
+    }
+
+    /// Draws those of the spheres from a slot on that are small; returns which are left.
+    #[inline(always)]
+    fn small_spheres<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        (from, halves): (usize, &[SphereSlots; 2]),
+        (there, counts_here): (u64, bool),
+    ) -> u64 {
+        let (index, space) = (self.visible.index, &self.visible.space);
+        self.small.find(simd, space, halves);
+        let outlines = &self.small;
+        let behind = there & outlines.is_behind;
+        let beyond = there & outlines.is_outside & !behind;
+        let small = there & outlines.is_small & !behind & !beyond;
+        let in_view = small & outlines.rows_meet(simd, target.axes, 0..target.axes.height());
+        if counts_here {
+            let counts = &mut self.drawn.counts;
+            counts.behind += u64::from(behind.count_ones());
+            counts.outside += u64::from((beyond | small & !in_view).count_ones());
+            counts.in_view += u64::from(in_view.count_ones());
+        }
+        let mut drawn = in_view & outlines.rows_meet(simd, target.axes, target.rows.clone());
+        if self.visible.is_crowded {
+            for lane in lanes_of(drawn) {
+                let (rows, columns) = outlines.extent((lane, S::f64s::LEN), target.axes);
+                let rows = own_rows(target, &rows);
+                let is_nowhere = rows.is_empty() || columns.is_empty();
+                let nearest = outlines.nearest[lane];
+                if is_nowhere || self.occlusion.hides(target.t, &rows, &columns, nearest) {
+                    self.drawn.counts.hidden += u64::from(!is_nowhere);
+                    drawn &= !(1 << lane);
+                }
+            }
+        }
+        if drawn != 0 {
+            let ids = &index.ids[from..from + S::f32s::LEN];
+            draw_small(simd, outlines, drawn, ids, &mut self.runs, target);
+            for (lane, row) in self.runs.doubtful.drain(..) {
+                let mut outlines = Outlines::default();
+                outlines.find(simd, space, &halves[lane / S::f64s::LEN]);
+                let half_lane = lane % S::f64s::LEN;
+                if outlines.is_plain >> half_lane & 1 == 1 {
+                    let span = Span::new(ids[lane], &outlines.one(half_lane));
+                    span.doubtful_row(simd, target, row);
+                } else {
+                    let (_, columns) = self.small.extent((lane, S::f64s::LEN), target.axes);
+                    target.doubt(ids[lane], row, columns);
+                }
+            }
+        }
+        if self.visible.is_crowded {
+            for lane in lanes_of(drawn) {
+                let (rows, columns) = outlines.extent((lane, S::f64s::LEN), target.axes);
+                self.occlusion.touch(&own_rows(target, &rows), &columns);
+            }
+        }
+        there & !behind & !beyond & !small
+    }
+
+    /// Draws those of the spheres from a slot on whose bits are set.
+    #[inline(always)]
+    fn other_spheres<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        (from, slots): (usize, &SphereSlots),
+        (there, counts_here, has_others): (u64, bool, bool),
+    ) {
+        let mut outlines = self.outlines.take().unwrap_or_default();
+        outlines.find(simd, &self.visible.space, slots);
+        let ids = &self.visible.index.ids[from..from + S::f64s::LEN];
+        let behind = there & outlines.is_behind;
+        let between =
+            outlines.is_plain & !rows_meet(simd, &outlines, target, 0..target.axes.height());
+        let outside = there & (outlines.is_outside | between) & !behind;
+        let left = there & !behind & !outside;
+        let plain = left & outlines.is_plain;
+        let plain_here = plain & rows_meet(simd, &outlines, target, target.rows.clone());
+        if counts_here {
+            let counts = &mut self.drawn.counts;
+            counts.behind += u64::from(behind.count_ones());
+            counts.outside += u64::from(outside.count_ones());
+            counts.in_view += u64::from(left.count_ones());
+        }
+        for lane in lanes_of(plain_here) {
+            self.sphere(simd, target, &outlines, lane, ids[lane]);
+        }
+        if !has_others {
+            for lane in lanes_of(left & !plain) {
+                self.drawn.others.push(ids[lane]);
+            }
+        }
+        self.outlines = Some(outlines);
+    }
+
+    /// Draws one sphere by rows.
+    #[inline(always)]
+    fn sphere<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        outlines: &Outlines,
+        lane: usize,
+        id: u32,
+    ) {
+        let span = Span::new(id, &outlines.one(lane));
+        // Where spheres do not cover one another much, a look costs more than it saves.
+        if !self.visible.is_crowded {
+            let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
+            return span.draw(simd, target, rows, &columns);
+        }
+        let (rows, columns) = extent(target, outlines, lane);
+        if rows.is_empty() || columns.is_empty() {
+            return;
+        }
+        let nearest = span.outline.nearest as f32;
+        let mut is_hidden = true;
+        for strip in strips(&rows) {
+            let seen = self.occlusion.seen(target.t, &strip, &columns, nearest);
+            if !seen.is_empty() {
+                is_hidden = false;
+                let first = target.rows.start;
+                span.draw(simd, target, first + strip.start..first + strip.end, &seen);
+                self.occlusion.touch(&strip, &seen);
+            }
+        }
+        self.drawn.counts.hidden += u64::from(is_hidden);
+    }
+}
+
+/// Finds the spheres of a vector that reach rows of the raster.
+#[inline(always)]
+fn rows_meet<S: Simd>(
+    simd: S,
+    outlines: &Outlines,
+    target: &SpanTarget,
+    rows: Range<usize>,
+) -> u64 {
+    let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+    let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
+    let (first, last) = (number(rows.start), number(rows.end - 1));
+    let (first_row, last_row) = (load(&outlines.first_row), load(&outlines.last_row));
+    let meets = last_row.simd_ge(first) & first_row.simd_le(last) & first_row.simd_le(last_row);
+    meets.to_bitmask()
+}
+
+/// Rows of the target and columns that a sphere can cover.
+#[inline(always)]
+fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
+    let rows = target.axes.rows_between(outlines.first_row[lane], outlines.last_row[lane]);
+    // The middle moves by the shear, the half width is at most that of the widest row.
+    let row = outlines.middle_row + outlines.row[lane];
+    let (above, below) = (row - outlines.first_row[lane], outlines.last_row[lane] - row);
+    let reach =
+        outlines.size[lane].sqrt() + outlines.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
+    let (left, right) = (outlines.column[lane] - reach, outlines.column[lane] + reach);
+    (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
+}

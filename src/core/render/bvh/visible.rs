@@ -4,13 +4,13 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
-use crate::render::frame::counts::Counts;
+use crate::render::frame::Counts;
 use crate::render::outline::Outlines;
-use crate::render::outline::camera_space::CameraSpace;
-use crate::render::outline::extent::{Extent, Extents};
+use crate::render::outline::raster_axes::CameraSpace;
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::small_outlines::SmallOutlines;
-use crate::scene::boxes::Bound;
+use crate::render::outline::{Extent, Extents};
+use crate::scene::sphere_index::Bound;
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 
 /// A group or a block of spheres, and which part of the raster they can cover.

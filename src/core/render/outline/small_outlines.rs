@@ -6,7 +6,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::render::outline::camera_space::CameraSpace;
+use crate::render::outline::raster_axes::CameraSpace;
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES, MOST_SINGLE_LANES};
 use crate::scene::sphere_index::SphereSlots;
@@ -319,7 +319,7 @@ mod tests {
 
     use super::*;
     use crate::camera::Camera;
-    use crate::camera::image::ImageSize;
+    use crate::camera::viewport::ImageSize;
     use crate::camera::viewport::Viewport;
     use crate::render::outline::{Outline, Outlines};
 

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::camera::image::Pixel;
 use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
+use crate::camera::viewport::Pixel;
 use crate::exact::bounded::{Number, UNIT, Vector, length, near};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionTerms;

@@ -1,8 +1,138 @@
 //! Objects that are not drawn by rows: spheres that are near or large, and planes. An object's
 //! quadratic is a polynomial in rows and columns.
 
-pub(crate) mod blend;
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::exact::quadratic::{Quadratic, SphereTerms};
+
 pub(crate) mod conic;
 pub(crate) mod frame_rays;
 pub(crate) mod object_kernel;
-pub(crate) mod per_pixel;
+
+/// A miss in a kernel's answers.
+pub(crate) const MISS: f64 = f64::INFINITY;
+
+/// Doubt in a kernel's answers: the pixel goes up the ladder by itself.
+pub(crate) const DOUBT: f64 = f64::NAN;
+
+/// Maximum relative error of the `t` that a kernel gives: 2^-27 makes at most a quarter of an ulp of
+/// `f32`, and its rounding half of one.
+pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
+
+/// The range of `t` in a frame, so far within that of `f32` that what is computed of it is, too.
+pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
+
+/// Two `t` that are closer than this share of them may be in the wrong order for their rounding.
+const TIE: f32 = 4.0 * f32::EPSILON;
+
+/// Returns the nearest `f32`; infinite or the smallest positive one where it is beyond the range.
+#[inline(always)]
+pub(crate) fn to_single(t: f64) -> f32 {
+    (t as f32).max(f32::from_bits(1))
+}
+
+/// Returns whether `t` is well within the range of `f32`.
+#[inline(always)]
+pub(crate) fn is_in_range(t: f64) -> bool {
+    t > RANGE.0.into() && t < RANGE.1.into()
+}
+
+/// Takes over what is nearer than what is there, and tells whether anything [is in doubt](is_in_doubt),
+/// which it leaves as it is.
+#[inline(always)]
+pub(crate) fn blend<S: Simd>(
+    simd: S,
+    found: &[f64],
+    t: &mut [f32],
+    object: &mut [u32],
+    index: u32,
+) -> bool {
+    let n = S::u32s::LEN;
+    let whole = t.len() - t.len() % n;
+    let mut any = false;
+    let rows = t[..whole].chunks_exact_mut(n).zip(object[..whole].chunks_exact_mut(n));
+    for (found, (t, object)) in found.chunks_exact(n).zip(rows) {
+        any |= blend_vector(simd, found, t, object, index);
+    }
+    for k in whole..t.len() {
+        let x = found[k] as f32;
+        let in_doubt = is_in_doubt(found[k], t[k], object[k], index);
+        any |= in_doubt;
+        if !in_doubt && x < t[k] {
+            (t[k], object[k]) = (x, index);
+        }
+    }
+    any
+}
+
+/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, that is close to
+/// the ends of the range, or closer to what is there than their rounding.
+#[inline(always)]
+pub(crate) fn is_in_doubt(found: f64, t: f32, object: u32, index: u32) -> bool {
+    let x = found as f32;
+    let is_plain = (x > RANGE.0) & (x < RANGE.1);
+    // A miss is infinite in f64 already; what only the narrowing makes infinite is none.
+    let is_sure = (found == MISS) | (is_plain & ((x - t).abs() > TIE * x));
+    // What was just taken over is there itself.
+    !is_sure && object != index
+}
+
+/// Blends one vector of pixels.
+#[inline(always)]
+fn blend_vector<S: Simd>(
+    simd: S,
+    found: &[f64],
+    t: &mut [f32],
+    object: &mut [u32],
+    index: u32,
+) -> bool {
+    let half = S::f64s::LEN;
+    let low = S::f64s::from_slice(simd, &found[..half]);
+    let high = S::f64s::from_slice(simd, &found[half..]);
+    let miss = S::f64s::splat(simd, MISS);
+    let is_miss = low.simd_eq(miss).narrow(high.simd_eq(miss));
+    let (x, known) = (low.narrow(high), S::f32s::from_slice(simd, t));
+    let tie = x * TIE;
+    let is_apart = (x - known).simd_gt(tie) | (known - x).simd_gt(tie);
+    let is_plain =
+        x.simd_gt(S::f32s::splat(simd, RANGE.0)) & x.simd_lt(S::f32s::splat(simd, RANGE.1));
+    let is_sure = is_miss | (is_plain & is_apart);
+    let take = is_sure & x.simd_lt(known);
+    // Not a selection of what is stored: that would become a masked store, slow on many processors.
+    take.select(x, S::f32s::splat(simd, f32::INFINITY)).min(known).store_slice(t);
+    let objects = S::u32s::from_slice(simd, object);
+    let change = S::u32s::splat(simd, index) ^ objects;
+    (objects ^ take.select(change, S::u32s::splat(simd, 0))).store_slice(object);
+    (!is_sure).any_true()
+}
+
+/// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
+/// surely does not; NaN in doubt.
+#[inline(always)]
+pub(crate) fn pixel_hit(
+    quadratic: &Quadratic<f64>,
+    parts: &SphereTerms<f64>,
+    factor: f64,
+    known: f32,
+) -> f64 {
+    /// Share by which two `t` are apart for sure: far more than one in `f64` is off by.
+    const APART: f64 = 1e-6;
+    let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
+    if discriminant < -discriminant_doubt || b < -b_doubt {
+        return f64::INFINITY;
+    }
+    let Some((t, doubt)) = quadratic.root(parts, false) else {
+        return DOUBT;
+    };
+    let (t, known) = (t * factor, f64::from(known));
+    if b <= b_doubt || doubt > APART {
+        return DOUBT;
+    }
+    // What is known may have been rounded to a subnormal number, of which any share may be its error.
+    if t > known.max(RANGE.0.into()) * (1.0 + 4.0 * APART) {
+        return f64::INFINITY;
+    }
+    let is_sure = doubt <= T_SHARE && t < known * (1.0 - 4.0 * APART) && is_in_range(t);
+    if is_sure { t } else { DOUBT }
+}

@@ -7,13 +7,13 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Select, Simd};
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, dot, length};
-use crate::exact::error_free::Lane;
+use crate::exact::double_double::Lane;
 use crate::exact::lanes::Lanes;
 use crate::exact::quadratic::SphereTerms;
 use crate::exact::scale::ldexp;
-use crate::render::polynomial::blend::{DOUBT, MISS, T_SHARE};
 use crate::render::polynomial::conic::{Conic, ConicRow, Thresholds};
 use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
+use crate::render::polynomial::{DOUBT, MISS, T_SHARE};
 use crate::scene::plane_predicates::PlaneFromOrigin;
 
 /// Returns the factor from the units of the polynomials to those of `t`; `None` where they are extreme.

@@ -1,24 +1,26 @@
-//! Pixels that go up the ladder by themselves.
+//! Pixels that go up the ladder one by one, with the objects and pairs of planes kept from pixel to
+//! pixel; and `t` in `f64` and normals of hits that are already known.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
+use std::collections::HashMap;
 use std::ops::Range;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::exact::quadratic::DirectionTerms;
 use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
-use crate::render::polynomial::blend::{T_SHARE, is_in_range, to_single};
 use crate::render::polynomial::object_kernel::factor;
+use crate::render::polynomial::{T_SHARE, is_in_range, to_single};
 use crate::render::row_band::RowBand;
-use crate::render::row_band::known_objects::KnownObjects;
 use crate::render::row_band::rough_hits::{Rough, RoughHit};
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
-use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
-use crate::scene::plane_predicates::PlaneFromOrigin;
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
+use crate::scene::plane_predicates::{PlaneFromOrigin, PlaneOrder};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// Number of pixels in doubt from which it is worth while to keep what is known of each pixel, and to
@@ -286,4 +288,90 @@ impl PixelLadder<'_> {
         let t = t.unwrap_or_else(|| to_single(seen.t_within(&ray, root, T_SHARE).to_f64()));
         self.t[offset] = to_single(f64::from(t));
     }
+}
+
+/// Objects as the eye sees them, by the last digits of their index, and pairs of planes.
+#[derive(Debug, Default)]
+pub(crate) struct KnownObjects {
+    objects: Vec<Option<(u32, ObjectFromOrigin)>>,
+    plane_orders: HashMap<[u32; 2], PlaneOrder>,
+}
+
+impl KnownObjects {
+    /// Number of objects that are kept; a power of two.
+    const OBJECTS: usize = 64;
+
+    /// Maximum number of pairs of planes that are kept.
+    const PAIRS: usize = 4096;
+
+    /// Returns an object as the eye sees it, which is made if it is not at hand.
+    pub(crate) fn get(
+        &mut self,
+        index: u32,
+        make: impl FnOnce() -> ObjectFromOrigin,
+    ) -> &ObjectFromOrigin {
+        self.objects.resize(KnownObjects::OBJECTS, None);
+        let slot = &mut self.objects[index as usize % KnownObjects::OBJECTS];
+        if slot.as_ref().is_none_or(|(known, _)| *known != index) {
+            *slot = None;
+        }
+        &slot.get_or_insert_with(|| (index, make())).1
+    }
+
+    /// Returns the order of two planes, which is made if it is not at hand.
+    pub(crate) fn plane_order(
+        &mut self,
+        indices: [u32; 2],
+        [one, other]: [&PlaneFromOrigin; 2],
+    ) -> PlaneOrder {
+        if self.plane_orders.len() > KnownObjects::PAIRS {
+            self.plane_orders.clear();
+        }
+        *self.plane_orders.entry(indices).or_insert_with(|| PlaneOrder::new(one, other))
+    }
+}
+
+/// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
+/// is no room for it. Returns the steps that `t` took.
+pub(crate) fn fill_exactly(
+    plan: &Plan,
+    rows: Range<usize>,
+    object: &[u32],
+    t: &mut [f64],
+    normals: &mut [DVec3],
+) -> Steps {
+    let mut steps = Steps::default();
+    if t.is_empty() && normals.is_empty() {
+        return steps;
+    }
+    let (camera, width) = (plan.rays.camera(), plan.axes.width());
+    let mut known: Option<(u32, ObjectFromOrigin)> = None;
+    for (offset, object) in object.iter().copied().enumerate() {
+        if object == NO_OBJECT {
+            if let Some(t) = t.get_mut(offset) {
+                *t = f64::INFINITY;
+            }
+            if let Some(normal) = normals.get_mut(offset) {
+                *normal = DVec3::ZERO;
+            }
+            continue;
+        }
+        if known.as_ref().is_none_or(|(index, _)| *index != object) {
+            let given = plan.scene.object(object);
+            known = given.map(|given| (object, ObjectFromOrigin::new(&given, camera.eye())));
+        }
+        let Some((_, seen)) = &known else { continue };
+        let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
+        let root = seen.root_of_hit();
+        if let Some(t) = t.get_mut(offset) {
+            *t = seen.rounded_t_counting(&ray, root, &mut steps);
+        }
+        if let Some(normal) = normals.get_mut(offset) {
+            *normal = match seen {
+                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
+                ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
+            };
+        }
+    }
+    steps
 }

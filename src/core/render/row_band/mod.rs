@@ -1,8 +1,6 @@
 //! Some rows of a frame, and the objects that are added to them one after the other.
 
-pub(crate) mod exact_values;
 pub(crate) mod fallback;
-pub(crate) mod known_objects;
 pub(crate) mod rough_hits;
 
 use std::cmp::Ordering;
@@ -13,21 +11,21 @@ use fearless_simd::{Simd, dispatch};
 
 use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::exact::steps::Steps;
-use crate::render::bvh::draw::{DrawnSpheres, draw_visible};
-use crate::render::frame::counts::Counts;
-use crate::render::outline::extent::Extent;
+use crate::render::bvh::{DrawnSpheres, draw_visible};
+use crate::render::frame::Counts;
+use crate::render::outline::Extent;
 use crate::render::plan::Plan;
-use crate::render::plan::classify::SLICE_ROWS;
-use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
+use crate::render::plan::SLICE_ROWS;
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
-use crate::render::polynomial::per_pixel::pixel_hit;
+use crate::render::polynomial::pixel_hit;
+use crate::render::polynomial::{DOUBT, blend, is_in_doubt, to_single};
+use crate::render::row_band::fallback::KnownObjects;
 use crate::render::row_band::fallback::PixelQuery;
-use crate::render::row_band::known_objects::KnownObjects;
 use crate::render::row_band::rough_hits::RoughHit;
-use crate::render::rows::draw_row::{WrittenBlocks, clear};
+use crate::render::rows::VectorBounds;
 use crate::render::rows::span::{Doubt, SpanTarget};
-use crate::render::rows::vector_bounds::VectorBounds;
+use crate::render::rows::{WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 

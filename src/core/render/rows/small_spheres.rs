@@ -8,7 +8,7 @@ use crate::exact::lanes::lanes_of;
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::small_outlines::{Halves, Singles, SmallOutlines};
 use crate::render::outline::{MARGIN, MOST_SINGLE_LANES};
-use crate::render::rows::draw_row::TIE;
+use crate::render::rows::TIE;
 use crate::render::rows::span::{Doubt, SpanTarget};
 
 /// Pixels drawn at once.

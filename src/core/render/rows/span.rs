@@ -6,12 +6,12 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::exact::error_free::Lane;
+use crate::exact::double_double::Lane;
 use crate::exact::lanes::{SingleLanes, lanes_of};
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{MARGIN, MOST_LANES, Outline};
-use crate::render::rows::draw_row::{RowBuffers, TIE, WrittenBlocks, draw_row};
-use crate::render::rows::vector_bounds::VectorBounds;
+use crate::render::rows::VectorBounds;
+use crate::render::rows::{RowBuffers, TIE, WrittenBlocks, draw_row};
 use crate::scene::sphere::Sphere;
 
 /// A sphere that can be drawn by rows.

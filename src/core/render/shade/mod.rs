@@ -4,19 +4,17 @@ pub(crate) mod normals;
 pub(crate) mod paint;
 pub(crate) mod painter;
 pub(crate) mod shade_rows;
-pub(crate) mod srgb;
-pub(crate) mod surface;
 
 use fearless_simd::Level;
 use rayon::prelude::*;
 
 use crate::camera::ray::Ray;
+use crate::render::frame::Depth;
 use crate::render::frame::Frame;
-use crate::render::frame::depth::Depth;
+use crate::render::shade::paint::Srgb;
 use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 use crate::render::shade::painter::Painter;
 use crate::render::shade::shade_rows::{AMBIENT, FROM_EYE, Toner};
-use crate::render::shade::srgb::Srgb;
 use crate::scene::Scene;
 
 /// Rows that one thread shades at a time.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use fearless_simd::Level;
 
 use crate::camera::resolved::ResolvedCamera;
-use crate::render::frame::depth::Depth;
+use crate::render::frame::Depth;
 use crate::render::frame::{NO_OBJECT, Raster};
 use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};

@@ -6,12 +6,12 @@ use glam::DVec3;
 
 use crate::camera::ray::Ray;
 use crate::exact::lanes::Lanes;
-use crate::render::shade::normals::{Normals, Surface};
-use crate::render::shade::paint::{Rgb, Shade};
-use crate::render::shade::srgb::{PARTS, Srgb};
-use crate::render::shade::surface::{
+use crate::render::shade::normals::{
     Ball, PLAIN_T, far_normal, near_normal, plane_cosine, sphere_cosine,
 };
+use crate::render::shade::normals::{Normals, Surface};
+use crate::render::shade::paint::{PARTS, Srgb};
+use crate::render::shade::paint::{Rgb, Shade};
 use crate::scene::Scene;
 
 /// Number of pixels that rows are padded by: as many as the widest vector of `f32` has.

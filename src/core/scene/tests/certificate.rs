@@ -2,7 +2,7 @@
 
 use super::cloud;
 use crate::camera::Camera;
-use crate::camera::image::Pixel;
+use crate::camera::viewport::Pixel;
 use crate::exact::steps::Steps;
 use crate::scene::Scene;
 use crate::scene::certificate::{Certificate, certificate_among};

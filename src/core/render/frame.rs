@@ -1,15 +1,15 @@
-//! A picture: the first hit of every pixel's view ray.
+//! A picture: the first hit of every pixel's view ray, in buffers that bands of rows fill side by side;
+//! the number in which it keeps `t`; and the counts of what it left out.
 
-pub(crate) mod buffers;
-pub(crate) mod counts;
-pub(crate) mod depth;
+use std::ops::{Add, AddAssign, Range};
 
+use fearless_simd::Level;
 use glam::DVec3;
 
-use crate::camera::image::{ImageSize, Pixel};
 use crate::camera::resolved::ResolvedCamera;
+use crate::camera::viewport::{ImageSize, Pixel};
 use crate::exact::steps::Steps;
-use crate::render::frame::counts::Counts;
+use crate::scene::Scene;
 
 /// [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
@@ -215,5 +215,208 @@ impl<T: Copy> Frame<T> {
             t: self.t[index],
             object: (object != NO_OBJECT).then_some(object),
         }
+    }
+}
+
+/// A frame with room for what is asked for.
+pub(crate) fn empty_frame<T: Depth>(
+    camera: &ResolvedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+) -> Frame<T> {
+    // Zeroed memory costs nothing until a band, in its own thread, fills it.
+    let pixels = |asked: bool| if asked { raster.len() } else { 0 };
+    Frame {
+        camera: *camera,
+        raster: raster.clone(),
+        t: vec![T::ZERO; pixels(outputs.t)],
+        object: vec![0; pixels(outputs.object)],
+        normal: vec![DVec3::ZERO; pixels(outputs.normal)],
+        steps: Steps::default(),
+        counts: Counts::default(),
+        steps_of_t: Steps::default(),
+    }
+}
+
+/// A band's part of each buffer; empty where that was not asked for.
+pub(crate) struct BandBuffers<'a, T> {
+    pub(crate) t: &'a mut [T],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) normal: &'a mut [DVec3],
+}
+
+/// A thread's own buffers, in place of those that were not asked for.
+pub(crate) struct OwnBuffers<T> {
+    pub(crate) t: Vec<T>,
+    pub(crate) object: Vec<u32>,
+    /// `t` as it is drawn, for a frame that keeps it in another precision.
+    pub(crate) drawn: Vec<f32>,
+}
+
+impl<T> OwnBuffers<T> {
+    pub(crate) fn new() -> OwnBuffers<T> {
+        OwnBuffers { t: Vec::new(), object: Vec::new(), drawn: Vec::new() }
+    }
+}
+
+/// The buffers of all bands, each of so many rows of so many columns, one after the other.
+pub(crate) fn band_buffers<'a, T>(
+    mut t: &'a mut [T],
+    mut object: &'a mut [u32],
+    mut normal: &'a mut [DVec3],
+    (bands, width): (&[Range<usize>], usize),
+) -> Vec<BandBuffers<'a, T>> {
+    let next = |rows: &Range<usize>| {
+        let pixels = rows.len() * width;
+        let (t, object) = (first_of(&mut t, pixels), first_of(&mut object, pixels));
+        BandBuffers { t, object, normal: first_of(&mut normal, pixels) }
+    };
+    bands.iter().map(next).collect()
+}
+
+/// Splits off the first part of a buffer; an empty one where there is none.
+fn first_of<'a, T>(buffer: &mut &'a mut [T], size: usize) -> &'a mut [T] {
+    buffer.split_off_mut(..size).unwrap_or_default()
+}
+
+/// A buffer's part; where that was not asked for, as much of the thread's own.
+pub(crate) fn or_own<'a, T: Copy>(
+    part: &'a mut [T],
+    own: &'a mut Vec<T>,
+    len: usize,
+    zero: T,
+) -> &'a mut [T] {
+    if part.len() == len {
+        return part;
+    }
+    own.resize(len.max(own.len()), zero);
+    &mut own[..len]
+}
+
+/// Counts of how much of a scene a frame had to look at. Rows and columns are those of the traced
+/// raster.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Counts {
+    /// Spheres of the scene.
+    pub spheres: u64,
+    /// Spheres dropped because they lie wholly behind the eye.
+    pub behind: u64,
+    /// Spheres dropped because they lie beside the picture, or between two of its rows.
+    pub outside: u64,
+    /// The other spheres, whether or not anything hides them.
+    pub in_view: u64,
+    /// Times that a band of rows passed over a sphere because nearer ones hide all of it there. Which
+    /// are hidden when their turn comes depends on the order of drawing, and that on the width of the
+    /// processor's vectors; the picture does not.
+    pub hidden: u64,
+    /// Rows of the picture.
+    pub rows: u64,
+    /// Rows that the bounds of no object's outline reach: background only.
+    pub rows_untouched: u64,
+}
+
+impl Add for Counts {
+    type Output = Counts;
+
+    fn add(self, other: Counts) -> Counts {
+        Counts {
+            spheres: self.spheres + other.spheres,
+            behind: self.behind + other.behind,
+            outside: self.outside + other.outside,
+            in_view: self.in_view + other.in_view,
+            hidden: self.hidden + other.hidden,
+            rows: self.rows + other.rows,
+            rows_untouched: self.rows_untouched + other.rows_untouched,
+        }
+    }
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Counts) {
+        *self = *self + other;
+    }
+}
+
+/// The number that a frame keeps `t` in: `f64`, rounded from the exact one, or `f32`, within
+/// an ulp, at a fraction of the time.
+pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
+    /// 0
+    #[doc(hidden)]
+    const ZERO: Self;
+    /// The `t` of a pixel where nothing is hit.
+    const NONE: Self;
+    /// True if frames are drawn in it; `t` in `f64` is found when the objects are known.
+    #[doc(hidden)]
+    const IS_DRAWN: bool;
+
+    /// Returns the number as `f64`, exactly.
+    fn widened(self) -> f64;
+
+    /// Returns the numbers that are drawn: `t` itself, or as many of the thread's own.
+    #[doc(hidden)]
+    fn drawn<'a>(t: &'a mut [Self], own: &'a mut Vec<f32>) -> &'a mut [f32];
+
+    /// Returns the numbers that are found when the objects are known: `t` itself, or none.
+    #[doc(hidden)]
+    fn found(t: &mut [Self]) -> &mut [f64];
+}
+
+impl Depth for f32 {
+    const ZERO: f32 = 0.0;
+    const NONE: f32 = f32::INFINITY;
+    const IS_DRAWN: bool = true;
+
+    #[inline(always)]
+    fn widened(self) -> f64 {
+        self.into()
+    }
+
+    fn drawn<'a>(t: &'a mut [f32], _: &'a mut Vec<f32>) -> &'a mut [f32] {
+        t
+    }
+
+    fn found(_: &mut [f32]) -> &mut [f64] {
+        &mut []
+    }
+}
+
+impl Depth for f64 {
+    const ZERO: f64 = 0.0;
+    const NONE: f64 = f64::INFINITY;
+    const IS_DRAWN: bool = false;
+
+    #[inline(always)]
+    fn widened(self) -> f64 {
+        self
+    }
+
+    fn drawn<'a>(t: &'a mut [f64], own: &'a mut Vec<f32>) -> &'a mut [f32] {
+        own.resize(t.len().max(own.len()), 0.0);
+        &mut own[..t.len()]
+    }
+
+    fn found(t: &mut [f64]) -> &mut [f64] {
+        t
+    }
+}
+
+/// A step that is taken with the rows of a band when they are traced: rows, `t`, objects.
+pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
+
+pub(crate) mod sealed {
+    use super::*;
+
+    /// The tracer of one precision.
+    pub trait Sealed: Sized {
+        /// See [`fill`](crate::render::fill). Neither generic nor inlined, it is compiled with this
+        /// crate, once, and not again with each crate that calls what is generic over [`Depth`].
+        fn fill(
+            frame: &mut Frame<Self>,
+            level: Level,
+            scene: &Scene,
+            finish: Option<Finish<'_, Self>>,
+            done: &(dyn Fn(usize) + Sync),
+        );
     }
 }
