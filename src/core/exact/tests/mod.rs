@@ -10,8 +10,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::dyadic::Dyadic;
 use crate::exact::double_double::{Lane, dekker_product, fast_two_sum, two_sum};
+use crate::exact::dyadic::Dyadic;
 use crate::exact::lanes::Lanes;
 use crate::exact::scale::{exponent, ldexp};
 use crate::test_levels::levels;

@@ -11,13 +11,13 @@ use crate::camera::ray::Ray;
 use crate::exact::dyadic::Dyadic;
 use crate::exact::scale::exponent;
 use crate::scene::Scene;
-use crate::scene::sphere_index::Bound;
 use crate::scene::error::SceneError;
 use crate::scene::object::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
-use crate::scene::sphere_index::{BLOCK, GROUP};
+use crate::scene::sphere_index::Bound;
 use crate::scene::sphere_index::INDEX_FROM;
+use crate::scene::sphere_index::{BLOCK, GROUP};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::test_seed::config;
 
 /// A coordinate: ordinary, or anything finite.
