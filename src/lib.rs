@@ -57,6 +57,8 @@
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/mod.rs`; a language: `exchange/code.rs` |
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
+//! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
+//! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
 //! | a workspace of the window | `ui/workspaces/mod.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |

@@ -1,4 +1,4 @@
-//! Numbers such as `5 sqrt 2` and `1/sqrt 74`, and vectors such as `(5, 0, -7)/sqrt 74`, recognised.
+//! Numbers such as `5√2` and `1/√74`, and vectors such as `(5, 0, -7)/√74`, recognised.
 
 use std::fmt;
 
@@ -13,10 +13,10 @@ use pinhole_core::DVec3;
 /// ```
 /// use pinhole_lecture::NumberForm;
 /// let form = |x: f64| NumberForm::recognise(x).map(|form| form.to_string());
-/// assert_eq!(form(50.0_f64.sqrt()).as_deref(), Some("5 sqrt 2"));
-/// assert_eq!(form(-0.5_f64.sqrt()).as_deref(), Some("-1/sqrt 2"));
-/// assert_eq!(form(0.75_f64.sqrt()).as_deref(), Some("sqrt 3/2"));
-/// assert_eq!(form(-0.15).as_deref(), Some("-3/20"));
+/// assert_eq!(form(50.0_f64.sqrt()).as_deref(), Some("5√2"));
+/// assert_eq!(form(-0.5_f64.sqrt()).as_deref(), Some("−1/√2"));
+/// assert_eq!(form(0.75_f64.sqrt()).as_deref(), Some("√3/2"));
+/// assert_eq!(form(-0.15).as_deref(), Some("−3/20"));
 /// assert_eq!(form(0.123_456_789), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -169,14 +169,12 @@ impl NumberForm {
 impl fmt::Display for NumberForm {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let NumberForm { numerator, root, denominator, is_root_below } = *self;
-        if is_root_below {
-            return write!(f, "{numerator}/sqrt {root}");
-        }
-        match (numerator, root) {
-            (n, 1) => write!(f, "{n}")?,
-            (1, k) => write!(f, "sqrt {k}")?,
-            (-1, k) => write!(f, "-sqrt {k}")?,
-            (n, k) => write!(f, "{n} sqrt {k}")?,
+        let sign = if numerator < 0 { "−" } else { "" };
+        match numerator.unsigned_abs() {
+            n if is_root_below => return write!(f, "{sign}{n}/√{root}"),
+            n if root == 1 => write!(f, "{sign}{n}")?,
+            1 => write!(f, "{sign}√{root}")?,
+            n => write!(f, "{sign}{n}√{root}")?,
         }
         if denominator > 1 { write!(f, "/{denominator}") } else { Ok(()) }
     }
@@ -235,15 +233,9 @@ fn gcd(a: u64, b: u64) -> u64 {
 /// ```
 /// use pinhole_core::DVec3;
 /// use pinhole_lecture::VectorForm;
-/// let form = |v: DVec3| VectorForm::recognise(v).map(|form| form.to_string());
-/// assert_eq!(
-///     form(DVec3::new(5.0, 0.0, -7.0) / 74.0_f64.sqrt()).as_deref(),
-///     Some("(5, 0, -7)/sqrt 74")
-/// );
-/// let s = 0.5_f64.sqrt();
-/// assert_eq!(form(DVec3::new(s, 0.0, -s)).as_deref(), Some("(1/sqrt 2, 0, -1/sqrt 2)"));
-/// assert_eq!(form(DVec3::new(-4.0, -s, -6.0)).as_deref(), Some("(-4, -1/sqrt 2, -6)"));
-/// assert_eq!(form(DVec3::new(0.2, -0.1, -1.0)).as_deref(), Some("(2, -1, -10)/10"));
+/// let form = VectorForm::recognise(DVec3::new(5.0, 0.0, -7.0) / 74.0_f64.sqrt());
+/// let Some(VectorForm::Common { whole, factor }) = form else { panic!("{form:?}") };
+/// assert_eq!((whole, factor.to_string().as_str()), ([5, 0, -7], "1/√74"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorForm {
@@ -309,18 +301,6 @@ impl VectorForm {
             }
         }
     }
-
-    /// Decimals of the coordinates where they say all of them, see
-    /// [`NumberForm::decimals`].
-    pub fn decimals(self) -> Option<u32> {
-        let [x, y, z] = self.entries().map(NumberForm::decimals);
-        Some(x?.max(y?).max(z?))
-    }
-
-    /// The vector in `f64`, each coordinate within an ulp and a half.
-    pub fn value(self) -> DVec3 {
-        DVec3::from_array(self.entries().map(NumberForm::value))
-    }
 }
 
 /// The form with one factor for all coordinates; `Entries` where that is simpler.
@@ -355,23 +335,4 @@ fn common(v: DVec3) -> Option<VectorForm> {
     let is_plain = factor.root() == 1 && factor.denominator() == 1;
     let is_signs = whole.iter().all(|n| n.abs() <= 1);
     Some(if is_plain || is_signs { entries } else { VectorForm::Common { whole, factor } })
-}
-
-impl fmt::Display for VectorForm {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            VectorForm::Entries([x, y, z]) => write!(f, "({x}, {y}, {z})"),
-            VectorForm::Common { whole: [x, y, z], factor } => {
-                let (k, m) = (factor.root(), factor.denominator());
-                if factor.is_root_below() {
-                    return write!(f, "({x}, {y}, {z})/sqrt {k}");
-                }
-                if k > 1 {
-                    write!(f, "sqrt {k} ")?;
-                }
-                write!(f, "({x}, {y}, {z})")?;
-                if m > 1 { write!(f, "/{m}") } else { Ok(()) }
-            }
-        }
-    }
 }

@@ -11,7 +11,7 @@
 //! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot the object's implicit function in |
 //! | lines in two dimensions | [`lines`]: implicit and parametric, and one put into the other |
 //! | numbers for readers | [`numbers`] |
-//! | numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74` | [`NumberForm`], [`VectorForm`] |
+//! | numbers such as `5√2` and `(5, 0, -7)/√74` | [`NumberForm`], [`VectorForm`] |
 //! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that sees, and the checks that find it |
 //! | exercises | [`exercises`]: questions, their answers, and what is to be said of a wrong one |
 //! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
@@ -35,8 +35,8 @@ pub mod numbers;
 
 pub use derivation::{
     BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, ImplicitUnit, ObjectDerivation,
-    PixelShares, PlaneDerivation, PlaneMeeting, RayDerivation, SphereDerivation, SphereMeeting,
-    UnitOrigin, VectorAndLength,
+    PlaneDerivation, PlaneMeeting, RayDerivation, SphereDerivation, SphereMeeting, UnitOrigin,
+    VectorAndLength,
 };
 pub use forms::{NumberForm, VectorForm};
 

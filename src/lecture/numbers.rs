@@ -1,4 +1,9 @@
-//! Numbers for readers: few significant digits, no noise.
+//! Writing numbers for readers: few significant digits, no noise, the real minus sign (−), and digits
+//! without groups. What is typed, copied or saved has the minus of the keyboard (-).
+
+use pinhole_core::shortest;
+
+use crate::forms::NumberForm;
 
 /// Digits in groups of three: `1,234,567`.
 pub fn grouped(n: u64) -> String {
@@ -24,7 +29,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 
 fn rounded(value: f64, digits: usize) -> String {
     if !value.is_finite() {
-        return "beyond f64".to_owned();
+        return BEYOND.to_owned();
     }
     if value == 0.0 {
         return "0".to_owned();
@@ -55,9 +60,139 @@ pub fn written(value: f64, digits: usize) -> String {
     significant(value, digits).replace('-', "−")
 }
 
+/// The text of a number that is not finite.
+const BEYOND: &str = "beyond f64";
+
+/// Writes a number with all its digits, for reading.
+pub fn written_whole(x: f64) -> String {
+    if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
+}
+
+/// Returns a sentence of the command line without its groups of digits: `1,200` becomes `1200`.
+pub fn ungrouped(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let is_digit = |k: usize| letters.get(k).is_some_and(char::is_ascii_digit);
+    let is_group = |k: usize| (k + 1..k + 4).all(is_digit) && !is_digit(k + 4);
+    let is_comma = |k: usize| letters[k] == ',' && k > 0 && is_digit(k - 1) && is_group(k);
+    (0..letters.len()).filter(|k| !is_comma(*k)).map(|k| letters[k]).collect()
+}
+
+/// Number of decimals that are short enough to be shown whole: −0.00125.
+const WHOLE: usize = 5;
+/// Number of significant digits in which a calculated number has no rounding error.
+const TELLING: usize = 12;
+
+/// The rounding of numbers that are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To so many significant digits.
+    Significant(usize),
+    /// To so many decimals; small numbers to two significant digits, which may be more decimals. A
+    /// number that ends within five decimals keeps them all.
+    Decimals(usize),
+}
+
+impl Rounding {
+    /// Returns the number's text, without trailing zeros.
+    pub fn text(self, x: f64) -> String {
+        match self {
+            Rounding::Significant(digits) => significant(x, digits),
+            Rounding::Decimals(decimals) => {
+                let whole = significant(x, TELLING);
+                let places = whole.split_once('.').map_or(0, |(_, places)| places.len());
+                if x != 0.0 && places <= WHOLE && !whole.contains('e') {
+                    return whole;
+                }
+                let before = x.abs().log10().floor() + 1.0;
+                let digits = (before + decimals as f64).clamp(2.0, 17.0);
+                significant(x, if x == 0.0 { 2 } else { digits as usize })
+            }
+        }
+    }
+}
+
+/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
+pub fn short(x: f64) -> String {
+    short_plain(x).replace('-', "−")
+}
+
+/// The same with the minus of the keyboard, for the command line and its files.
+pub fn short_plain(x: f64) -> String {
+    let magnitude = x.abs();
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return BEYOND.to_owned();
+    }
+    if !(1e-3..1e5).contains(&magnitude) {
+        let text = format!("{x:.1e}");
+        return text.replace(".0e", "e");
+    }
+    let digits_before = magnitude.log10().floor() as i32 + 1;
+    let decimals = (3 - digits_before).clamp(0, 5) as usize;
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// Formats a power of ten: `10⁻⁶`, but `1` and `10`.
+pub fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        _ => {
+            let raised = |c: char| match c {
+                '-' => '⁻',
+                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
+                    .chars()
+                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
+                    .unwrap_or(digit),
+            };
+            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
+        }
+    }
+}
+
+/// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. What is neither none nor all is never
+/// told as 0 % or 100 %.
+pub fn percent(count: usize, all: usize) -> String {
+    let percent = 100.0 * count as f64 / all.max(1) as f64;
+    match percent {
+        _ if count == 0 => "0 %".to_owned(),
+        _ if count == all => "100 %".to_owned(),
+        few if few < 0.1 => "less than 0.1 %".to_owned(),
+        few if few < 9.95 => format!("{few:.1} %"),
+        many if many > 99.0 => "more than 99 %".to_owned(),
+        some => format!("{some:.0} %"),
+    }
+}
+
+/// The largest number in a fraction or below a root that is still read at a glance.
+const SHORT: u64 = 100;
+
+/// Writes a number for a sentence: in its exact form where that is short.
+pub(crate) fn exact_if_short(x: f64) -> String {
+    let is_short = |form: &NumberForm| match form.decimals() {
+        Some(decimals) => decimals <= 5,
+        None => [form.numerator().unsigned_abs(), form.root(), form.denominator()]
+            .into_iter()
+            .all(|n| n <= SHORT),
+    };
+    match NumberForm::recognise(x).filter(is_short) {
+        // Decimals stay decimals.
+        Some(form) if form.decimals().is_some() => written_whole(form.value()),
+        Some(form) => form.to_string(),
+        None => written(x, 5),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{grouped, significant};
+    use super::*;
 
     #[test]
     fn digits_that_say_nothing_more_are_left_out() {
@@ -77,6 +212,86 @@ mod tests {
     fn groups_of_three() {
         for (n, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (12_345_678, "12,345,678")] {
             assert_eq!(grouped(n), text);
+        }
+    }
+
+    #[test]
+    fn counts_lose_their_commas_and_sentences_keep_theirs() {
+        for (text, plain) in [
+            ("12,345,678 of 1,200 pixels, 3, 4", "12345678 of 1200 pixels, 3, 4"),
+            ("row 1, column 200", "row 1, column 200"),
+            ("1,2345", "1,2345"),
+        ] {
+            assert_eq!(ungrouped(text), plain);
+        }
+    }
+
+    #[test]
+    fn three_decimals() {
+        let cases = [
+            (0.0, "0"),
+            (26.115_129, "26.115"),
+            (-0.804_128_7, "-0.804"),
+            (-0.804_13, "-0.80413"),
+            (1e5 / 3.0, "33333.333"),
+            (0.001_25, "0.00125"),
+            (0.75 - 0.498_75, "0.25125"),
+            (0.001_254_3, "0.0013"),
+            (-0.000_726_55, "-0.00073"),
+            (2.0, "2"),
+            (9.999_961, "10"),
+            (f64::INFINITY, "beyond f64"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(Rounding::Decimals(3).text(x), text, "{x:?}");
+        }
+    }
+
+    #[test]
+    fn few_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.5, "0.5"),
+            (12.345, "12.3"),
+            (9.9999, "10"),
+            (1430.4, "1430"),
+            (32_145_678.0, "3.2e7"),
+            (f64::INFINITY, "beyond f64"),
+            (1e-6, "1e−6"),
+            (-0.25, "−0.25"),
+            (0.001_234_56, "0.00123"),
+            (5e-324, "4.9e−324"),
+            (f64::MAX, "1.8e308"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(short(x), text, "{x:?}");
+        }
+    }
+
+    #[test]
+    fn a_share_is_told_in_per_cent_and_never_as_none_or_all_of_what_is_neither() {
+        let told = [(0, 9), (9, 9), (1, 90_000), (1, 3), (1, 25), (89_999, 90_000), (0, 0)];
+        let told = told.map(|(count, all)| percent(count, all));
+        let expected =
+            ["0 %", "100 %", "less than 0.1 %", "33 %", "4.0 %", "more than 99 %", "0 %"];
+        assert_eq!(told, expected);
+    }
+
+    #[test]
+    fn a_sentence_holds_no_long_fraction_or_root() {
+        for (x, text) in [
+            (50f64.sqrt(), "5√2"),
+            (74f64.sqrt(), "√74"),
+            (-1.0 / 3.0, "−1/3"),
+            (-2.5, "−2.5"),
+            (4241f64.sqrt() / 5.0, "13.025"),
+            (101f64.sqrt(), "10.05"),
+            (22.0 / 113.0, "0.19469"),
+            (1.0 / 512.0, "0.0019531"),
+            (250.0, "250"),
+        ] {
+            assert_eq!(exact_if_short(x), text);
         }
     }
 }

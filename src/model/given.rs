@@ -3,7 +3,7 @@
 
 use std::ops::RangeInclusive;
 
-use pinhole_core::{DVec3, ImageSize, Orientation, Selection};
+use pinhole_core::{Camera, ImageSize, Object, Orientation, Selection};
 use pinhole_exchange::document::Document;
 
 /// A number that is given, and not worked out.
@@ -31,6 +31,22 @@ pub enum Given {
     PositionV,
     /// The radius of the sphere with this index among all objects.
     Radius(u32),
+}
+
+impl Given {
+    /// Returns the index of the object that the number belongs to.
+    fn object(self) -> Option<u32> {
+        match self {
+            Given::Coordinate(
+                GivenVector::Center(object)
+                | GivenVector::Point(object)
+                | GivenVector::Normal(object),
+                _,
+            )
+            | Given::Radius(object) => Some(object),
+            _ => None,
+        }
+    }
 }
 
 /// A vector or point that is given; those of objects have the object's index.
@@ -70,67 +86,6 @@ impl GivenVector {
             GivenVector::Normal(_) => "normal",
         }
     }
-
-    fn object(self) -> Option<u32> {
-        match self {
-            GivenVector::Center(object)
-            | GivenVector::Point(object)
-            | GivenVector::Normal(object) => Some(object),
-            _ => None,
-        }
-    }
-
-    /// Returns the vector in the document; `None` if there is none.
-    fn find(self, document: &Document) -> Option<DVec3> {
-        let camera = &document.camera;
-        let plane = |object: u32| {
-            let index = (object as usize).checked_sub(document.sphere_count())?;
-            Some(document.planes.get(index)?.shape)
-        };
-        match (self, camera.orientation) {
-            (GivenVector::Eye, _) => Some(camera.eye),
-            (GivenVector::At, Orientation::At { at, .. }) => Some(at),
-            (GivenVector::View, Orientation::View { view, .. }) => Some(view),
-            (GivenVector::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
-                Some(up)
-            }
-            (GivenVector::U, Orientation::Basis(basis)) => Some(basis.u),
-            (GivenVector::V, Orientation::Basis(basis)) => Some(basis.v),
-            (GivenVector::W, Orientation::Basis(basis)) => Some(basis.w),
-            (GivenVector::Center(object), _) => {
-                Some(document.spheres.get(object as usize)?.shape.center)
-            }
-            (GivenVector::Point(object), _) => Some(plane(object)?.point),
-            (GivenVector::Normal(object), _) => Some(plane(object)?.normal),
-            _ => None,
-        }
-    }
-
-    fn set(self, document: &mut Document, value: DVec3) {
-        let first_plane = document.sphere_count();
-        let camera = &mut document.camera;
-        match (self, &mut camera.orientation) {
-            (GivenVector::Eye, _) => camera.eye = value,
-            (GivenVector::At, Orientation::At { at, .. }) => *at = value,
-            (GivenVector::View, Orientation::View { view, .. }) => *view = value,
-            (GivenVector::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
-                *up = value;
-            }
-            (GivenVector::U, Orientation::Basis(basis)) => basis.u = value,
-            (GivenVector::V, Orientation::Basis(basis)) => basis.v = value,
-            (GivenVector::W, Orientation::Basis(basis)) => basis.w = value,
-            (GivenVector::Center(object), _) => {
-                document.spheres[object as usize].shape.center = value;
-            }
-            (GivenVector::Point(object), _) => {
-                document.planes[object as usize - first_plane].shape.point = value;
-            }
-            (GivenVector::Normal(object), _) => {
-                document.planes[object as usize - first_plane].shape.normal = value;
-            }
-            _ => {}
-        }
-    }
 }
 
 /// The document and the selected ray, which hold all given numbers.
@@ -148,25 +103,17 @@ impl Givens<'_> {
     /// Returns the number as it is shown; `None` if there is none, because the camera or the ray is
     /// given in another way.
     pub fn value(&self, given: Given) -> Option<f64> {
-        let (camera, from) = (&self.document.camera, f64::from(u8::from(self.from_one)));
-        let viewport = &camera.viewport;
+        let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match (given, self.selection) {
-            (Given::Coordinate(vector, axis), _) => {
-                Some(vector.find(self.document)?[usize::from(axis)])
-            }
-            (Given::Width, _) => Some(viewport.width),
-            (Given::Height, _) => Some(viewport.height),
-            (Given::Distance, _) => Some(viewport.distance),
-            (Given::ImageWidth, _) => Some(camera.image.width().into()),
-            (Given::ImageHeight, _) => Some(camera.image.height().into()),
+            (Given::ImageWidth, _) => Some(image.width().into()),
+            (Given::ImageHeight, _) => Some(image.height().into()),
             (Given::Row, Selection::Pixel(pixel)) => Some(f64::from(pixel.row) + from),
             (Given::Column, Selection::Pixel(pixel)) => Some(f64::from(pixel.column) + from),
-            (Given::PositionU, Selection::Uv(uv)) => Some(uv.x),
-            (Given::PositionV, Selection::Uv(uv)) => Some(uv.y),
-            (Given::Radius(object), _) => {
-                Some(self.document.spheres.get(object as usize)?.shape.radius)
+            (given, mut selection) => {
+                let mut camera = self.document.camera;
+                let mut object = object_of(self.document, given)?;
+                place(given, &mut camera, &mut object, &mut selection).copied()
             }
-            _ => None,
         }
     }
 
@@ -183,23 +130,24 @@ impl Givens<'_> {
 
     /// Returns its name, such as `eye x` or `sphere 0 “ball” radius`.
     pub fn name(&self, given: Given) -> String {
-        let of_object =
-            |object: u32, name: &str| format!("{} {name}", self.document.title_of(object as usize));
-        match given {
+        let name = match given {
             Given::Coordinate(vector, axis) => {
-                let name = format!("{} {}", vector.name(), ["x", "y", "z"][usize::from(axis)]);
-                vector.object().map_or(name.clone(), |object| of_object(object, &name))
+                &format!("{} {}", vector.name(), ["x", "y", "z"][usize::from(axis)])
             }
-            Given::Width => "width".to_owned(),
-            Given::Height => "height".to_owned(),
-            Given::Distance => "distance".to_owned(),
-            Given::ImageWidth => "W".to_owned(),
-            Given::ImageHeight => "H".to_owned(),
-            Given::Row => "row".to_owned(),
-            Given::Column => "column".to_owned(),
-            Given::PositionU => "uv u".to_owned(),
-            Given::PositionV => "uv v".to_owned(),
-            Given::Radius(object) => of_object(object, "radius"),
+            Given::Width => "width",
+            Given::Height => "height",
+            Given::Distance => "distance",
+            Given::ImageWidth => "W",
+            Given::ImageHeight => "H",
+            Given::Row => "row",
+            Given::Column => "column",
+            Given::PositionU => "uv u",
+            Given::PositionV => "uv v",
+            Given::Radius(_) => "radius",
+        };
+        match given.object() {
+            Some(object) => format!("{} {name}", self.document.title_of(object as usize)),
+            None => name.to_owned(),
         }
     }
 }
@@ -219,32 +167,81 @@ pub fn set(
         return;
     }
     let index = |value: f64| value as u32 - u32::from(from_one);
-    let image = document.camera.image;
-    let viewport = &mut document.camera.viewport;
-    match (given, selection) {
-        (Given::Coordinate(vector, axis), _) => {
-            if let Some(mut whole) = vector.find(document) {
-                whole[usize::from(axis)] = value;
-                vector.set(document, whole);
-            }
+    let image = &mut document.camera.image;
+    match (given, &mut *selection) {
+        (Given::ImageWidth, _) => {
+            *image = ImageSize::new(value as u32, image.height()).unwrap_or(*image);
         }
-        (Given::Width, _) => viewport.width = value,
-        (Given::Height, _) => viewport.height = value,
-        (Given::Distance, _) => viewport.distance = value,
-        (Given::ImageWidth | Given::ImageHeight, _) => {
-            let size = match given {
-                Given::ImageWidth => ImageSize::new(value as u32, image.height()),
-                _ => ImageSize::new(image.width(), value as u32),
-            };
-            document.camera.image = size.unwrap_or(image);
+        (Given::ImageHeight, _) => {
+            *image = ImageSize::new(image.width(), value as u32).unwrap_or(*image);
         }
         (Given::Row, Selection::Pixel(pixel)) => pixel.row = index(value),
         (Given::Column, Selection::Pixel(pixel)) => pixel.column = index(value),
-        (Given::PositionU, Selection::Uv(uv)) => uv.x = value,
-        (Given::PositionV, Selection::Uv(uv)) => uv.y = value,
-        (Given::Radius(object), _) => document.spheres[object as usize].shape.radius = value,
-        _ => {}
+        _ => {
+            let Some(mut object) = object_of(document, given) else { return };
+            if let Some(place) = place(given, &mut document.camera, &mut object, selection) {
+                *place = value;
+            }
+            let first_plane = document.sphere_count();
+            match (given.object(), object) {
+                (Some(index), Some(Object::Sphere(sphere))) => {
+                    document.spheres[index as usize].shape = sphere;
+                }
+                (Some(index), Some(Object::Plane(plane))) => {
+                    document.planes[index as usize - first_plane].shape = plane;
+                }
+                _ => {}
+            }
+        }
     }
+}
+
+/// Returns the object that a number belongs to, or `Some(None)` for a number of the camera or of the
+/// ray; `None` if the document has no such object of its own.
+fn object_of(document: &Document, given: Given) -> Option<Option<Object>> {
+    let Some(index) = given.object() else { return Some(None) };
+    let index = index as usize;
+    Some(Some(match index.checked_sub(document.sphere_count()) {
+        None => Object::Sphere(document.spheres.get(index)?.shape),
+        Some(plane) => Object::Plane(document.planes.get(plane)?.shape),
+    }))
+}
+
+/// Returns where a number is stored that is no whole one.
+fn place<'a>(
+    given: Given,
+    camera: &'a mut Camera,
+    object: &'a mut Option<Object>,
+    selection: &'a mut Selection,
+) -> Option<&'a mut f64> {
+    let (viewport, orientation) = (&mut camera.viewport, &mut camera.orientation);
+    let (vector, axis) = match (given, selection, object) {
+        (Given::Width, ..) => return Some(&mut viewport.width),
+        (Given::Height, ..) => return Some(&mut viewport.height),
+        (Given::Distance, ..) => return Some(&mut viewport.distance),
+        (Given::PositionU, Selection::Uv(uv), _) => return Some(&mut uv.x),
+        (Given::PositionV, Selection::Uv(uv), _) => return Some(&mut uv.y),
+        (Given::Radius(_), _, Some(Object::Sphere(sphere))) => return Some(&mut sphere.radius),
+        (Given::Coordinate(vector, axis), _, object) => {
+            let vector = match (vector, orientation, object) {
+                (GivenVector::Eye, ..) => &mut camera.eye,
+                (GivenVector::At, Orientation::At { at, .. }, _) => at,
+                (GivenVector::View, Orientation::View { view, .. }, _) => view,
+                (GivenVector::Up, Orientation::At { up, .. }, _) => up,
+                (GivenVector::Up, Orientation::View { up, .. }, _) => up,
+                (GivenVector::U, Orientation::Basis(basis), _) => &mut basis.u,
+                (GivenVector::V, Orientation::Basis(basis), _) => &mut basis.v,
+                (GivenVector::W, Orientation::Basis(basis), _) => &mut basis.w,
+                (GivenVector::Center(_), _, Some(Object::Sphere(sphere))) => &mut sphere.center,
+                (GivenVector::Point(_), _, Some(Object::Plane(plane))) => &mut plane.point,
+                (GivenVector::Normal(_), _, Some(Object::Plane(plane))) => &mut plane.normal,
+                _ => return None,
+            };
+            (vector, axis)
+        }
+        _ => return None,
+    };
+    Some(&mut vector[usize::from(axis)])
 }
 
 #[cfg(test)]

@@ -15,7 +15,6 @@ pub mod inspection;
 pub mod lessons;
 pub mod letters;
 pub mod lines;
-pub mod number;
 pub mod observer;
 pub mod overlay_items;
 pub mod panics;

@@ -30,11 +30,16 @@ pub struct Reading {
     /// The concept that the views highlight for it.
     pub concept: Option<Concept>,
     /// The value.
-    pub value: Value,
+    pub value: ReadingValue,
 }
 
 impl Reading {
-    fn new(name: &'static str, long_name: &'static str, concept: Concept, value: Value) -> Reading {
+    fn new(
+        name: &'static str,
+        long_name: &'static str,
+        concept: Concept,
+        value: ReadingValue,
+    ) -> Reading {
         Reading { name, long_name, concept: Some(concept), value }
     }
 
@@ -46,7 +51,7 @@ impl Reading {
 
 /// The value of a [`Reading`].
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum ReadingValue {
     /// A number.
     Number(f64),
     /// A position (u, v).
@@ -65,14 +70,14 @@ pub enum Value {
 pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading> {
     let basis = camera.basis();
     let mut readings = vec![
-        Reading::new("u", "u (right)", Concept::U, Value::Vector(basis.u)),
-        Reading::new("v", "v (up in the image)", Concept::V, Value::Vector(basis.v)),
-        Reading::new("w", "w (backwards)", Concept::W, Value::Vector(basis.w)),
+        Reading::new("u", "u (right)", Concept::U, ReadingValue::Vector(basis.u)),
+        Reading::new("v", "v (up in the image)", Concept::V, ReadingValue::Vector(basis.v)),
+        Reading::new("w", "w (backwards)", Concept::W, ReadingValue::Vector(basis.w)),
     ];
     readings.extend(angle.into_iter().flat_map(|angle| {
-        let (up, conditioning) = (Concept::Up, Value::Number(angle.conditioning));
+        let (up, conditioning) = (Concept::Up, ReadingValue::Number(angle.conditioning));
         [
-            Reading::new("angle(up, view)", "angle of up and view", up, Value::Angle(angle)),
+            Reading::new("angle(up, view)", "angle of up and view", up, ReadingValue::Angle(angle)),
             Reading::new("sensitivity", "conditioning", up, conditioning),
         ]
     }));
@@ -82,13 +87,13 @@ pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading>
 impl Inspection {
     /// Returns the numbers of the ray itself, in an image of this size.
     pub fn ray_readings(&self, image: ImageSize) -> [Reading; 5] {
-        let length = Value::Number(self.ray.distance_along(1.0));
-        let (pixel, d) = (Value::Pixel(self.image_position, image), Concept::Direction);
+        let length = ReadingValue::Number(self.ray.distance_along(1.0));
+        let (pixel, d) = (ReadingValue::Pixel(self.image_position, image), Concept::Direction);
         [
             Reading::new("pixel", "pixel", Concept::Pixel, pixel),
-            Reading::new("(u, v)", "(u, v)", Concept::Pixel, Value::Uv(self.uv)),
-            Reading::new("p", "origin p", Concept::Eye, Value::Vector(self.ray.origin)),
-            Reading::new("d", "direction d", d, Value::Vector(self.ray.direction)),
+            Reading::new("(u, v)", "(u, v)", Concept::Pixel, ReadingValue::Uv(self.uv)),
+            Reading::new("p", "origin p", Concept::Eye, ReadingValue::Vector(self.ray.origin)),
+            Reading::new("d", "direction d", d, ReadingValue::Vector(self.ray.direction)),
             Reading::new("|d|", "length of d", d, length),
         ]
     }
@@ -97,10 +102,10 @@ impl Inspection {
     pub fn root_readings(&self, index: usize) -> [Reading; 4] {
         let root = &self.roots[index];
         let values = [
-            ("t", Value::Number(root.t)),
-            ("distance", Value::Number(self.distances[index])),
-            ("point", Value::Vector(root.point)),
-            ("normal", Value::Vector(root.normal)),
+            ("t", ReadingValue::Number(root.t)),
+            ("distance", ReadingValue::Number(self.distances[index])),
+            ("point", ReadingValue::Vector(root.point)),
+            ("normal", ReadingValue::Vector(root.normal)),
         ];
         values.map(|(name, value)| Reading::new(name, name, self.concept_of(root), value))
     }
@@ -111,7 +116,7 @@ impl Inspection {
             name: "hit",
             long_name: "hit",
             concept,
-            value: Value::Text(text),
+            value: ReadingValue::Text(text),
         };
         let Some(first) = self.first else { return vec![hit(None, "nothing".to_owned())] };
         let [t, ..] = self.root_readings(first);
@@ -157,15 +162,15 @@ impl NumberStyle {
     }
 
     /// Writes a value.
-    pub(crate) fn text(self, value: &Value) -> String {
+    pub(crate) fn text(self, value: &ReadingValue) -> String {
         match value {
-            Value::Number(x) => self.number(*x),
-            Value::Uv(uv) => self.uv(*uv),
-            Value::Vector(v) => self.vector(*v),
-            Value::Angle(angle) => self.degrees(*angle),
-            Value::Text(text) => text.clone(),
-            Value::Pixel(None, _) => "outside the image".to_owned(),
-            Value::Pixel(Some(position), image) => match position.only_pixel() {
+            ReadingValue::Number(x) => self.number(*x),
+            ReadingValue::Uv(uv) => self.uv(*uv),
+            ReadingValue::Vector(v) => self.vector(*v),
+            ReadingValue::Angle(angle) => self.degrees(*angle),
+            ReadingValue::Text(text) => text.clone(),
+            ReadingValue::Pixel(None, _) => "outside the image".to_owned(),
+            ReadingValue::Pixel(Some(position), image) => match position.only_pixel() {
                 Some(pixel) => self.pixel(pixel),
                 None if position.touching(*image).len() == 4 => {
                     "the corner of four pixels".to_owned()

@@ -211,7 +211,7 @@ impl Case {
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };
-        format!("{}, {what} = {}", self.name, crate::model::number::short_plain(knob))
+        format!("{}, {what} = {}", self.name, pinhole_lecture::numbers::short_plain(knob))
     }
 }
 

@@ -92,7 +92,7 @@ impl<'a> Summary<'a> {
     /// Coverage, from the least to the most, as text.
     pub(crate) fn coverage(&self) -> String {
         let percent =
-            |share: f64| crate::model::number::short_plain((100.0 * share * 1e3).round() / 1e3);
+            |share: f64| pinhole_lecture::numbers::short_plain((100.0 * share * 1e3).round() / 1e3);
         let shares = self.cases.iter().map(|case| case.coverage);
         let low = shares.clone().fold(f64::INFINITY, f64::min);
         let high = shares.fold(0.0, f64::max);

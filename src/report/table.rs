@@ -1,10 +1,10 @@
 //! The report as text, in aligned columns, for a terminal of 120 columns.
 
+use pinhole_lecture::numbers::short_plain as short;
 use std::fmt::Write as _;
 
 use super::model::{Case, Condition, MethodRow, Report};
 use super::summary::{MethodOverall, Overall, least_middle_most, overall, summaries};
-use crate::model::number::short_plain as short;
 use crate::report::columns::{aligned, widths, wrapped};
 
 /// Maximum width of a line, in characters.

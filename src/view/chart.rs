@@ -3,7 +3,7 @@
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
-use crate::model::number::{power_of_ten, short, written};
+use pinhole_lecture::numbers::{power_of_ten, short, written};
 
 /// Maps values to positions along an edge of a chart, in points. It may run backwards.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
+use pinhole_lecture::numbers::written as number;
 use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting, UnitOrigin};
 
 use crate::model::inspection::Inspection;
-use crate::model::number::written;
 use crate::model::session::Heights;
 
 /// Maximum number of curves that can be told apart.
@@ -68,11 +68,6 @@ pub struct Named {
     pub name: String,
     /// The colour in the views.
     pub color: Rgb,
-}
-
-/// Formats a number for people.
-fn number(x: f64, digits: usize) -> String {
-    written(x + 0.0, digits)
 }
 
 /// Returns the objects to show: all if they are few, otherwise those that the ray meets first,

@@ -275,15 +275,6 @@ const STEPS: Cases = &[
         "",
         "3:1: step 1.camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
     ),
-    (
-        "scene = \"canonical\"\nlayout = \"ledger\"\n",
-        "7:10: step 1.layout: it is called derivation now",
-    ),
-    ("scene = \"canonical\"\nlit = \"u\"\n", "7:7: step 1.lit: it is called highlight now"),
-    (
-        "scene = \"canonical\"\nledger = [\"basis\"]\n",
-        "7:10: step 1.ledger: it is called derivation now",
-    ),
     ("scne = \"canonical\"\n", "6:1: step 1.scne is unknown: did you mean scene?"),
     (
         "pinhole_lesson = 1\n",

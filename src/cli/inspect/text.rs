@@ -6,7 +6,7 @@ use pinhole_core::{Orientation, Pixel, shortest, triple};
 
 use super::Readout;
 use crate::model::concept::Concept;
-use crate::model::readings::{Reading, Value, of_basis};
+use crate::model::readings::{Reading, ReadingValue, of_basis};
 
 impl Readout<'_> {
     /// `sphere` or `plane`.
@@ -69,16 +69,16 @@ impl Readout<'_> {
 
     fn row_of(&self, reading: &Reading) -> String {
         let value = match &reading.value {
-            Value::Number(x) if reading.concept == Some(Concept::Up) => {
+            ReadingValue::Number(x) if reading.concept == Some(Concept::Up) => {
                 let roll = "(degrees of roll for each degree that up is tipped sideways)";
                 format!("{} {roll}", shortest(*x))
             }
-            Value::Number(x) => shortest(*x),
-            Value::Uv(uv) => format!("({}, {})", shortest(uv.x), shortest(uv.y)),
-            Value::Vector(v) => triple(*v),
-            Value::Angle(angle) => format!("{} degrees", shortest(angle.angle.to_degrees())),
-            Value::Pixel(..) => self.pixel_text(),
-            Value::Text(text) => text.clone(),
+            ReadingValue::Number(x) => shortest(*x),
+            ReadingValue::Uv(uv) => format!("({}, {})", shortest(uv.x), shortest(uv.y)),
+            ReadingValue::Vector(v) => triple(*v),
+            ReadingValue::Angle(angle) => format!("{} degrees", shortest(angle.angle.to_degrees())),
+            ReadingValue::Pixel(..) => self.pixel_text(),
+            ReadingValue::Text(text) => text.clone(),
         };
         row(reading.long_name, value)
     }

@@ -339,16 +339,6 @@ impl Sphere {
             discriminant: scaled.abs().max(least).copysign(discriminant),
         }
     }
-
-    /// `sqrt D` of [`Sphere::quadratic_of`], also where D itself is out of range; `None` where D is
-    /// negative, and of a sphere that is none. Infinite where it overflows.
-    pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
-        self.check().ok()?;
-        let seen = SphereFromOrigin::new(self, ray.origin());
-        let (.., discriminant) = seen.quadratic(ray);
-        (discriminant >= 0.0)
-            .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))
-    }
 }
 
 /// Share of `|q|^2 + r^2` beyond which `f64` knows c's sign: 6 roundings, and one of q itself, twice.

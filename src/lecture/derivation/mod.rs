@@ -9,4 +9,4 @@ pub use objects::{
     ImplicitUnit, ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
     UnitOrigin,
 };
-pub use ray::{PixelShares, RayDerivation};
+pub use ray::RayDerivation;

@@ -33,8 +33,6 @@ pub struct SphereDerivation {
     pub from_center: DVec3,
     /// a, b, c and D.
     pub quadratic: SphereQuadratic,
-    /// `sqrt D`; `None` where D is negative. Infinite where D is.
-    pub root_of_discriminant: Option<f64>,
     /// The ray's fate, decided exactly.
     pub meeting: SphereMeeting,
     /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
@@ -73,8 +71,6 @@ pub enum SphereMeeting {
 pub struct PlaneDerivation {
     /// The plane.
     pub plane: Plane,
-    /// `point - p`, each coordinate rounded once.
-    pub to_point: DVec3,
     /// `n . d` and `n . (point - p)`.
     pub terms: PlaneTerms,
     /// The ray's fate, decided exactly.
@@ -152,7 +148,6 @@ impl SphereDerivation {
             sphere: *sphere,
             from_center: ray.origin() - sphere.center,
             quadratic: sphere.quadratic_of(ray),
-            root_of_discriminant: sphere.root_of_discriminant_of(ray),
             meeting,
             roots: line.roots,
             first: line.first,
@@ -175,13 +170,7 @@ impl PlaneDerivation {
             (_, Some(_), _) => PlaneMeeting::Ahead,
             (_, None, _) => PlaneMeeting::Behind,
         };
-        PlaneDerivation {
-            plane: *plane,
-            to_point: plane.point - ray.origin(),
-            terms: plane.terms_of(ray),
-            meeting,
-            root,
-        }
+        PlaneDerivation { plane: *plane, terms: plane.terms_of(ray), meeting, root }
     }
 
     /// The hit, if `t > 0`.

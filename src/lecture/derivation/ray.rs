@@ -16,9 +16,8 @@ use pinhole_core::{DVec2, DVec3, Pixel, Ray, RayError, ResolvedCamera};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RayDerivation {
-    /// The pixel that the ray goes through and its shares of the image; `None` of a ray that is
-    /// given by (u, v).
-    pub shares: Option<PixelShares>,
+    /// The pixel that the ray goes through; `None` of a ray that is given by (u, v).
+    pub pixel: Option<Pixel>,
     /// The position where the ray passes through the viewport, in world units, as
     /// [`ResolvedCamera::uv_of_pixel`] says.
     pub uv: DVec2,
@@ -37,29 +36,12 @@ pub struct RayDerivation {
     pub origin: DVec3,
 }
 
-/// A pixel's centre in the image, as shares of its width and height.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct PixelShares {
-    /// The pixel.
-    pub pixel: Pixel,
-    /// `(column + 0.5) / W`: 0 at the image's left edge, 1 at the right one.
-    pub across: f64,
-    /// `(row + 0.5) / H`: 0 at the image's upper edge, 1 at the lower one.
-    pub down: f64,
-    /// `(column + 0.5) / W - 0.5`: u as a share of the viewport's width.
-    pub right: f64,
-    /// `0.5 - (row + 0.5) / H`: v as a share of the viewport's height.
-    pub up: f64,
-}
-
 impl RayDerivation {
     /// The view ray through a pixel's centre.
     pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
         let parts = camera.direction_terms_of_pixel(pixel);
-        let shares = Some(PixelShares::new(camera, pixel));
-        RayDerivation::new(parts, shares, camera.uv_of_pixel(pixel), direction)
+        RayDerivation::new(parts, Some(pixel), camera.uv_of_pixel(pixel), direction)
     }
 
     /// The view ray through a (u, v).
@@ -73,12 +55,12 @@ impl RayDerivation {
 
     fn new(
         [along_u, along_v, along_w]: [DVec3; 3],
-        shares: Option<PixelShares>,
+        pixel: Option<Pixel>,
         uv: DVec2,
         ray: Ray,
     ) -> RayDerivation {
         RayDerivation {
-            shares,
+            pixel,
             uv,
             along_u,
             along_v,
@@ -92,21 +74,5 @@ impl RayDerivation {
     /// The ray: p + t d.
     pub fn ray(&self) -> Ray {
         Ray { origin: self.origin, direction: self.direction }
-    }
-}
-
-impl PixelShares {
-    /// Each rounded once: numerators and denominators are whole.
-    fn new(camera: &ResolvedCamera, pixel: Pixel) -> PixelShares {
-        let image = camera.image();
-        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
-        let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));
-        PixelShares {
-            pixel,
-            across: (2.0 * column + 1.0) / (2.0 * w),
-            down: (2.0 * row + 1.0) / (2.0 * h),
-            right: (2.0 * column + 1.0 - w) / (2.0 * w),
-            up: (h - 2.0 * row - 1.0) / (2.0 * h),
-        }
     }
 }

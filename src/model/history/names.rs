@@ -68,18 +68,14 @@ fn is_turned_alone(before: &Camera, after: &Camera) -> bool {
 fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
     match (before, after) {
         (Orientation::At { at: a, up: b }, Orientation::At { at: c, up: d }) => {
-            part_name(a != c, "move at", b != d, "turn up", "move at and turn up")
+            only([a != c, b != d], ["move at", "turn up"]).unwrap_or("move at and turn up")
         }
         (Orientation::View { view: a, up: b }, Orientation::View { view: c, up: d }) => {
-            part_name(a != c, "turn view", b != d, "turn up", "turn view and up")
+            only([a != c, b != d], ["turn view", "turn up"]).unwrap_or("turn view and up")
         }
         (Orientation::Basis(a), Orientation::Basis(b)) => {
-            match (a.u != b.u, a.v != b.v, a.w != b.w) {
-                (true, false, false) => "set u",
-                (false, true, false) => "set v",
-                (false, false, true) => "set w",
-                _ => "turn u, v, w",
-            }
+            let is_other = [a.u != b.u, a.v != b.v, a.w != b.w];
+            only(is_other, ["set u", "set v", "set w"]).unwrap_or("turn u, v, w")
         }
         (_, Orientation::At { .. }) => "give the camera by eye, at, up",
         (_, Orientation::View { .. }) => "give the camera by eye, view, up",
@@ -87,18 +83,11 @@ fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
     }
 }
 
-fn part_name<'a>(
-    first: bool,
-    first_name: &'a str,
-    second: bool,
-    second_name: &'a str,
-    both: &'a str,
-) -> &'a str {
-    match (first, second) {
-        (true, false) => first_name,
-        (false, true) => second_name,
-        _ => both,
-    }
+/// Returns the name of the only part that changed; `None` if several did.
+fn only<const N: usize>(is_other: [bool; N], names: [&'static str; N]) -> Option<&'static str> {
+    let mut changed = is_other.into_iter().zip(names).filter(|(is_other, _)| *is_other);
+    let (_, name) = changed.next()?;
+    changed.next().is_none().then_some(name)
 }
 
 fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
@@ -107,14 +96,12 @@ fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
         before.height != after.height,
         before.distance != after.distance,
     ];
-    match is_other {
-        [true, false, false] => "change width",
-        [false, true, false] => "change height",
-        [false, false, true] => "change distance",
+    let names = ["change width", "change height", "change distance"];
+    only(is_other, names).unwrap_or(match is_other {
         [true, true, false] => "change the field of view",
         [true, true, true] => "scale distance, width and height",
         _ => "change the viewport",
-    }
+    })
 }
 
 /// Returns the name of a change of the objects; `None` if there is none.
@@ -175,23 +162,13 @@ fn change<S: PartialEq>(
 }
 
 fn sphere_name(before: &Sphere, after: &Sphere) -> &'static str {
-    if before.radius == after.radius {
-        "move"
-    } else if before.center == after.center {
-        "resize"
-    } else {
-        "change"
-    }
+    let is_other = [before.center != after.center, before.radius != after.radius];
+    only(is_other, ["move", "resize"]).unwrap_or("change")
 }
 
 fn plane_name(before: &Plane, after: &Plane) -> &'static str {
-    if before.normal == after.normal {
-        "move"
-    } else if before.point == after.point {
-        "turn"
-    } else {
-        "change"
-    }
+    let is_other = [before.point != after.point, before.normal != after.normal];
+    only(is_other, ["move", "turn"]).unwrap_or("change")
 }
 
 #[cfg(test)]

@@ -29,35 +29,27 @@ impl LessonArgument {
             // A number that overflows usize is no lesson's number either.
             digits.then(|| text.parse().unwrap_or(usize::MAX))
         };
-        let (lesson, step) = match text.split_once('.') {
-            Some((lesson, step)) => (whole(lesson), whole(step)),
-            None => (whole(text), Some(1)),
-        };
-        let (Some(lesson), Some(step)) = (lesson, step) else {
+        let lessons = builtin::all();
+        let (typed, step) = text.split_once('.').unwrap_or((text, "1"));
+        let (Some(lesson), Some(step)) = (whole(typed), whole(step)) else {
             return match Path::new(text).extension() {
                 Some(ending) if ending == "toml" => Ok(LessonArgument::File(text.into())),
                 _ => Err(format!(
                     "{text:?} is no lesson: a number from 1 to {}, or the path of a .toml file",
-                    builtin::all().len()
+                    lessons.len()
                 )),
             };
         };
-        let count = builtin::all().len();
-        let found =
-            lesson.checked_sub(1).and_then(|index| Some((index, builtin::all().get(index)?)));
-        let Some((index, found)) = found else {
-            let typed = text.split('.').next().unwrap_or(text);
-            return Err(format!("there is no lesson {typed}: there are lessons 1 to {count}"));
-        };
-        match step.checked_sub(1).filter(|step| *step < found.steps.len()) {
-            Some(step) => {
-                Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step }))
-            }
-            None => Err(format!(
-                "lesson {lesson} has no step {step}: it has steps 1 to {}",
-                found.steps.len()
-            )),
+        let index = lesson.wrapping_sub(1);
+        let count = lessons.len();
+        let found = lessons
+            .get(index)
+            .ok_or_else(|| format!("there is no lesson {typed}: there are lessons 1 to {count}"))?;
+        let (step_index, steps) = (step.wrapping_sub(1), found.steps.len());
+        if step_index >= steps {
+            return Err(format!("lesson {lesson} has no step {step}: it has steps 1 to {steps}"));
         }
+        Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step: step_index }))
     }
 
     /// Returns the place to begin at, and the lesson if it comes from a file.

@@ -29,37 +29,9 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// The keys of a step, besides the tables of a scene.
-const STEP: [&str; 24] = [
-    "title",
-    "text",
-    "ask",
-    "answer",
-    "hide",
-    "scene",
-    "pixel",
-    "uv",
-    "observer",
-    "layout",
-    "show",
-    "shade",
-    "count_from_one",
-    "digits",
-    "keep_picture",
-    "teaching",
-    "derivation",
-    "highlight",
-    "mistake",
-    "t",
-    "play",
-    "lines",
-    "exercise",
-    "seed",
-];
-
-/// The name of the derivation in earlier versions, as a key and as a layout, and its name now.
-const LEDGER: (&str, &str) = ("ledger", "derivation");
-/// Keys of earlier versions, and the name that each has now.
-const RENAMED: [(&str, &str); 2] = [LEDGER, ("lit", "highlight")];
+const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
+                    count_from_one digits keep_picture teaching derivation highlight mistake t \
+                    play lines exercise seed";
 
 /// Reads a lesson file.
 ///
@@ -130,19 +102,9 @@ fn line(field: &Field, longest: usize) -> Result<String, FileError> {
     }
 }
 
-/// Returns the error that a name of an earlier version is another one now.
-fn renamed(field: &Field, now: &str) -> FileError {
-    field.fault(format!("it is called {now} now"))
-}
-
 /// Reads a step; it takes over all that it does not specify from the step before it.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
-    for (before, now) in RENAMED {
-        if let Some(field) = section.get(before) {
-            return Err(renamed(&field, now));
-        }
-    }
-    let known: Vec<&str> = STEP.into_iter().chain(TABLES).collect();
+    let known: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
     let title = section.need("title", "title = \"What the step is about\"")?;
     let title = line(&title, LONGEST_TITLE)?;
@@ -264,9 +226,6 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     }
     say(section, "observer", &mut view.observer, |field| observer(&field.section()?))?;
     say(section, "layout", &mut view.layout, |field| {
-        if field.text().is_ok_and(|name| name == LEDGER.0) {
-            return Err(renamed(field, LEDGER.1));
-        }
         let layouts = ViewLayout::LISTED.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)
     })?;

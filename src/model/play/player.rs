@@ -146,7 +146,7 @@ impl Player {
             // Its quarters are angles of their own.
             Kind::OverTheTop => format!("{:.0} %", 100.0 * self.phase),
             Kind::Walk => {
-                format!("t = {}", crate::model::number::written(self.phase * self.start.end, 3))
+                format!("t = {}", pinhole_lecture::numbers::written(self.phase * self.start.end, 3))
             }
             Kind::Scan => {
                 let steps = self.kind.steps(&self.start);

@@ -7,11 +7,11 @@ use pinhole_lecture::numbers::grouped;
 
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
-use crate::model::number::short_plain;
 use crate::report::columns::lines;
 use crate::report::model::Digits;
 use crate::report::summary::{Overall, Summary, Worst, least_middle_most};
 use crate::view::chart::{Scale, columns};
+use pinhole_lecture::numbers::short_plain;
 
 /// Width of the table without errors and times, in points.
 pub(super) const WIDTH: f32 = 512.0;

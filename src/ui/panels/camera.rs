@@ -4,10 +4,10 @@ use egui::{Context, Grid, Label, RichText, Ui};
 use pinhole_core::{
     BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
 };
+use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
 use crate::model::letters::typeset_message;
-use crate::model::number::written;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, meaning};
 use crate::ui::widgets::fault::fault_text;

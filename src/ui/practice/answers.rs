@@ -6,9 +6,9 @@ use egui::{
 };
 use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
+use pinhole_lecture::numbers::ungrouped;
 
 use crate::model::letters::typeset_message;
-use crate::model::number::ungrouped;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::Session;
 use crate::ui::action::{Action, AnswersAction, LookAction};

@@ -4,11 +4,11 @@
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
-use crate::model::number::percent;
 use crate::model::readings::NumberStyle;
 use crate::model::session::ghost::Ghost;
 use crate::ui::action::{Action, GhostAction};

@@ -4,9 +4,9 @@
 use egui::{Context, Id, Key, PointerButton, Pos2, Rect, Response, Ui};
 use pinhole_core::steering::{SteerError, rounded_to};
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
+use pinhole_lecture::numbers::written;
 
 use super::handles::{Edited, say, taken_keys};
-use crate::model::number::written;
 use crate::model::overlay_items::Item;
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::ui::action::Steer;

@@ -8,7 +8,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::concept::{HoverSource, Hovered};
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
-use crate::model::readings::{NumberStyle, Reading, Value, of_basis};
+use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols::{Kind, meaning};
 use crate::ui::widgets::fault::fault_text;
@@ -103,7 +103,7 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
 fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
-    if !matches!(reading.value, Value::Vector(_)) {
+    if !matches!(reading.value, ReadingValue::Vector(_)) {
         return formula(reading.name, size, plain);
     }
     let color = vector_color(ui, reading.name).unwrap_or(plain);

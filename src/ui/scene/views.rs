@@ -10,10 +10,10 @@ use egui::{
 use pinhole_core::steering::Keep;
 use pinhole_core::{ImageSize, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::written_whole;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
-use crate::model::number::written_whole;
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, Settings, ViewLayout};

@@ -10,10 +10,10 @@ use egui::{
     Color32, Context, DragValue, FontId, Id, Rect, Response, RichText, Ui, UiBuilder, Vec2, vec2,
 };
 use pinhole_core::{DVec3, shortest};
+use pinhole_lecture::numbers::{written, written_whole};
 
 use super::spoken::Spoken as _;
 use crate::model::expression::evaluate;
-use crate::model::number::{written, written_whole};
 use crate::view::typesetting::theme::{self, error_color};
 
 /// Minimum number of significant digits.

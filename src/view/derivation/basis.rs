@@ -27,39 +27,33 @@ fn derived(derivation: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         lines.push(match derivation.at {
             Some(at) => {
                 let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
-                let formula = equation(equation(VIEW, minus(AT, EYE)), put_in);
-                let formula = row([formula, numbers.equals_vector(view.vector)]);
-                Line::new(Concept::View, formula)
+                let sides = [VIEW, minus(AT, EYE), put_in];
+                Line::chain(Concept::View, sides, numbers.equals_vector(view.vector))
             }
             None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
         });
     }
     if let Some(backwards) = derivation.backwards {
-        let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
-        lines.push(Line::new(Concept::Backwards, formula));
+        let result = numbers.equals_vector(backwards);
+        lines.push(Line::chain(Concept::Backwards, [negative(VIEW)], result));
     }
     lines.extend(normalized(derivation, numbers));
     if let Some(cross) = &derivation.up_cross_w {
         lines.extend(crossed(cross, numbers));
     }
-    match (derivation.u, &derivation.up_cross_w) {
-        (Some(u), Some(cross)) => {
-            let formula = equation(U, normalize(times(UP, W)));
-            let quotient = quotient(cross.product, cross.area, numbers);
-            lines
-                .push(Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))));
-        }
-        (None, Some(_)) => {
-            let formula = equation(U, normalize(times(UP, W)));
-            lines.push(failed(Concept::U, formula, derivation.basis.err()));
-        }
-        _ => {}
+    if let Some(cross) = &derivation.up_cross_w {
+        let formula = equation(U, normalize(times(UP, W)));
+        let quotient = quotient(cross.product, cross.area, numbers);
+        lines.push(match derivation.u {
+            Some(u) => Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))),
+            None => failed(Concept::U, formula, derivation.basis.err()),
+        });
     }
     if let Some(cross) = &derivation.w_cross_u {
         let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
-        let formula = equation(V, equation(times(W, U), put_in));
-        let formula = row([formula, numbers.equals_vector(cross.product)]);
-        lines.push(Line::new(Concept::WCrossU, formula).also(&[Concept::V]));
+        let sides = [V, times(W, U), put_in];
+        let line = Line::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
+        lines.push(line.also(&[Concept::V]));
     }
     lines
 }
@@ -90,17 +84,15 @@ fn normalized(derivation: &BasisFromUp, numbers: Numbers) -> Option<Line> {
 /// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
 fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
-    let product = equation(times(UP, W), put_in);
-    let product = row([product, numbers.equals_vector(cross.product)]);
-    let mut lines = vec![Line::new(Concept::UpCrossW, product)];
+    let product = numbers.equals_vector(cross.product);
+    let mut lines = vec![Line::chain(Concept::UpCrossW, [times(UP, W), put_in], product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
         let symbolic = row([norm(UP), sine(word("angle"))]);
         let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
-        let formula = equation(equation(norm(times(UP, W)), symbolic), put_in);
-        let formula = row([formula, numbers.equals(cross.area)]);
-        lines.push(Line::new(Concept::UpCrossW, formula));
+        let sides = [norm(times(UP, W)), symbolic, put_in];
+        lines.push(Line::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
     }
     lines
 }
@@ -147,24 +139,20 @@ fn checked(derivation: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     };
     for ((name, concept), check) in names().zip(derivation.lengths) {
         let Some(check) = check else { continue };
-        let line = Line::new(concept, row([norm(name), numbers.equals(check.value)]));
+        let line = Line::chain(concept, [norm(name)], numbers.equals(check.value));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
     for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
         let Some(check) = check else { continue };
-        let line = Line::new(concept, row([dot(a, b), numbers.equals(check.value)]));
+        let line = Line::chain(concept, [dot(a, b)], numbers.equals(check.value));
         lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
     }
     if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = Line::new(Concept::W, row([formula, numbers.equals(check.value)]));
-        lines.push(verdict(
-            line,
-            check.passes,
-            "right-handed",
-            "left-handed: must be greater than 0",
-        ));
+        let line = Line::chain(Concept::W, [formula], numbers.equals(check.value));
+        let wrong = "left-handed: must be greater than 0";
+        lines.push(verdict(line, check.passes, "right-handed", wrong));
     }
     if let Err(error) = derivation.basis {
         let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };

@@ -18,16 +18,16 @@ use std::fmt;
 
 use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::Rounding;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
-use self::numbers::Numbers;
+use self::numbers::{Numbers, related};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
-use crate::model::number::Rounding;
-use crate::view::formula::{Formula, word};
+use crate::view::formula::{Formula, row, word};
 pub use export::Markup;
 
 /// Maximum number of objects that are listed. Of more objects, those that the ray hits first are
@@ -74,6 +74,13 @@ pub struct Line {
 impl Line {
     fn new(concept: Concept, formula: Formula) -> Line {
         Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
+    }
+
+    /// Returns the line of an equation with several sides, and its result behind the last.
+    fn chain<const N: usize>(concept: Concept, sides: [Formula; N], result: Formula) -> Line {
+        let mut sides = sides.into_iter();
+        let first = sides.next();
+        Line::new(concept, row(first.into_iter().chain(sides.map(related)).chain([result])))
     }
 
     fn also(self, also: &'static [Concept]) -> Line {

@@ -5,10 +5,10 @@
 //! digits, or decimals that the value ends with. All other decimals are rounded and stand behind `≈`.
 
 use pinhole_core::{DVec3, Pixel};
+use pinhole_lecture::numbers::Rounding;
 use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
-use crate::model::number::Rounding;
 use crate::view::formula::{Formula, Operator, fraction, given, number, root, rounded, row, tuple};
 
 /// The number format.

@@ -77,8 +77,8 @@ pub(super) fn lines(
 }
 
 impl ObjectLines<'_> {
-    fn line(&mut self, formula: Formula) {
-        self.lines.push(Line::new(Concept::Object(self.object), formula));
+    fn line<const N: usize>(&mut self, sides: [Formula; N], result: Formula) {
+        self.lines.push(Line::chain(Concept::Object(self.object), sides, result));
     }
 
     fn root_concept(&self, number: usize) -> Concept {
@@ -94,8 +94,8 @@ impl ObjectLines<'_> {
     fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
         let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
-        let difference = equation(minus(P, CENTRE), minus(p, c));
-        self.line(row([difference, numbers.equals_vector(derivation.from_center)]));
+        let sides = [minus(P, CENTRE), minus(p, c)];
+        self.line(sides, numbers.equals_vector(derivation.from_center));
         self.quadratic(derivation);
         let found: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
         for (k, root) in found.iter().enumerate() {
@@ -134,8 +134,7 @@ impl ObjectLines<'_> {
             ),
         ];
         for (name, symbols, put_in, value) in parts {
-            let formula = equation(equation(name, symbols), put_in);
-            self.line(row([formula, numbers.equals(value)]));
+            self.line([name, symbols, put_in], numbers.equals(value));
         }
         if let Some(last) = self.lines.last_mut() {
             last.note = meaning(derivation.meeting).to_owned();
@@ -158,8 +157,8 @@ impl ObjectLines<'_> {
         let symbols = row([negative(B), sign.into(), root(DISCRIMINANT)]);
         let of_d = root(numbers.scalar(quadratic.discriminant));
         let put_in = row([minus_b, sign.into(), of_d]);
-        let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
-        let line = Line::new(self.root_concept(k), row([formula, numbers.equals(found.t)]));
+        let sides = [name, fraction(symbols, A), fraction(put_in, a())];
+        let line = Line::chain(self.root_concept(k), sides, numbers.equals(found.t));
         let verdict = self.verdict(k);
         self.lines.push(line.noted(verdict));
     }
@@ -167,20 +166,20 @@ impl ObjectLines<'_> {
     fn plane(&mut self, derivation: &PlaneDerivation) {
         let numbers = self.numbers;
         let n = || numbers.vector(derivation.plane.normal);
-        let rate = equation(dot(N, D), dot(n(), numbers.vector(self.ray.direction)));
-        self.line(row([rate, numbers.equals(derivation.terms.rate)]));
+        let rate = [dot(N, D), dot(n(), numbers.vector(self.ray.direction))];
+        self.line(rate, numbers.equals(derivation.terms.rate));
         let (point, p) = (numbers.vector(derivation.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
         let put_in = dot(n(), parentheses(minus(point, p)));
-        let offset = equation(dot(N, to_point.clone()), put_in);
-        self.line(row([offset, numbers.equals(derivation.terms.offset)]));
-        let quotient = equation(T, fraction(dot(N, to_point), dot(N, D)));
+        let offset = [dot(N, to_point.clone()), put_in];
+        self.line(offset, numbers.equals(derivation.terms.offset));
+        let quotient = fraction(dot(N, to_point), dot(N, D));
         let Some(found) = derivation.root else {
             let note = match derivation.meeting {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
-            let line = Line::new(Concept::Object(self.object), quotient);
+            let line = Line::new(Concept::Object(self.object), equation(T, quotient));
             self.lines.push(line.noted(note));
             return;
         };
@@ -188,8 +187,8 @@ impl ObjectLines<'_> {
             numbers.scalar(derivation.terms.offset),
             numbers.divisor(derivation.terms.rate),
         );
-        let formula = equation(quotient, put_in);
-        let line = Line::new(self.root_concept(0), row([formula, numbers.equals(found.t)]));
+        let sides = [T, quotient, put_in];
+        let line = Line::chain(self.root_concept(0), sides, numbers.equals(found.t));
         let verdict = self.verdict(0);
         self.lines.push(line.noted(verdict));
         if derivation.hit().is_some() {
@@ -206,9 +205,8 @@ impl ObjectLines<'_> {
             numbers.scalar(hit.t),
             numbers.vector(self.ray.direction),
         );
-        let formula = equation(equation(HIT, along(P, t, D)), put_in);
-        let formula = row([formula, numbers.equals_vector(hit.point)]);
-        self.lines.push(Line::new(self.root_concept(k), formula));
+        let sides = [HIT, along(P, t, D), put_in];
+        self.lines.push(Line::chain(self.root_concept(k), sides, numbers.equals_vector(hit.point)));
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {

@@ -1,7 +1,7 @@
 //! Derivation of the view ray of a pixel or of a position (u, v).
 
-use pinhole_core::{Camera, ResolvedCamera, Selection, Viewport};
-use pinhole_lecture::{PixelShares, RayDerivation};
+use pinhole_core::{Camera, Pixel, ResolvedCamera, Selection, Viewport};
+use pinhole_lecture::RayDerivation;
 
 use super::Line;
 use super::names::{D, DISTANCE, P, T, U, V, W, equation, joined, minus};
@@ -65,10 +65,10 @@ pub(super) fn lines(
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
-    let mut lines = match &ray.shares {
-        Some(shares) => {
-            let given = givens(camera, Selection::Pixel(shares.pixel), None, numbers);
-            given.into_iter().chain(of_pixel(resolved, shares, ray, numbers)).collect()
+    let mut lines = match ray.pixel {
+        Some(pixel) => {
+            let given = givens(camera, Selection::Pixel(pixel), None, numbers);
+            given.into_iter().chain(of_pixel(resolved, pixel, ray, numbers)).collect()
         }
         None => {
             let note = position_note(resolved, inspection, numbers);
@@ -85,8 +85,8 @@ pub(super) fn lines(
     ];
     for (concept, scalar, vector, factor, value, product) in parts {
         let put_in = row([numbers.scalar(factor), numbers.vector(value)]);
-        let formula = equation(row([scalar, vector]), put_in);
-        let line = Line::new(concept, row([formula, numbers.equals_vector(product)]));
+        let sides = [row([scalar, vector]), put_in];
+        let line = Line::chain(concept, sides, numbers.equals_vector(product));
         lines.push(match concept {
             Concept::AlongW => line.also(&[Concept::Distance]),
             _ => line,
@@ -96,11 +96,10 @@ pub(super) fn lines(
     let symbols =
         [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
     let put_in = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
-    let formula = equation(equation(D, sum(symbols, Operator::Minus)), sum(put_in, Operator::Plus));
-    let direction = row([formula, numbers.equals_vector(ray.direction)]);
-    lines.push(Line::new(Concept::Direction, direction));
-    let length = row([norm(D), numbers.equals(ray.length)]);
-    lines.push(Line::new(Concept::Direction, length).noted("how long a step of 𝑡 = 1 is"));
+    let sides = [D, sum(symbols, Operator::Minus), sum(put_in, Operator::Plus)];
+    lines.push(Line::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
+    let length = Line::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
+    lines.push(length.noted("how long a step of 𝑡 = 1 is"));
     let put_in = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
     let formula = equation(along(P, T, D), put_in);
     lines.push(Line::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
@@ -115,11 +114,11 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
 /// Derives u and v from the shares of the image's width and height.
 fn of_pixel(
     resolved: &ResolvedCamera,
-    shares: &PixelShares,
+    pixel: Pixel,
     ray: &RayDerivation,
     numbers: Numbers,
 ) -> Vec<Line> {
-    let (i, j) = numbers.counted(shares.pixel);
+    let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
     // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
     // edge.
@@ -132,8 +131,7 @@ fn of_pixel(
     let line = |name, extent, symbols, size, put_in, value| {
         let symbols = row([Formula::Scalar(extent), symbols]);
         let put_in = row([numbers.scalar(size), put_in]);
-        let formula = equation(equation(Formula::Scalar(name), symbols), put_in);
-        Line::new(Concept::Pixel, row([formula, numbers.equals(value)]))
+        Line::chain(Concept::Pixel, [Formula::Scalar(name), symbols, put_in], numbers.equals(value))
     };
     let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
     let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::Rounding;
 
 use super::Derived;
 use super::derived::Inputs;
 use super::memo::Memo;
-use crate::model::number::Rounding;
 use crate::model::session::ViewLayout;
 use crate::view::derivation::{Derivation, DerivationInputs, DerivationSettings, derivation};
 

@@ -243,43 +243,29 @@ impl Formula {
     }
 
     fn is_rounded(&self) -> bool {
-        match self {
-            Formula::Rounded(_) => true,
-            Formula::Row(parts) | Formula::Tuple(parts, _) => parts.iter().any(Formula::is_rounded),
-            Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
-                a.is_rounded() || b.is_rounded()
-            }
-            Formula::Root(inner)
-            | Formula::Norm(inner)
-            | Formula::Parentheses(inner)
-            | Formula::Given(_, inner) => inner.is_rounded(),
-            Formula::Scalar(_)
-            | Formula::Vector(..)
-            | Formula::Word(_)
-            | Formula::Number(_)
-            | Formula::Operator(_) => false,
-        }
+        self.has(&|part| matches!(part, Formula::Rounded(_)))
     }
 
     /// Returns true if there is a vector's coordinates in it.
     fn has_tuple(&self) -> bool {
-        match self {
-            Formula::Tuple(..) => true,
-            Formula::Row(parts) => parts.iter().any(Formula::has_tuple),
-            Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
-                a.has_tuple() || b.has_tuple()
+        self.has(&|part| matches!(part, Formula::Tuple(..)))
+    }
+
+    /// Returns true if the formula or a part of it is such a one.
+    fn has(&self, is_such: &dyn Fn(&Formula) -> bool) -> bool {
+        let has = |part: &Formula| part.has(is_such);
+        is_such(self)
+            || match self {
+                Formula::Row(parts) | Formula::Tuple(parts, _) => parts.iter().any(has),
+                Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
+                    has(a) || has(b)
+                }
+                Formula::Root(inner)
+                | Formula::Norm(inner)
+                | Formula::Parentheses(inner)
+                | Formula::Given(_, inner) => has(inner),
+                _ => false,
             }
-            Formula::Root(inner)
-            | Formula::Norm(inner)
-            | Formula::Parentheses(inner)
-            | Formula::Given(_, inner) => inner.has_tuple(),
-            Formula::Scalar(_)
-            | Formula::Vector(..)
-            | Formula::Word(_)
-            | Formula::Number(_)
-            | Formula::Rounded(_)
-            | Formula::Operator(_) => false,
-        }
     }
 
     /// Returns true for a relation, at which formulas are aligned.

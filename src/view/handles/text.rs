@@ -3,9 +3,9 @@
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::written;
 
 use super::HandleValues;
-use crate::model::number::written;
 use crate::model::session::hand::Handle;
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.

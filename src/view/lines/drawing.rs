@@ -7,10 +7,10 @@ use egui::{
 };
 use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution};
+use pinhole_lecture::numbers::written as number;
 
 use crate::model::lines::{Handle, LinesLab, Window};
 use crate::view::chart::{self, SOLID, Scale, Tick};
-use crate::view::lines::steps::number;
 use crate::view::overlay::Colors;
 use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
 use crate::view::typesetting::theme;

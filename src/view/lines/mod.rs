@@ -6,8 +6,9 @@ pub(crate) mod steps;
 
 use egui::{Rect, RichText, Ui, UiBuilder, Vec2, pos2};
 use pinhole_lecture::lines::{LineError, Substitution};
+use pinhole_lecture::numbers::written as number;
 
-use self::steps::{number, steps, verdict};
+use self::steps::{steps, verdict};
 use crate::model::letters::typeset_message;
 use crate::model::lines::LinesLab;
 use crate::view::typesetting::notation;

@@ -3,8 +3,7 @@
 use std::cmp::Ordering;
 
 use pinhole_lecture::lines::{Crossing, Meeting, Substitution};
-
-use crate::model::number::written;
+use pinhole_lecture::numbers::written as number;
 
 /// One step of the substitution.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,11 +13,6 @@ pub(crate) struct LabStep {
     /// The formula, in the form that [`formula`](crate::view::typesetting::notation::formula)
     /// takes.
     pub(crate) text: String,
-}
-
-/// Formats a number for people.
-pub(crate) fn number(x: f64, digits: usize) -> String {
-    written(x + 0.0, digits)
 }
 
 /// Formats a number behind a multiplication sign: negative ones in parentheses.

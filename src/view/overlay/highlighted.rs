@@ -5,9 +5,9 @@
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec3, Scene, Sphere};
+use pinhole_lecture::numbers::written;
 
 use crate::model::concept::Concept;
-use crate::model::number::written;
 use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::space::labels::Request;
 use crate::view::overlay::space::screen::tangents;

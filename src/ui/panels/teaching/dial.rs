@@ -5,10 +5,10 @@ use std::f32::consts::PI;
 use egui::epaint::PathStroke;
 use egui::{Align2, Color32, FontId, Pos2, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
 use pinhole_core::{BasisError, Camera, UpAngle};
+use pinhole_lecture::numbers::written;
 
 use super::reason;
 use crate::model::letters::typeset_message;
-use crate::model::number::written;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 

@@ -10,8 +10,8 @@ use egui::{
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
+use pinhole_lecture::numbers::percent;
 
-use crate::model::number::percent;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::readings::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;

@@ -3,11 +3,11 @@
 use egui::accesskit::Role;
 use egui::{CursorIcon, Key, Rect, Response, Sense, Ui, Vec2};
 use pinhole_core::DVec2;
+use pinhole_lecture::numbers::written as number;
 
 use crate::model::lines::{Handle, LinesLab};
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::lines::drawing::{GRASP, Plane};
-use crate::view::lines::steps::number;
 
 /// Shows the drawing and handles drags in it.
 pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {

@@ -4,12 +4,12 @@
 mod dragging;
 
 use egui::{Context, Grid, Id, ScrollArea, Slider, Ui, UiBuilder, Vec2};
+use pinhole_lecture::numbers::written as number;
 
 use crate::model::lines::{LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::lines::drawing::draw_question;
-pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};
 
 /// Range of the slider of t.

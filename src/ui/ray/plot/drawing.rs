@@ -2,11 +2,11 @@
 
 use egui::accesskit::Role;
 use egui::{Align2, Color32, Key, Painter, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
+use pinhole_lecture::numbers::written as number;
 
 use crate::model::session::Heights;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
-use crate::view::lines::steps::number;
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::label_layout::{Font, LabelLayout, around};

@@ -7,8 +7,8 @@ mod drawing;
 use egui::{
     Context, Id, Label, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2,
 };
+use pinhole_lecture::numbers::written as number;
 
-use super::lines::number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::inspection::Inspection;
 use crate::ui::widgets::fault::fault_text;

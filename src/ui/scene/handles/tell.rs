@@ -8,11 +8,11 @@ use egui::{
 use pinhole_core::DVec2;
 use pinhole_core::steering::Keep;
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::written;
 
 use super::{HandInput, View, id_of};
 use crate::model::concept::{HoverSource, Hovered};
 use crate::model::letters::bold;
-use crate::model::number::written;
 use crate::model::session::Session;
 use crate::model::session::hand::{Along, Axis, Handle};
 use crate::ui::widgets::fault::fault_text;

@@ -7,13 +7,13 @@ use egui::layers::ShapeIdx;
 use egui::{Color32, Grid, Painter, Pos2, RichText, Sense, Ui, vec2};
 use pinhole_core::methods::Method;
 
-use crate::model::number::short;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::marker::{lightened, marker_of};
 use crate::report::plot::panels;
 use crate::report::summary::Summary;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::{self, error_color};
+use pinhole_lecture::numbers::short;
 
 /// The columns' names and their explanations.
 const COLUMNS: [(&str, &str); 7] = [

@@ -7,8 +7,8 @@ use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBui
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Selection, trace};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::{short, written_whole};
 
-use crate::model::number::{short, written_whole};
 use crate::model::session::{Session, Settings};
 use crate::report::model::NO_DIGIT;
 use crate::ui::scene::readouts;

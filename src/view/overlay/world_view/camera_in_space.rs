@@ -3,10 +3,10 @@
 
 use egui::Color32;
 use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
+use pinhole_lecture::numbers::written;
 
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
-use crate::model::number::written;
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::space::screen::unit;
