@@ -5,25 +5,25 @@ use std::time::{Duration, Instant};
 
 use egui::epaint::textures::TexturesDelta;
 use egui::{
-    FullOutput, OrderedViewportIdMap, ScreenshotCallback, ViewportCommand, ViewportEvent,
+    Context, FullOutput, OrderedViewportIdMap, ScreenshotCallback, ViewportCommand, ViewportEvent,
     ViewportId, ViewportInfo, ViewportOutput,
 };
 use egui_winit::{ActionRequested, accesskit_winit};
-use winit::event::WindowEvent;
+use winit::event::{ElementState, KeyEvent, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
+use winit::keyboard::{Key, NamedKey};
 use winit::window::Window;
 
-use super::cpu::Cpu;
-use super::display::{UserEvent, without_panic};
-use super::error::PresentError;
-use super::file_dialog::{self, FileDialog};
-use super::first_pass::FirstPass;
-use super::frame_log::{FrameLog, FrameTimes};
-use super::repeats;
-use super::start::{Drawn, pace};
-use super::surface::{Frame, PaintTimes, Surface};
-use super::textures::Textures;
 use crate::cli::arguments::Renderer;
+use crate::platform::cpu::Cpu;
+use crate::platform::display::PresentError;
+use crate::platform::display::{UserEvent, without_panic};
+use crate::platform::file_dialog::{self, FileDialog};
+use crate::platform::start::{Drawn, pace};
+use crate::platform::surface::Textures;
+use crate::platform::surface::{Frame, PaintTimes, Surface};
+use crate::platform::window::FirstPass;
+use crate::platform::window::{FrameLog, FrameTimes};
 use crate::ui::app::{App, complain};
 use crate::ui::dialogs::path_field::FileAnswer;
 
@@ -196,7 +196,7 @@ impl Open {
             WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
             // It may be hidden next, and not every display tells.
             WindowEvent::Focused(false) => self.app.rest(),
-            _ if repeats::is_idle(event, &self.ctx) => return Ok(false),
+            _ if is_idle(event, &self.ctx) => return Ok(false),
             _ => {}
         }
         let response = self.state.on_window_event(&self.window, event);
@@ -456,4 +456,39 @@ fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallbac
         _ => None,
     });
     screenshots.collect()
+}
+
+/// Characters whose keys step or zoom, again and again while they are held.
+const STEPPING: [&str; 7] = [",", ".", "[", "]", "+", "-", "="];
+
+/// Returns true if an event is the repeat of a held key that nothing takes: neither a text that is
+/// typed, nor a shortcut with Ctrl, nor a step. Such a repeat would cost a frame, and switch a
+/// command on and off.
+pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
+    let WindowEvent::KeyboardInput { event, .. } = event else { return false };
+    let KeyEvent { repeat: true, state: ElementState::Pressed, logical_key, .. } = event else {
+        return false;
+    };
+    let is_taken = ctx.text_edit_focused() || ctx.input(|i| i.modifiers.command);
+    !is_taken && !steps(logical_key)
+}
+
+/// Returns true if a key does something again at each repeat.
+fn steps(key: &Key) -> bool {
+    match key {
+        Key::Named(named) => matches!(
+            named,
+            NamedKey::ArrowLeft
+                | NamedKey::ArrowRight
+                | NamedKey::ArrowUp
+                | NamedKey::ArrowDown
+                | NamedKey::PageUp
+                | NamedKey::PageDown
+                | NamedKey::Tab
+                | NamedKey::Backspace
+                | NamedKey::Delete
+        ),
+        Key::Character(character) => STEPPING.contains(&character.as_str()),
+        Key::Unidentified(_) | Key::Dead(_) => false,
+    }
 }

@@ -9,8 +9,8 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::cpu::Cpu;
+use super::display::PresentError;
 use super::display::cause;
-use super::error::PresentError;
 #[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
 use super::surface::Surface;

@@ -1,10 +1,13 @@
-//! A renderer of the window, and the frames that it draws.
+//! A renderer of the window, the frames that it draws, and the contents of the adapter's textures, which
+//! the CPU needs to take over.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::ScreenshotCallback;
-use egui::epaint::{ClippedPrimitive, textures::TexturesDelta};
+use egui::epaint::textures::TexturesDelta;
+use egui::epaint::{ClippedPrimitive, ImageDelta, TextureAtlas};
+use egui::{ScreenshotCallback, TextureId};
 use winit::window::Window;
 
 /// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. With another
@@ -55,4 +58,50 @@ pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
     let start = is_asked.then(Instant::now);
     run();
     start.map_or(Duration::ZERO, |start| start.elapsed())
+}
+
+/// egui's textures, apart from that of the glyphs. egui sends each change once.
+///
+/// The images are shared with the app, not copied.
+#[derive(Default)]
+pub(super) struct Textures(HashMap<TextureId, Vec<ImageDelta>>);
+
+/// The texture of the glyphs, which egui keeps itself.
+const GLYPHS: TextureId = TextureId::Managed(0);
+
+impl Textures {
+    /// Takes note of changes that the surface is about to take out.
+    pub(super) fn note(&mut self, delta: &TexturesDelta) {
+        let others = delta.set.iter().filter(|(id, _)| **id != GLYPHS);
+        for (id, changes) in others {
+            let sent = self.0.entry(*id).or_default();
+            for change in changes {
+                let size = sent.first().map(|first| first.image.size());
+                let mut change = change.clone();
+                if change.pos == Some([0, 0]) && size == Some(change.image.size()) {
+                    change.pos = None;
+                }
+                if change.is_whole() {
+                    sent.clear();
+                }
+                sent.push(change);
+            }
+        }
+        for id in &delta.free {
+            self.0.remove(id);
+        }
+    }
+
+    /// Returns everything that a new surface needs.
+    pub(super) fn all(&self, ctx: &egui::Context) -> TexturesDelta {
+        let mut all = TexturesDelta::default();
+        let glyphs = ctx.fonts(|fonts| fonts.image());
+        all.push(GLYPHS, ImageDelta::full(glyphs, TextureAtlas::texture_options()));
+        for (id, sent) in &self.0 {
+            for change in sent {
+                all.push(*id, change.clone());
+            }
+        }
+        all
+    }
 }
