@@ -103,25 +103,6 @@ pub(super) struct Judged {
     pub(super) error: f64,
 }
 
-/// The share of what the written digits leave open that is allowed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Digits(f64);
-
-impl Digits {
-    pub(super) fn for_tolerance(tolerance: f64) -> Digits {
-        Digits((tolerance / RELATIVE_TOLERANCE).min(1.0))
-    }
-
-    /// All of it.
-    pub(super) fn as_written() -> Digits {
-        Digits(1.0)
-    }
-
-    pub(super) fn allow(self, rounding: f64) -> f64 {
-        self.0 * rounding
-    }
-}
-
 impl Grade {
     /// The count of answers that there are, or should be.
     pub fn answers(&self) -> usize {

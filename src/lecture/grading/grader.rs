@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::answers::{AnswerKind, Answers, HitAnswer, Precision};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::grade::{
-    Digits, Grade, GradeError, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst,
+    Grade, GradeError, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst,
     digits_wanted,
 };
 use super::hits::{Hits, truth_of};
@@ -22,7 +22,8 @@ pub(super) struct Grader<'a> {
     answers: &'a Answers,
     given: GivenCamera,
     tolerance: f64,
-    digits: Digits,
+    /// The share of what the written digits leave open that is allowed.
+    digits: f64,
     /// The answers may be those of a program in `f32`.
     may_be_single: bool,
 }
@@ -53,7 +54,7 @@ impl<'a> Grader<'a> {
         if tolerance.is_nan() || tolerance < 0.0 {
             return Err(GradeError::Tolerance(tolerance));
         }
-        let digits = Digits::for_tolerance(tolerance);
+        let digits = (tolerance / RELATIVE_TOLERANCE).min(1.0);
         let may_be_single = answers.may_be_single();
         let grader = Grader { truth, answers, given, tolerance, digits, may_be_single };
         if let Answers::Hits(hits) = answers {
@@ -105,7 +106,7 @@ impl<'a> Grader<'a> {
             _ => 3,
         };
         let Some((answers, digits)) = self.few_digits() else { return grade };
-        let Ok(held) = self.held(&answers, Digits::as_written()) else { return grade };
+        let Ok(held) = self.held(&answers, 1.0) else { return grade };
         let diagnosis = match digits >= least && judged(&*held).iter().all(|j| j.is_right) {
             true => Some(Diagnosis::default()),
             false => self.mistake_in_few_digits(&*held, digits, &grade.is_right),
@@ -145,7 +146,7 @@ impl<'a> Grader<'a> {
     fn held<'b>(
         &'b self,
         answers: &'b Answers,
-        digits: Digits,
+        digits: f64,
     ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
         let (given, tolerance) = (&self.given, self.tolerance);
         Ok(match answers {

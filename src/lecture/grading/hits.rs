@@ -6,7 +6,7 @@ use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Sce
 use super::answers::{GivenHit, HitAnswer, WrittenVector};
 use super::diagnosis::Fits;
 use super::first_hits::{FirstHits, PossibleHit, hits_of_each, work};
-use super::grade::{Digits, Hit, Judged, Right, Truth};
+use super::grade::{Hit, Judged, Right, Truth};
 use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
@@ -16,7 +16,8 @@ pub(super) struct Hits<'a> {
     pub(super) given: &'a GivenCamera,
     pub(super) scene: &'a Scene,
     pub(super) tolerance: f64,
-    pub(super) digits: Digits,
+    /// The share of what the written digits leave open that is allowed.
+    pub(super) digits: f64,
 }
 
 impl Fits for Hits<'_> {
@@ -91,14 +92,14 @@ impl Hits<'_> {
         let is_object =
             given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
-            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits.allow(given.rounding);
+            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits * given.rounding;
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
         let is_point = |given: WrittenVector| {
             let from_eye = given.value - camera.eye;
             let reach = least.abs().max(most.abs()) * step.length();
             let off = (self.tolerance + camera.off) * reach
-                + self.digits.allow(given.rounding)
+                + self.digits * given.rounding
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
             // A point of the ray, as far along as allowed, within this of each coordinate.
             let mut along = [least, most];

@@ -5,14 +5,15 @@ use pinhole_core::arithmetic::{length, unit};
 
 use super::answers::{RayAnswer, WrittenVector};
 use super::diagnosis::Fits;
-use super::grade::{Digits, Judged, Right};
+use super::grade::{Judged, Right};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
     pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
-    pub(super) digits: Digits,
+    /// The share of what the written digits leave open that is allowed.
+    pub(super) digits: f64,
 }
 
 impl Fits for Vectors<'_> {
@@ -27,7 +28,7 @@ impl Fits for Vectors<'_> {
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let WrittenVector { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
-        let off = (self.tolerance + camera.off) * length(wanted) + self.digits.allow(rounding);
+        let off = (self.tolerance + camera.off) * length(wanted) + self.digits * rounding;
         (value - wanted).abs().max_element() <= off
     }
 
@@ -47,7 +48,8 @@ pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
     pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
-    pub(super) digits: Digits,
+    /// The share of what the written digits leave open that is allowed.
+    pub(super) digits: f64,
 }
 
 impl Fits for Rays<'_> {
@@ -58,10 +60,10 @@ impl Fits for Rays<'_> {
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let rounding = self.digits.allow(direction.rounding) / length(direction.value);
+        let rounding = self.digits * direction.rounding / length(direction.value);
         let origin_off = self.tolerance * self.size(camera)
             + camera.epsilon * length(camera.eye)
-            + self.digits.allow(origin.rounding);
+            + self.digits * origin.rounding;
         camera.answers_for(pixel)
             && turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
             && (origin.value - camera.eye).abs().max_element() <= origin_off

@@ -197,14 +197,10 @@ impl BasisChoices {
         up_as_v: UpAsV::No,
     };
 
-    /// Leaves w, u or both as they are before they are normalized, and v as it follows from them.
-    pub(crate) fn set_raw(&mut self, w: bool, u: bool) {
-        (self.w_raw, self.u_raw, self.v_unit) = (w, u, false);
-    }
-
-    /// Leaves w, u or both as they are before they are normalized, and normalizes v.
-    pub(crate) fn set_raw_but_v(&mut self, w: bool, u: bool) {
-        (self.w_raw, self.u_raw, self.v_unit) = (w, u, true);
+    /// Leaves w, u or both as they are before they are normalized; v follows from them, or is
+    /// normalized.
+    pub(crate) fn set_raw(&mut self, w: bool, u: bool, v_unit: bool) {
+        (self.w_raw, self.u_raw, self.v_unit) = (w, u, v_unit);
     }
 
     /// Exchanges the factors of both cross products. Exchanged twice, they are right.

@@ -131,12 +131,12 @@ mistakes! {
                  have length 1; and where |d| is not 1, a = d . d is not.",
         exercise_feedback: "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
         ways: &[
-            |p| p.basis.set_raw(false, true),
-            |p| p.basis.set_raw(true, false),
-            |p| p.basis.set_raw(true, true),
-            |p| p.basis.set_raw_but_v(false, true),
-            |p| p.basis.set_raw_but_v(true, false),
-            |p| p.basis.set_raw_but_v(true, true),
+            |p| p.basis.set_raw(false, true, false),
+            |p| p.basis.set_raw(true, false, false),
+            |p| p.basis.set_raw(true, true, false),
+            |p| p.basis.set_raw(false, true, true),
+            |p| p.basis.set_raw(true, false, true),
+            |p| p.basis.set_raw(true, true, true),
             |p| p.quadratic.a_left_out = true,
         ],
     }
@@ -334,7 +334,7 @@ mistakes! {
                 stretched sideways where |view| > 1, squeezed where |view| < 1.",
         hint: "Here the view has length 1: move at farther away, or give view another length.",
         exercise_feedback: "𝐰 = −view is not normalized, nor is what is made from it.",
-        ways: &[|p| p.basis.set_raw(true, false)],
+        ways: &[|p| p.basis.set_raw(true, false, false)],
     }
 
     /// `u = normalize(w x up)`.
@@ -381,7 +381,7 @@ mistakes! {
     /// Neither w nor u is normalized.
     NothingNormalized "nothing-normalized" {
         exercise_feedback: "𝐰 and 𝐮 are not normalized, nor is what is made from them.",
-        ways: &[|p| p.basis.set_raw(true, true)],
+        ways: &[|p| p.basis.set_raw(true, true, false)],
     }
 
     /// `b` for `-b`.

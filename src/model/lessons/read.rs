@@ -19,7 +19,7 @@ use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
-use crate::model::practice::exercises::LARGEST_SEED;
+use crate::model::practice::LARGEST_SEED;
 use crate::model::session::{DIGITS, ViewLayout};
 
 /// The format version that this program reads.

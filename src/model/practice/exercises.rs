@@ -8,9 +8,6 @@ use pinhole_lecture::exercises::{
 
 use crate::model::expression::evaluate;
 
-/// Largest seed of a question. The seed's field calculates in `f64`, which is exact up to 2^53.
-pub const LARGEST_SEED: u64 = 1_000_000_000;
-
 /// The open exercise. A lesson's step sets it with [`Exercises::show`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exercises {
@@ -22,17 +19,8 @@ pub struct Exercises {
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
-    /// What was typed in other questions.
-    kept: Vec<Kept>,
-}
-
-/// What was typed in a question that is not open.
-#[derive(Clone, Debug, PartialEq)]
-struct Kept {
-    exercise: Exercise,
-    seed: Option<u64>,
-    answers: Vec<TypedAnswer>,
-    is_solved: bool,
+    /// The other questions in which something was typed; they keep none themselves.
+    kept: Vec<Exercises>,
 }
 
 /// The typed answer to one part, and the feedback on it.
@@ -103,16 +91,15 @@ impl Exercises {
             return;
         }
         let mut kept = std::mem::take(&mut self.kept);
-        if *self != Exercises::open(self.question.exercise, self.seed) {
-            let answers = std::mem::take(&mut self.answers);
-            let (exercise, is_solved) = (self.question.exercise, self.is_solved);
-            kept.push(Kept { exercise, seed: self.seed, answers, is_solved });
-        }
-        *self = Exercises::open(exercise, seed);
-        let known = kept.iter().position(|kept| (kept.exercise, kept.seed) == (exercise, seed));
-        if let Some(index) = known {
-            let Kept { answers, is_solved, .. } = kept.remove(index);
-            (self.answers, self.is_solved) = (answers, is_solved);
+        let known =
+            kept.iter().position(|kept| (kept.question.exercise, kept.seed) == (exercise, seed));
+        let next = match known {
+            Some(index) => kept.remove(index),
+            None => Exercises::open(exercise, seed),
+        };
+        let before = std::mem::replace(self, next);
+        if before != Exercises::open(before.question.exercise, before.seed) {
+            kept.push(before);
         }
         self.kept = kept;
     }

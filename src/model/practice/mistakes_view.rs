@@ -3,8 +3,7 @@
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{Mistake, Vote};
 
-/// Largest seed of a vote. The seed's field calculates in `f64`, which is exact up to 2^53.
-pub(crate) const LARGEST_SEED: u64 = 1_000_000_000;
+use crate::model::practice::next_seed;
 
 /// The state of the mistakes view. A lesson's step sets it.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,13 +84,8 @@ impl MistakesView {
             self.chosen = self.shown();
         }
         self.open_vote = None;
-        self.seed = next(self.seed);
+        self.seed = next_seed(self.seed);
     }
-}
-
-/// Returns the seed after this one; after the largest comes 0.
-pub(crate) fn next(seed: u64) -> u64 {
-    if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::practice::exercises::LARGEST_SEED;
+use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation, Selection};

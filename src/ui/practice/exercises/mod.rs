@@ -10,7 +10,9 @@ use egui::{
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
 use self::scene::QuestionScene;
-use crate::model::practice::exercises::{Exercises, Feedback, LARGEST_SEED, TypedAnswer};
+use super::seed_field;
+use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
+use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::Session;
 use crate::ui::action::Action;
 use crate::ui::widgets::marked_text;
@@ -195,8 +197,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
         }
         let hint = "The same question with other numbers";
         if ui.button("New numbers").on_hover_text(hint).clicked() {
-            let next = seed.map_or(1, |seed| if seed < LARGEST_SEED { seed + 1 } else { 0 });
-            exercises.renew(next);
+            exercises.renew(seed.map_or(1, next_seed));
         }
         if let Some(seed) = seed {
             let hint = format!(
@@ -205,11 +206,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
             );
             ui.label("seed").on_hover_text(&hint);
             let mut typed = seed;
-            let field = egui::DragValue::new(&mut typed)
-                .speed(0.1)
-                .range(0..=LARGEST_SEED)
-                .update_while_editing(false);
-            ui.add(field).on_hover_text(hint).named("exercise seed");
+            seed_field(ui, &mut typed, "exercise seed", &hint);
             if typed != seed {
                 exercises.show(exercise, Some(typed));
             }

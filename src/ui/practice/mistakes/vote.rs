@@ -2,15 +2,17 @@
 //! it is revealed.
 
 use egui::{
-    Align, Align2, Color32, Context, DragValue, FontId, Key, Layout, Modifiers, Rect, RichText,
-    ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, pos2, vec2,
+    Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
+    Sense, Stroke, StrokeKind, Ui, UiBuilder, pos2, vec2,
 };
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::checks;
-use crate::model::practice::mistakes_view::{LARGEST_SEED, MistakesView, OpenVote, next};
+use crate::model::practice::mistakes_view::{MistakesView, OpenVote};
+use crate::model::practice::next_seed;
 use crate::model::session::{Session, ViewLayout};
+use crate::ui::practice::seed_field;
 use crate::ui::widgets::sign::{cross, tick};
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
@@ -229,12 +231,11 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<Seen>) {
         view.close_vote();
         return;
     }
-    let mut seed = if another { next(view.seed) } else { view.seed };
+    let mut seed = if another { next_seed(view.seed) } else { view.seed };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        let field = DragValue::new(&mut seed).speed(0.1).range(0..=LARGEST_SEED);
         let hint = "The number that the question is drawn from: in the same scene, the same seed asks \
                     the same question";
-        ui.add(field.update_while_editing(false)).on_hover_text(hint).named("vote seed");
+        seed_field(ui, &mut seed, "vote seed", hint);
         ui.label("seed").on_hover_text(hint);
     });
     if seed != view.seed
