@@ -7,7 +7,6 @@ pub(crate) mod chart;
 pub mod derivation;
 pub mod derive;
 pub mod formula;
-pub mod ghost;
 pub mod handles;
 pub mod headless;
 pub mod lines;

@@ -15,8 +15,7 @@ use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
-use crate::view::derive::Derived;
-use crate::view::ghost::AgainstGhost;
+use crate::view::derive::{AgainstGhost, Derived};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;

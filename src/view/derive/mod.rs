@@ -31,7 +31,7 @@ pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::plots::Plots;
 use self::second_picture::SecondPictures;
-pub use self::second_picture::{Grading, Second, SecondData, SecondPicture};
+pub use self::second_picture::{AgainstGhost, Grading, Second, SecondData, SecondPicture};
 pub use self::watch::{Watch, Work};
 use self::world_views::WorldViews;
 use crate::model::concept::Concept;

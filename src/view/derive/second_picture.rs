@@ -3,11 +3,15 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, ImageSize, Outputs, Paint, Raster, ResolvedCamera, Selection, Shade};
+use egui::Color32;
+use pinhole_core::{
+    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera,
+    Selection, Shade,
+};
 use pinhole_exchange::answers;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
-use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, Mistake};
+use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, ComparedPixels, Mistake};
 
 use super::answer_marks::{of_answers, of_mistake};
 use super::derived::Inputs;
@@ -16,12 +20,12 @@ use super::objects::GoodWorld;
 use super::picture::{Compared, GoodPicture};
 use super::watch::{self, Watch, Work, watched};
 use super::{Derived, HighlightKey, Shown, blank, highlight_key, opaque};
+use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::answer_marks::AnswerMark;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::ghost::resolve;
 use crate::view::accuracy;
-use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::{self, CameraView, Highlighted, Picture, Style};
 
 /// The kind of a second picture.
@@ -57,6 +61,19 @@ pub enum SecondData {
     Ghost(Arc<AgainstGhost>),
     /// The grade of a student's answers.
     Answers(Grading),
+}
+
+/// The edited camera compared with the ghost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AgainstGhost {
+    /// The ghost, with the edited camera's image, so that they are compared pixel by pixel.
+    pub ghost: ResolvedCamera,
+    /// The difference from the ghost to the edited camera.
+    pub difference: CameraDifference,
+    /// Number of shown pixels, and of those among them that see another object.
+    pub seen: ComparedPixels,
+    /// The ghost's ray through the selected position.
+    pub inspection: Inspection,
 }
 
 /// A grade, or the reason why there is none.
@@ -305,7 +322,7 @@ impl SecondPictures {
     }
 }
 
-fn picture(raster: &Raster, image: ImageSize, pixels: Vec<egui::Color32>) -> Arc<Picture> {
+fn picture(raster: &Raster, image: ImageSize, pixels: Vec<Color32>) -> Arc<Picture> {
     Arc::new(Picture { raster: raster.clone(), image, pixels })
 }
 
@@ -350,11 +367,31 @@ fn ghost_picture(
     let trace =
         |camera| watch::picture(&world.scene, camera, raster, outputs, colors, (None, watch));
     let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
-    let then = (ghost, &resolved, &frame);
-    let against = AgainstGhost::new((camera, &now_frame), then, &world.scene, selection).ok()?;
+    let pairs = now_frame.object.iter().zip(&frame.object);
+    let differing = pairs.filter(|(a, b)| a != b).count();
+    let against = AgainstGhost {
+        ghost: resolved,
+        difference: camera.difference_from(ghost).ok()?,
+        seen: ComparedPixels { pixels: now_frame.object.len(), differing },
+        inspection: Inspection::new(&resolved, &world.scene, selection.inside(resolved.image())),
+    };
     let differences = difference_map(&now_frame.object, &frame.object);
     let pictures = [pixels, differences].map(|pixels| picture(raster, camera.image, pixels));
     Some((SecondData::Ghost(Arc::new(against)), pictures.into()))
+}
+
+/// Returns the map of differences between what two cameras see: equal pixels are pale, pixels that see
+/// another object are dark.
+fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
+    let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
+        (true, true) => Color32::from_gray(0xf0),
+        (true, false) => Color32::from_gray(0xc4),
+        // An object where the ghost sees none, none where it sees one, and one instead of another.
+        (false, _) if *ghost == NO_OBJECT => Color32::from_rgb(0xc8, 0x10, 0x58),
+        (false, true) => Color32::from_rgb(0x00, 0x4a, 0x86),
+        (false, false) => Color32::from_rgb(0x3a, 0x18, 0x40),
+    };
+    now.iter().zip(ghost).map(color).collect()
 }
 
 fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> Grading {
