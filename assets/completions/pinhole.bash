@@ -134,7 +134,7 @@ _pinhole() {
             fi
             case "${prev}" in
                 --to)
-                    COMPREPLY=($(compgen -W "gltf three mitsuba povray blender weekend opengl course colmap opencv pbrt julia numpy glm glsl glam javascript" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "gltf three mitsuba povray blender weekend opengl course opencv pbrt julia numpy glm glsl glam javascript" -- "${cur}"))
                     return 0
                     ;;
                 --output)
@@ -211,7 +211,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__import)
-            opts="-o -h --output --from --help"
+            opts="-o -h --output --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -223,10 +223,6 @@ _pinhole() {
                     ;;
                 -o)
                     COMPREPLY=($(compgen -f "${cur}"))
-                    return 0
-                    ;;
-                --from)
-                    COMPREPLY=($(compgen -W "gltf three mitsuba povray opengl course colmap opencv pbrt numbers" -- "${cur}"))
                     return 0
                     ;;
                 *)

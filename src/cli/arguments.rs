@@ -73,7 +73,7 @@ pub enum Command {
     /// Write the camera and the scene as another program has them
     #[command(long_about = include_str!("about/export.txt"))]
     Export(ExportArguments),
-    /// Read another program's camera and scene, and write a scene file
+    /// Read a camera from a glTF or from numbers, and write a scene file
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
     /// Print what a shell reads to complete commands, options and scenes

@@ -16,7 +16,7 @@ use pinhole_lecture::grading::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
 
-use crate::csv::{CsvTable, NO_DIRECTION, Row, separated_by};
+use crate::csv::{CsvRow, CsvTable, NO_DIRECTION, separated_by};
 use crate::error::is_hidden;
 use crate::images::png;
 use crate::{FileError, Location};
@@ -92,8 +92,8 @@ pub fn parse(
         None => return Err(no_answers(path, bytes)),
         Some(AnswerKind::Picture) => return picture(path, bytes, image),
         Some(AnswerKind::Basis) => return basis(path, bytes),
-        Some(AnswerKind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
-        Some(AnswerKind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
+        Some(AnswerKind::Rays) => rays(path, bytes, AnsweredPixels::new(image, count_from))?,
+        Some(AnswerKind::Hits) => hits(path, bytes, AnsweredPixels::new(image, count_from))?,
     };
     if answers.is_empty() {
         return Err(FileError::of_file(path, "there is no answer: a row an answer must follow"));
@@ -151,7 +151,7 @@ fn basis(path: &Path, bytes: &[u8]) -> Result<Answers, FileError> {
     vectors.map(Answers::Basis).ok_or_else(none)
 }
 
-fn rays(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileError> {
+fn rays(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers, FileError> {
     let mut rays = Vec::new();
     CsvTable::new(path, bytes, RAYS, RAYS.len())?.for_each(|row| {
         let pixel = pixels.read(row)?;
@@ -166,7 +166,7 @@ fn rays(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     Ok(Answers::Rays(rays))
 }
 
-fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileError> {
+fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers, FileError> {
     let mut hits = Vec::new();
     let names = header(bytes);
     let has = |column: usize| names.iter().any(|name| name == HITS[column]);
@@ -229,13 +229,13 @@ fn stands_for_a_miss(cell: &[u8]) -> bool {
 }
 
 /// The number in a cell, `inf` and `nan` among them, as C's `-nan(ind)` too.
-fn number_in(row: &Row, column: usize) -> Option<f64> {
+fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
     let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
     text.trim_end_matches("(ind)").parse().ok()
 }
 
 /// A whole number, as such or as NumPy writes it: `12`, `1.2e+01`.
-fn whole(row: &Row, column: usize) -> Result<u32, FileError> {
+fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
     match number_in(row, column) {
         Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
             Ok(number as u32)
@@ -244,13 +244,13 @@ fn whole(row: &Row, column: usize) -> Result<u32, FileError> {
     }
 }
 
-fn number(row: &Row, column: usize) -> Result<Written<f64>, FileError> {
+fn number(row: &CsvRow, column: usize) -> Result<Written<f64>, FileError> {
     let value = row.number(column)?;
     let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
     Ok(Written { value, rounding: rounding_of(text, value) })
 }
 
-fn vector(row: &Row, first: usize) -> Result<WrittenVector, FileError> {
+fn vector(row: &CsvRow, first: usize) -> Result<WrittenVector, FileError> {
     let [x, y, z] = [number(row, first)?, number(row, first + 1)?, number(row, first + 2)?];
     let rounding = x.rounding.max(y.rounding).max(z.rounding);
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
@@ -290,7 +290,7 @@ fn rounding_of(text: &str, value: f64) -> f64 {
 }
 
 /// The pixels that are answered so far: each one of the image, and once.
-struct Pixels {
+struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
     /// A bit a pixel, with a row and a column to spare.
@@ -301,14 +301,14 @@ struct Pixels {
     beyond: Option<FileError>,
 }
 
-impl Pixels {
-    fn new(image: ImageSize, count_from: u32) -> Pixels {
+impl AnsweredPixels {
+    fn new(image: ImageSize, count_from: u32) -> AnsweredPixels {
         let cells = (u64::from(image.width()) + 1) * (u64::from(image.height()) + 1);
         let seen = vec![0; (cells / 64 + 1) as usize];
-        Pixels { image, count_from, seen, has_zero: false, beyond: None }
+        AnsweredPixels { image, count_from, seen, has_zero: false, beyond: None }
     }
 
-    fn read(&mut self, row: &Row) -> Result<Pixel, FileError> {
+    fn read(&mut self, row: &CsvRow) -> Result<Pixel, FileError> {
         let coordinate = |column: usize| {
             let value = whole(row, column)?;
             let below = || self.outside(row, column, None);
@@ -337,7 +337,7 @@ impl Pixels {
         Ok(pixel)
     }
 
-    fn outside(&self, row: &Row, column: usize, pixel: Option<Pixel>) -> FileError {
+    fn outside(&self, row: &CsvRow, column: usize, pixel: Option<Pixel>) -> FileError {
         let (what, count) = match column {
             ROW => ("rows", self.image.height()),
             _ => ("columns", self.image.width()),

@@ -80,7 +80,7 @@ pub(crate) struct CsvTable<'a> {
 }
 
 /// One row of a [`CsvTable`].
-pub(crate) struct Row<'t, 'a> {
+pub(crate) struct CsvRow<'t, 'a> {
     table: &'t CsvTable<'a>,
     record: &'t csv::ByteRecord,
 }
@@ -132,7 +132,7 @@ impl<'a> CsvTable<'a> {
     /// Calls `each` with every row.
     pub(crate) fn for_each(
         mut self,
-        mut each: impl FnMut(&Row) -> Result<(), FileError>,
+        mut each: impl FnMut(&CsvRow) -> Result<(), FileError>,
     ) -> Result<(), FileError> {
         let mut record = csv::ByteRecord::new();
         for count in 0_usize.. {
@@ -153,7 +153,7 @@ impl<'a> CsvTable<'a> {
                 );
                 return Err(self.error(Some(self.location_of(&record, 0)), problem));
             }
-            each(&Row { table: &self, record: &record })?;
+            each(&CsvRow { table: &self, record: &record })?;
         }
         Ok(())
     }
@@ -242,7 +242,7 @@ fn plain(cell: &[u8]) -> &[u8] {
     inside.map_or(cell, <[u8]>::trim_ascii)
 }
 
-impl Row<'_, '_> {
+impl CsvRow<'_, '_> {
     /// The cell of a known column, without the blanks around it; empty if the file has no such
     /// column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {

@@ -217,7 +217,10 @@ impl<'a> Field<'a> {
     /// One table.
     pub fn section(&self) -> Result<Section<'a>, FileError> {
         match self.item {
-            Entry::Table(table) => Ok(self.section_of(self.name.clone(), table, self.span.clone())),
+            Entry::Table(table) => {
+                let (source, name, span) = (self.source, self.name.clone(), self.span.clone());
+                Ok(Section { source, name, table, span })
+            }
             _ => Err(self.error(&format!("it must be one table, [{}]", self.name))),
         }
     }
@@ -243,7 +246,8 @@ impl<'a> Field<'a> {
         match self.item {
             Entry::Tables(tables) => {
                 let section = |(k, table): (usize, &'a toml_edit::Table)| {
-                    self.section_of(name(k), table, table.span().unwrap_or(self.span.clone()))
+                    let span = table.span().unwrap_or(self.span.clone());
+                    Section { source: self.source, name: name(k), table, span }
                 };
                 Ok(tables.iter().enumerate().map(section).collect())
             }
@@ -257,14 +261,5 @@ impl<'a> Field<'a> {
                 .collect(),
             _ => Err(self.error(&right)),
         }
-    }
-
-    fn section_of(
-        &self,
-        name: String,
-        table: &'a dyn TableLike,
-        span: Range<usize>,
-    ) -> Section<'a> {
-        Section { source: self.source, name, table, span }
     }
 }

@@ -84,11 +84,17 @@ pub(crate) fn spaces(v: DVec3) -> String {
     v.to_array().map(n).join(" ")
 }
 
+/// The three rows of a matrix, by its columns.
+pub(crate) fn rows(columns: [DVec3; 4], between: &str) -> [String; 3] {
+    [0, 1, 2].map(|k| columns.map(|column| n(column[k])).join(between))
+}
+
 /// A colour of the screen as light (the sRGB curve of IEC 61966-2-1), to six digits.
-pub(crate) fn light(color: Rgb) -> [String; 3] {
-    color.map(|byte| {
+pub(crate) fn light(color: Rgb, between: &str) -> String {
+    let parts = color.map(|byte| {
         let s = f64::from(byte) / 255.0;
         let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
         n((light * 1e6).round() / 1e6)
-    })
+    });
+    parts.join(between)
 }

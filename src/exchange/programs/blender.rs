@@ -3,7 +3,7 @@
 
 use pinhole_core::{Basis, Sphere};
 
-use crate::format::text::{commas, light, n, quotable, real};
+use crate::format::text::{commas, light, n, quotable, real, rows};
 use crate::format::{Conventions, ExportScene, Format, PixelConvention, Unsupported, square_note};
 
 pub(super) const FORMAT: Format = Format {
@@ -30,7 +30,7 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
     let viewport = subject.viewport();
     let Basis { u, v, w } = *subject.resolve().basis();
     let eye = subject.resolve().eye();
-    let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
+    let [x, y, z] = rows([u, v, w, eye], ", ");
     // Blender takes neither below 1.
     let shape = subject.pixel_shape();
     let (aspect_x, aspect_y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
@@ -44,14 +44,11 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
         "import bpy\nfrom mathutils import Matrix\n\nscene = bpy.context.scene\n\
          data = bpy.data.cameras.new(\"pinhole\")\ncamera = bpy.data.objects.new(\"pinhole\", data)\n\
          scene.collection.objects.link(camera)\nscene.camera = camera\n\n\
-         camera.matrix_world = Matrix((\n    {},\n    {},\n    {},\n    (0, 0, 0, 1)))\n\n\
+         camera.matrix_world = Matrix((\n    ({x}),\n    ({y}),\n    ({z}),\n    (0, 0, 0, 1)))\n\n\
          data.sensor_fit = 'HORIZONTAL'\ndata.angle_x = {}\ndata.clip_start = {}\n\
          data.clip_end = {}\n\nscene.render.resolution_x = {width}\n\
          scene.render.resolution_y = {height}\nscene.render.resolution_percentage = 100\n\
          scene.render.pixel_aspect_x = {}\nscene.render.pixel_aspect_y = {}\n",
-        row(0),
-        row(1),
-        row(2),
         real(viewport.horizontal_fov()),
         real(near),
         real(far),
@@ -81,24 +78,17 @@ fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
             n(radius),
             commas(center),
             quotable(&sphere.title),
-            light(sphere.color).join(", ")
+            light(sphere.color, ", ")
         ));
     }
     for plane in planes {
         let (middle, half, [a, b]) = subject.square_of(&plane.shape);
-        let c = a.cross(b);
-        let row = |k: usize| {
-            let [x, y, z] = [half * a[k], half * b[k], c[k]].map(n);
-            format!("({x}, {y}, {z}, {})", n(middle[k]))
-        };
+        let [x, y, z] = rows([half * a, half * b, a.cross(b), middle], ", ");
         text.push_str(&format!(
             "bpy.ops.mesh.primitive_plane_add(size=2)\nbpy.context.object.matrix_world = Matrix((\n    \
-             {},\n    {},\n    {},\n    (0, 0, 0, 1)))\nlooks(\"{}\", ({}))\n",
-            row(0),
-            row(1),
-            row(2),
+             ({x}),\n    ({y}),\n    ({z}),\n    (0, 0, 0, 1)))\nlooks(\"{}\", ({}))\n",
             quotable(&plane.title),
-            light(plane.color).join(", ")
+            light(plane.color, ", ")
         ));
         notes.push(square_note(&plane.title, "Blender", half));
     }

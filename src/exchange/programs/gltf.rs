@@ -83,7 +83,7 @@ struct Meshes {
 }
 
 /// Vertices and triangles.
-struct Shape {
+struct Mesh {
     points: Vec<[f32; 3]>,
     triangles: Vec<[u16; 3]>,
 }
@@ -133,31 +133,20 @@ impl Meshes {
     }
 }
 
-/// The vertices of all shapes, and how they are found.
-#[derive(Default)]
-struct Vertices {
-    bytes: Vec<u8>,
-    views: Vec<String>,
-    accessors: Vec<String>,
-}
-
-fn vertices() -> Vertices {
-    let Vertices { mut bytes, mut views, mut accessors } = Vertices::default();
-    let shapes = [sphere(), square()];
-    for Shape { points, triangles } in &shapes {
-        let from = bytes.len();
-        bytes.extend(points.iter().flatten().flat_map(|x| x.to_le_bytes()));
-        let length = bytes.len() - from;
-        views.push(format!(
-            "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": 34962 }}"
-        ));
-        let from = bytes.len();
-        bytes.extend(triangles.iter().flatten().flat_map(|k| k.to_le_bytes()));
-        let length = bytes.len() - from;
-        bytes.resize(bytes.len().next_multiple_of(4), 0);
-        views.push(format!(
-            "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": 34963 }}"
-        ));
+/// The vertices of all shapes as bytes, and the views and accessors by which they are found.
+fn vertices() -> (Vec<u8>, Vec<String>, Vec<String>) {
+    let (mut bytes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
+    for Mesh { points, triangles } in [sphere(), square()] {
+        let mut add = |part: Vec<u8>, target: u16| {
+            let (from, length) = (bytes.len(), part.len());
+            views.push(format!(
+                "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": {target} }}"
+            ));
+            bytes.extend(part);
+            bytes.resize(bytes.len().next_multiple_of(4), 0);
+        };
+        add(points.iter().flatten().flat_map(|x| x.to_le_bytes()).collect(), 34962);
+        add(triangles.iter().flatten().flat_map(|k| k.to_le_bytes()).collect(), 34963);
         let (view, points_count, index_count) =
             (accessors.len(), points.len(), 3 * triangles.len());
         let bound = |of: fn(f32, f32) -> f32| {
@@ -176,17 +165,17 @@ fn vertices() -> Vertices {
             view + 1
         ));
     }
-    Vertices { bytes, views, accessors }
+    (bytes, views, accessors)
 }
 
 /// Meshes, two of every colour, with their materials, and the vertices.
 fn tables(colors: &[Rgb]) -> String {
-    let Vertices { bytes, views, accessors } = vertices();
+    let (bytes, views, accessors) = vertices();
     let material = |color: &Rgb| {
         format!(
             "{{ \"pbrMetallicRoughness\": {{ \"baseColorFactor\": [{}, 1], \"metallicFactor\": 0 }}, \
              \"doubleSided\": true }}",
-            light(*color).join(", ")
+            light(*color, ", ")
         )
     };
     let mesh = |k: usize| {
@@ -212,7 +201,7 @@ fn tables(colors: &[Rgb]) -> String {
 }
 
 /// The unit sphere, by longitude and latitude, seen anticlockwise from outside.
-fn sphere() -> Shape {
+fn sphere() -> Mesh {
     let round = 2 * STEPS;
     let mut points = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
     for step in 1..STEPS {
@@ -234,11 +223,11 @@ fn sphere() -> Shape {
             triangles.push([b, c, d]);
         }
     }
-    Shape { points, triangles }
+    Mesh { points, triangles }
 }
 
 /// A square from -1 to 1 in x and y.
-fn square() -> Shape {
+fn square() -> Mesh {
     let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
-    Shape { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+    Mesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }
 }

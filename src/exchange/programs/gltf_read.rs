@@ -50,7 +50,7 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
 /// Reads the camera; what the text leaves open is as in the one at hand.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = parse(input)?;
-    let root = Node { input, path: String::new(), value: &value };
+    let root = JsonNode { input, path: String::new(), value: &value };
     let mut notes = Vec::new();
     let nodes = root.need("nodes", "the camera must be in a node")?.items();
     let cameras = root.need("cameras", "it must hold the camera")?.items();
@@ -93,15 +93,15 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
 /// The node whose camera is taken, with that camera's number: the first perspective one of the scene that is
 /// shown, else the first of all, else the first camera of any kind.
 fn node_of_camera<'a>(
-    root: &Node<'a>,
-    nodes: &[Node<'a>],
-    cameras: &[Node],
+    root: &JsonNode<'a>,
+    nodes: &[JsonNode<'a>],
+    cameras: &[JsonNode],
     notes: &mut Vec<String>,
-) -> Result<Option<(usize, Node<'a>)>, FileError> {
+) -> Result<Option<(usize, JsonNode<'a>)>, FileError> {
     let shown = shown(root, nodes)?;
     let all = nodes.iter().enumerate().filter_map(|(k, node)| Some((k, node.get("camera")?)));
-    let all: Vec<(usize, Node)> = all.collect();
-    let is_perspective = |(_, number): &&(usize, Node)| {
+    let all: Vec<(usize, JsonNode)> = all.collect();
+    let is_perspective = |(_, number): &&(usize, JsonNode)| {
         let camera = number.index().and_then(|number| cameras.get(number));
         camera.is_some_and(|camera| camera.value.get("perspective").is_some())
     };
@@ -124,7 +124,7 @@ fn node_of_camera<'a>(
 
 /// Marks the nodes of the scene that is shown: the one of number `scene`, else the first one; all where
 /// there are no scenes.
-fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
+fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
     let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
         Some(number) => {
@@ -147,7 +147,7 @@ fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
 }
 
 /// A node's frame in the world, by way of the nodes that it is a child of.
-fn world_of(nodes: &[Node], index: usize) -> Result<DAffine3, FileError> {
+fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
         for child in node.indices("children") {
@@ -171,7 +171,7 @@ fn world_of(nodes: &[Node], index: usize) -> Result<DAffine3, FileError> {
 }
 
 /// A node's frame in its parent's.
-fn local(node: &Node) -> Result<DAffine3, FileError> {
+fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
     if let Some(matrix) = node.get("matrix") {
         return affine(&matrix.numbers::<16>()?)
             .ok_or_else(|| matrix.fault("it must be affine, column after column"));
@@ -211,31 +211,31 @@ fn parse(input: &Input) -> Result<Value, FileError> {
 
 /// A value of JSON, and its path: `cameras[0].perspective.yfov`.
 #[derive(Clone)]
-struct Node<'a> {
+struct JsonNode<'a> {
     input: &'a Input<'a>,
     path: String,
     value: &'a Value,
 }
 
-impl<'a> Node<'a> {
+impl<'a> JsonNode<'a> {
     fn path_of(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
-    fn get(&self, key: &str) -> Option<Node<'a>> {
+    fn get(&self, key: &str) -> Option<JsonNode<'a>> {
         let value = self.value.get(key)?;
-        Some(Node { input: self.input, path: self.path_of(key), value })
+        Some(JsonNode { input: self.input, path: self.path_of(key), value })
     }
 
-    fn need(&self, key: &str, right: &str) -> Result<Node<'a>, FileError> {
+    fn need(&self, key: &str, right: &str) -> Result<JsonNode<'a>, FileError> {
         let problem = || format!("{} is missing: {right}", self.path_of(key));
         self.get(key).ok_or_else(|| FileError::of_file(self.input.path, problem()))
     }
 
-    fn items(&self) -> Vec<Node<'a>> {
+    fn items(&self) -> Vec<JsonNode<'a>> {
         let items = self.value.as_array().map_or(&[][..], Vec::as_slice).iter().enumerate();
         let node =
-            |(k, value)| Node { input: self.input, path: format!("{}[{k}]", self.path), value };
+            |(k, value)| JsonNode { input: self.input, path: format!("{}[{k}]", self.path), value };
         items.map(node).collect()
     }
 
@@ -270,7 +270,8 @@ impl<'a> Node<'a> {
     }
 
     fn numbers<const N: usize>(&self) -> Result<[f64; N], FileError> {
-        let numbers: Result<Vec<f64>, FileError> = self.items().iter().map(Node::number).collect();
+        let numbers: Result<Vec<f64>, FileError> =
+            self.items().iter().map(JsonNode::number).collect();
         numbers?.try_into().map_err(|_| self.fault(&format!("it must be {N} numbers")))
     }
 

@@ -5,7 +5,7 @@
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{
-    Camera, DVec3, ImageSize, Intrinsics, Orientation, Viewport, fov_of_extent, shortest,
+    Basis, Camera, DVec3, ImageSize, Intrinsics, Orientation, Viewport, fov_of_extent, shortest,
 };
 
 use super::derived::{
@@ -57,7 +57,7 @@ const OF_NUMBERS: &str = "it must be given by numbers, without names or calculat
 /// Returns true for a text that is meant as one of these cameras.
 pub(super) fn detect(text: &str) -> bool {
     let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
-        let is_of_name = |c: char| c.is_alphanumeric() || "_.".contains(c);
+        let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
         names.iter().flat_map(|name| text.match_indices(name)).any(|(at, name)| {
             let rest = text[at + name.len()..].trim_start();
             let value = rest.strip_prefix(signs).map(|value| value.trim_start_matches(' '));
@@ -69,10 +69,7 @@ pub(super) fn detect(text: &str) -> bool {
         |c: char| c.is_ascii_digit() || c.is_whitespace() || "()[],.;+-eE\u{feff}".contains(c);
     gives(&["gluLookAt", "lookAt"], &['('], &|_| true)
         || gives(&K_NAMES, &['=', ':'], &is_list)
-        || MATRICES
-            .iter()
-            .flat_map(|name| text.match_indices(name))
-            .any(|(at, name)| text[at + name.len()..].trim_start().starts_with('='))
+        || gives(&MATRICES, &['='], &|_| true)
         || text.chars().all(of_numbers)
             && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some()
 }
@@ -80,10 +77,10 @@ pub(super) fn detect(text: &str) -> bool {
 /// Reads the camera; the field of view and the image's size that it leaves open are those of `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let plain = without_comments(input)?;
-    let source = Source { input, statements: statements(input, &plain)? };
-    let [first, ..] = &source.statements[..] else {
+    let source = Statements { input, statements: statements(input, &plain)? };
+    if source.statements.is_empty() {
         return Err(source.missing("a number", RIGHT));
-    };
+    }
     if source.statements.iter().any(|statement| is_of_intrinsics(statement.target)) {
         return by_intrinsics(&source, at_hand);
     }
@@ -94,10 +91,10 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
         let mut others = source.statements.iter().filter(|other| other.piece.at != call.piece.at);
         return match others.next() {
             Some(other) => Err(source.refused(other, BESIDE)),
-            None => Ok(look_at(points, None, at_hand, Vec::new())),
+            None => Ok(look_at(points, None, at_hand)),
         };
     }
-    by_numbers(&source, first, at_hand)
+    by_numbers(&source, at_hand)
 }
 
 const BESIDE: &str = "only one gluLookAt or glm::lookAt is read, and nothing beside it: leave this out (the \
@@ -113,8 +110,8 @@ fn is_of_intrinsics(name: &str) -> bool {
 }
 
 /// Numbers alone: eye, at and up, or a matrix from camera to world.
-fn by_numbers(source: &Source, first: &Statement, at_hand: &Camera) -> Result<Imported, FileError> {
-    let mut numbers = Vec::new();
+fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
+    let (first, mut numbers) = (&source.statements[0], Vec::new());
     let is_alone = source.statements.len() == 1;
     for statement in &source.statements {
         let is_matrix = MATRICES.contains(&last_segment(statement.target));
@@ -131,13 +128,15 @@ fn by_numbers(source: &Source, first: &Statement, at_hand: &Camera) -> Result<Im
     let is_rotation = [signs.next(), signs.next()].iter().flatten().all(|c| "([{".contains(*c))
         && is_alone
         && first.arguments.len() == 1;
-    let order = || vec!["taken as eye, at and up, in this order".to_owned()];
+    let look_at = |points, degrees| {
+        let Imported { camera, mut notes } = look_at(points, degrees, at_hand);
+        notes.insert(0, "taken as eye, at and up, in this order".to_owned());
+        Ok(Imported { camera, notes })
+    };
     match (numbers.len(), <[f64; 9]>::try_from(numbers.get(..9).unwrap_or_default())) {
-        (9, Ok(points)) if !is_named && !is_rotation => Ok(look_at(points, None, at_hand, order())),
+        (9, Ok(points)) if !is_named && !is_rotation => look_at(points, None),
         (10, Ok(points)) if !is_named => match numbers[9] {
-            degrees if degrees > 0.0 && degrees < 180.0 => {
-                Ok(look_at(points, Some(degrees), at_hand, order()))
-            }
+            degrees if degrees > 0.0 && degrees < 180.0 => look_at(points, Some(degrees)),
             _ => Err(refused(
                 "the tenth number is the vertical angle: it must be between 0 and 180 degrees",
             )),
@@ -151,21 +150,12 @@ fn by_numbers(source: &Source, first: &Statement, at_hand: &Camera) -> Result<Im
     }
 }
 
-fn look_at(
-    points: [f64; 9],
-    degrees: Option<f64>,
-    at_hand: &Camera,
-    mut notes: Vec<String>,
-) -> Imported {
+fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported {
     let [eye, at, up] = [0, 3, 6].map(|k| DVec3::from_slice(&points[k..]));
     let Viewport { width, height, distance } = at_hand.viewport;
-    let viewport = match degrees {
-        Some(degrees) => viewport_of_angle(degrees, width / height, distance),
-        None => {
-            notes.push(unsaid(at_hand));
-            at_hand.viewport
-        }
-    };
+    let given = degrees.map(|degrees| viewport_of_angle(degrees, width / height, distance));
+    let notes = if given.is_none() { vec![unsaid(at_hand)] } else { Vec::new() };
+    let viewport = given.unwrap_or(at_hand.viewport);
     let orientation = Orientation::At { at, up };
     Imported { camera: Camera { eye, orientation, viewport, image: at_hand.image }, notes }
 }
@@ -176,20 +166,12 @@ fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Impor
         "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"
     );
     let mut notes = vec![taken, unsaid(at_hand)];
-    if !is_rotation(affine) {
+    if Basis::error_of(affine.x_axis, affine.y_axis, affine.z_axis) > 1e-9 {
         notes.push("its scale is left out".to_owned());
     }
     let (orientation, eye) =
         right_handed(affine, &mut notes).map_err(|right| format!("it is no rotation: {right}"))?;
     Ok(Imported { camera: Camera { eye, orientation, ..*at_hand }, notes })
-}
-
-/// Returns true where a map keeps lengths and right angles, but for roundings.
-fn is_rotation(affine: &DAffine3) -> bool {
-    let [x, y, z] = [affine.x_axis, affine.y_axis, affine.z_axis];
-    let is_unit = |v: DVec3| (v.length() - 1.0).abs() <= 1e-9;
-    let is_right = |a: DVec3, b: DVec3| a.dot(b).abs() <= 1e-9;
-    [x, y, z].into_iter().all(is_unit) && is_right(x, y) && is_right(y, z) && is_right(z, x)
 }
 
 /// The note on a field of view that no number gives.
@@ -212,16 +194,13 @@ fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     affine(&std::array::from_fn::<f64, 16, _>(|k| whole[4 * (k % 4) + k / 4]))
 }
 
-/// A value of a name, and its numbers.
-type Given<'s> = (&'s Statement<'s>, &'s [f64]);
-
 /// OpenCV's K, R and t:
 ///
 /// ```text
 /// s (x, y, 1) = K (R q + t)        x = j, y = i at the centre of pixel (row i, column j)
 /// R = (u, -v, -w) as rows          t = -R eye
 /// ```
-fn by_intrinsics(source: &Source, at_hand: &Camera) -> Result<Imported, FileError> {
+fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
     for statement in &source.statements {
         let is_value = statement.called.is_empty() && statement.arguments.len() == 1;
         if !(is_value && is_of_intrinsics(statement.target)) {
@@ -255,7 +234,7 @@ fn by_intrinsics(source: &Source, at_hand: &Camera) -> Result<Imported, FileErro
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-fn intrinsics(source: &Source) -> Result<Intrinsics, FileError> {
+fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
     let (field, k) = source
         .given(&K_NAMES, &[9], "it must be 3 × 3 numbers")?
         .ok_or_else(|| source.missing("K", "it must be nine numbers"))?;
@@ -264,7 +243,7 @@ fn intrinsics(source: &Source) -> Result<Intrinsics, FileError> {
     let is_diagonal = [k[3], k[6], k[7], k[8]] == [0.0, 0.0, 0.0, 1.0] && !has_skew;
     if !(is_diagonal && k[0] > 0.0 && k[4] > 0.0) {
         let right = "it must be fx 0 cx, 0 fy cy, 0 0 1 with fx and fy greater than 0";
-        return Err(source.fault(field.target, &field.arguments[0], right));
+        return Err(source.value_fault(field, right));
     }
     Ok(Intrinsics { fx: k[0], fy: k[4], cx: k[2] + 0.5, cy: k[5] + 0.5 })
 }
@@ -282,7 +261,7 @@ fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
 const SMALLEST: f64 = 4.0;
 
 fn size(
-    source: &Source,
+    source: &Statements,
     k: &Intrinsics,
     at_hand: &Camera,
     notes: &mut Vec<String>,
@@ -292,8 +271,7 @@ fn size(
         let (Some((field, width)), Some((_, height))) = (number(width)?, number(height)?) else {
             continue;
         };
-        return image_of(width[0], height[0])
-            .map_err(|right| source.fault(field.target, &field.arguments[0], &right));
+        return image_of(width[0], height[0]).map_err(|right| source.value_fault(field, &right));
     }
     // cx = 320 is meant as half of 640 by those who do not count from centres.
     let doubled = [k.cx, k.cy].map(|c| 2.0 * (c - 0.5));
@@ -320,7 +298,7 @@ fn size(
 
 /// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix. A calibration gives neither: its camera's
 /// frame is the world's.
-fn pose(source: &Source, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
+fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
     let whole = source.given(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = source.given(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
     let translation = source.given(&T_NAMES, &[3], "it must be three numbers")?;
@@ -329,8 +307,7 @@ fn pose(source: &Source, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileErro
             return Err(source.given_too(other, field));
         }
         let right = "its last row must be 0 0 0 1";
-        let affine = affine_of_rows(numbers)
-            .ok_or_else(|| source.fault(field.target, &field.arguments[0], right))?;
+        let affine = affine_of_rows(numbers).ok_or_else(|| source.value_fault(field, right))?;
         let rows = affine.matrix3.transpose();
         return Ok([rows.x_axis, rows.y_axis, rows.z_axis, affine.translation]);
     }
@@ -351,7 +328,7 @@ fn pose(source: &Source, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileErro
 }
 
 /// The statements of a text, and how its faults are told.
-struct Source<'s> {
+struct Statements<'s> {
     input: &'s Input<'s>,
     statements: Vec<Statement<'s>>,
 }
@@ -374,7 +351,7 @@ struct Argument<'s> {
     numbers: Option<Vec<f64>>,
 }
 
-impl Source<'_> {
+impl Statements<'_> {
     /// `statement: right`, at its position.
     fn refused(&self, statement: &Statement, right: &str) -> FileError {
         refused(self.input, statement.piece, right)
@@ -386,13 +363,18 @@ impl Source<'_> {
         self.input.error_at(argument.piece.at, format!("{field} is {value}: {right}"))
     }
 
+    /// As [`Self::fault`], of a name's one value.
+    fn value_fault(&self, statement: &Statement, right: &str) -> FileError {
+        self.fault(statement.target, &statement.arguments[0], right)
+    }
+
     fn missing(&self, field: &str, right: &str) -> FileError {
         FileError::of_file(self.input.path, format!("{field} is missing: {right}"))
     }
 
     fn given_too(&self, statement: &Statement, first: &Statement) -> FileError {
         let right = format!("{} is given too: only one of them may be", first.target);
-        self.fault(statement.target, &statement.arguments[0], &right)
+        self.value_fault(statement, &right)
     }
 
     /// The numbers of all arguments together.
@@ -412,15 +394,15 @@ impl Source<'_> {
         names: &[&str],
         counts: &[usize],
         right: &str,
-    ) -> Result<Option<Given<'_>>, FileError> {
-        let mut taken: Option<Given> = None;
+    ) -> Result<Option<(&Statement<'_>, &[f64])>, FileError> {
+        let mut taken: Option<(&Statement, &[f64])> = None;
         for statement in self.statements.iter().filter(|s| names.contains(&s.target)) {
             let value = &statement.arguments[0];
             let numbers = value.numbers.as_deref().filter(|numbers| {
                 // C divides whole numbers without a fraction.
                 counts.contains(&numbers.len()) && !value.piece.text.contains('/')
             });
-            let numbers = numbers.ok_or_else(|| self.fault(statement.target, value, right))?;
+            let numbers = numbers.ok_or_else(|| self.value_fault(statement, right))?;
             if let Some((first, _)) = taken {
                 return Err(self.given_too(statement, first));
             }

@@ -1,8 +1,6 @@
 //! Mitsuba 3's XML: a sensor `perspective`, whose camera has x to the *left*, y up and z forwards.
 
-use pinhole_core::{DVec3, Sphere};
-
-use crate::format::text::{commas, light, n, quotable};
+use crate::format::text::{commas, light, n, quotable, rows};
 use crate::format::{
     Axis, Conventions, ExportScene, Format, PixelConvention, Unsupported, square_note,
 };
@@ -59,37 +57,27 @@ fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
         text.push_str("  <emitter type=\"constant\"/>\n");
     }
     for sphere in spheres {
-        let Sphere { center, radius } = sphere.shape;
-        let DVec3 { x, y, z } = center;
+        let [x, y, z] = sphere.shape.center.to_array().map(n);
         text.push_str(&format!(
             "  <shape type=\"sphere\" id=\"{}\">\n    \
-             <point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/>\n    \
+             <point name=\"center\" x=\"{x}\" y=\"{y}\" z=\"{z}\"/>\n    \
              <float name=\"radius\" value=\"{}\"/>\n{}  </shape>\n",
             quotable(&sphere.title),
-            n(x),
-            n(y),
-            n(z),
-            n(radius),
+            n(sphere.shape.radius),
             bsdf(sphere.color)
         ));
     }
     for plane in planes {
         let (middle, half, [a, b]) = subject.square_of(&plane.shape);
-        let normal = a.cross(b);
-        let rows = [0, 1, 2].map(|k| {
-            format!("{} {} {} {}", n(half * a[k]), n(half * b[k]), n(normal[k]), n(middle[k]))
-        });
+        let rows = rows([half * a, half * b, a.cross(b), middle], " ");
+        let looks = bsdf(plane.color)
+            .replace("<bsdf type", "<bsdf type=\"twosided\"><bsdf type")
+            .replace("</bsdf>\n", "</bsdf></bsdf>\n");
         text.push_str(&format!(
             "  <shape type=\"rectangle\" id=\"{}\">\n    <transform name=\"to_world\">\n      \
-             <matrix value=\"{} 0 0 0 1\"/>\n    </transform>\n{}  </shape>\n",
+             <matrix value=\"{} 0 0 0 1\"/>\n    </transform>\n{looks}  </shape>\n",
             quotable(&plane.title),
             rows.join(" "),
-            bsdf(plane.color)
-                .replace(
-                    "<bsdf type=\"diffuse\">",
-                    "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">"
-                )
-                .replace("</bsdf>\n", "</bsdf></bsdf>\n")
         ));
         notes.push(square_note(&plane.title, "Mitsuba", half));
     }
@@ -97,6 +85,6 @@ fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
 }
 
 fn bsdf(rgb: pinhole_core::Rgb) -> String {
-    let color = light(rgb).join(" ");
+    let color = light(rgb, " ");
     format!("    <bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"{color}\"/></bsdf>\n")
 }

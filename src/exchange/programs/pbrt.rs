@@ -68,7 +68,7 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
              Shape \"sphere\" \"float radius\" [ {} ]\nAttributeEnd\n",
             one_line(&sphere.title),
             spaces(center),
-            light(sphere.color).join(" "),
+            light(sphere.color, " "),
             n(radius)
         ));
     }
@@ -80,7 +80,7 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
             "AttributeBegin # {}\n  Material \"diffuse\" \"rgb reflectance\" [ {} ]\n  \
              Shape \"bilinearmesh\" \"point3 P\" [ {} ]\nAttributeEnd\n",
             one_line(&plane.title),
-            light(plane.color).join(" "),
+            light(plane.color, " "),
             corners.join("  ")
         ));
         notes.push(square_note(&plane.title, "pbrt", half));

@@ -51,13 +51,13 @@ fn write(subject: &ExportScene, _: &mut Vec<String>) -> Result<String, Unsupport
             "\nbackground {{ color rgb <{}> }}\n\
              light_source {{ <{}>, color rgb 1 shadowless }}\n\
              #default {{ finish {{ ambient 0 diffuse 1 }} }}\n",
-            light(BACKGROUND).join(", "),
+            light(BACKGROUND, ", "),
             commas(subject.resolve().eye()),
         ));
     }
     for sphere in spheres {
         let Sphere { center, radius } = sphere.shape;
-        let color = light(sphere.color).join(", ");
+        let color = light(sphere.color, ", ");
         text.push_str(&format!(
             "sphere {{ <{}>, {} pigment {{ color rgb <{color}> }} }} // {}\n",
             commas(center),
@@ -67,7 +67,7 @@ fn write(subject: &ExportScene, _: &mut Vec<String>) -> Result<String, Unsupport
     }
     for plane in planes {
         let normal = unit(plane.shape.normal);
-        let color = light(plane.color).join(", ");
+        let color = light(plane.color, ", ");
         text.push_str(&format!(
             "plane {{ <{}>, {} pigment {{ color rgb <{color}> }} }} // {}\n",
             commas(normal),

@@ -42,7 +42,7 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
         columns(subject),
         n(distance)
     )];
-    let Meshes { geometries, materials, meshes } = stand_ins(subject, notes);
+    let StandIns { geometries, materials, meshes } = stand_ins(subject, notes);
     children.extend(meshes);
     let list = |name: &str, items: Vec<String>| match items.is_empty() {
         true => String::new(),
@@ -62,14 +62,14 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
 
 /// Meshes that stand for the objects.
 #[derive(Default)]
-struct Meshes {
+struct StandIns {
     geometries: Vec<String>,
     materials: Vec<String>,
     meshes: Vec<String>,
 }
 
-fn stand_ins(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
-    let mut made = Meshes::default();
+fn stand_ins(subject: &ExportScene, notes: &mut Vec<String>) -> StandIns {
+    let mut made = StandIns::default();
     let mut add = |title: &str, color: [u8; 3], geometry: &str, matrix: String| {
         let k = 10 + 3 * made.geometries.len();
         let (own, shape, looks) = (uuid(k), uuid(k + 1), uuid(k + 2));

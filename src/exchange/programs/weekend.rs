@@ -51,7 +51,7 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
     }
     for sphere in spheres {
         let Sphere { center, radius } = sphere.shape;
-        let color = light(sphere.color).join(", ");
+        let color = light(sphere.color, ", ");
         text.push_str(&format!(
             "world.add(make_shared<sphere>(point3({}), {}, make_shared<lambertian>(color({color}))));\n",
             commas(center),

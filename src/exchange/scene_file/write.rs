@@ -44,11 +44,15 @@ pub(super) fn fresh(document: &Document) -> String {
         number(viewport.distance)
     ));
     text.push_str(&format!("\n[image]\nwidth = {}\nheight = {}\n", image.width(), image.height()));
-    for sphere in &document.spheres {
-        text.push_str(&format!("\n[[sphere]]\n{}", sphere_fields(sphere)));
+    for item in &document.spheres {
+        let Sphere { center, radius } = item.shape;
+        let shape = format!("center = {}\nradius = {}\n", vector(center), number(radius));
+        text.push_str(&format!("\n[[sphere]]\n{}", fields(item, shape)));
     }
-    for plane in &document.planes {
-        text.push_str(&format!("\n[[plane]]\n{}", plane_fields(plane)));
+    for item in &document.planes {
+        let Plane { point, normal } = item.shape;
+        let shape = format!("point = {}\nnormal = {}\n", vector(point), vector(normal));
+        text.push_str(&format!("\n[[plane]]\n{}", fields(item, shape)));
     }
     text
 }
@@ -57,24 +61,11 @@ fn camera_fields(camera: &Camera) -> String {
     let way = match camera.orientation {
         Orientation::At { at, up } => format!("at = {}\nup = {}\n", vector(at), vector(up)),
         Orientation::View { view, up } => format!("view = {}\nup = {}\n", vector(view), vector(up)),
-        Orientation::Basis(basis) => format!("basis = {}\n", basis_table(&basis)),
+        Orientation::Basis(Basis { u, v, w }) => {
+            format!("basis = {{ u = {}, v = {}, w = {} }}\n", vector(u), vector(v), vector(w))
+        }
     };
     format!("eye = {}\n{way}", vector(camera.eye))
-}
-
-fn basis_table(basis: &Basis) -> String {
-    let Basis { u, v, w } = basis;
-    format!("{{ u = {}, v = {}, w = {} }}", vector(*u), vector(*v), vector(*w))
-}
-
-fn sphere_fields(item: &Item<Sphere>) -> String {
-    let Sphere { center, radius } = item.shape;
-    fields(item, format!("center = {}\nradius = {}\n", vector(center), number(radius)))
-}
-
-fn plane_fields(item: &Item<Plane>) -> String {
-    let Plane { point, normal } = item.shape;
-    fields(item, format!("point = {}\nnormal = {}\n", vector(point), vector(normal)))
 }
 
 fn fields<S>(item: &Item<S>, shape: String) -> String {

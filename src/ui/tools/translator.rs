@@ -99,22 +99,19 @@ impl TranslatorPanel {
         digits: usize,
     ) -> &Translation {
         let (target, objects) = (choice.target, choice.objects);
-        let is_known = self.known.as_ref().is_some_and(|(key, _)| {
-            let same = (key.target, key.objects, key.pixel, key.digits);
-            // Objects that are not written may change.
-            same == (target, objects, pixel, digits)
-                && key.document.camera == document.camera
-                && (!objects || key.document == *document)
-        });
-        if !is_known {
-            self.known = None;
-        }
-        let make = || {
-            let key = Key { document: document.clone(), target, objects, pixel, digits };
-            let made = Translation::new(document, choice.chosen(), objects, pixel, digits);
-            (key, made)
+        // Objects that are not written may change.
+        let document = match objects {
+            true => document.clone(),
+            false => Document { camera: document.camera, ..Document::default() },
         };
-        &self.known.get_or_insert_with(make).1
+        let key = Key { document, target, objects, pixel, digits };
+        let known = self.known.take().filter(|(known, _)| *known == key);
+        let known = known.unwrap_or_else(|| {
+            let format = choice.chosen();
+            let made = Translation::new(&key.document, format, objects, pixel, digits);
+            (key, made)
+        });
+        &self.known.insert(known).1
     }
 }
 

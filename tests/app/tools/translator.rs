@@ -177,7 +177,9 @@ fn a_bad_paste_changes_nothing() {
     paste(&mut harness, "camera { location <0, 1, -9> look_at 0 }");
     assert_says(
         &harness,
-        "No camera that Pinhole reads: it reads glTF (.gltf, .glb), and numbers:",
+        "No camera that Pinhole reads: it reads glTF (.gltf, .glb), and numbers: eye, at and up, gluLookAt or \
+         glm::lookAt, a 3 × 4 or 4 × 4 matrix from camera to world, or K, R and t. Export the scene as glTF, \
+         or give its look-at alone.",
     );
     assert_eq!(harness.state().document(), &before);
     paste(&mut harness, "gluLookAt(0, 0);");
