@@ -12,6 +12,7 @@ pub mod files;
 pub mod given;
 pub mod history;
 pub mod inspection;
+pub mod interaction;
 pub mod lessons;
 pub mod letters;
 pub mod lines;

@@ -1,17 +1,14 @@
-//! The camera's handles: each put to a point of the world.
+//! Eye and at put to a point of the world.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::pole::{frame_carried, up_carried};
 use super::steered::{SteerError, Steered, orthonormal, steady};
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::fine_basis::Aim;
-use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
 use crate::exact::double_double::difference_with_rest;
-use crate::exact::scale::{ldexp3, length, split, unit};
-use crate::scene::error::ObjectError;
-use crate::scene::sphere::Sphere;
+use crate::exact::scale::{ldexp3, split, unit};
 
 /// The quantity that stays fixed when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,62 +29,6 @@ impl Keep {
             Keep::At => Keep::View,
             Keep::View => Keep::At,
         }
-    }
-}
-
-/// A corner of the viewport, as the camera sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ViewportCorner {
-    /// The corner at `(-width/2, height/2)`.
-    TopLeft,
-    /// The corner at `(width/2, height/2)`.
-    TopRight,
-    /// The corner at `(-width/2, -height/2)`.
-    BottomLeft,
-    /// The corner at `(width/2, -height/2)`.
-    BottomRight,
-}
-
-/// The quantity that stays fixed, besides the middle, when a corner of the viewport is moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum CornerKeeps {
-    /// Keeps nothing: width and height follow the corner.
-    Nothing,
-    /// The ratio of width to height, and so the shape of a pixel.
-    Ratio,
-}
-
-/// The quantity that stays fixed when the viewport's distance changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum DistanceKeeps {
-    /// Width and height: the field of view changes.
-    Size,
-    /// The picture: width and height grow with the distance.
-    Picture,
-}
-
-impl ViewportCorner {
-    /// All four, row by row.
-    pub const ALL: [ViewportCorner; 4] = [
-        ViewportCorner::TopLeft,
-        ViewportCorner::TopRight,
-        ViewportCorner::BottomLeft,
-        ViewportCorner::BottomRight,
-    ];
-
-    /// The signs of its u and v.
-    pub fn signs(self) -> DVec2 {
-        match self {
-            ViewportCorner::TopLeft => DVec2::new(-1.0, 1.0),
-            ViewportCorner::TopRight => DVec2::new(1.0, 1.0),
-            ViewportCorner::BottomLeft => DVec2::new(-1.0, -1.0),
-            ViewportCorner::BottomRight => DVec2::new(1.0, -1.0),
-        }
-    }
-
-    /// Returns where it is in the viewport.
-    pub fn uv(self, viewport: &Viewport) -> DVec2 {
-        0.5 * self.signs() * DVec2::new(viewport.width, viewport.height)
     }
 }
 
@@ -142,70 +83,6 @@ impl Camera {
             Orientation::Basis(basis) => return self.frame_led_to(*self, &basis, view),
         };
         self.led_to(Camera { orientation, ..*self })
-    }
-
-    /// The camera with a corner of its viewport moved, in the viewport's plane, to (or nearest to) a
-    /// point of the world; the viewport's middle stays. With `p = point - eye`
-    ///
-    /// ```text
-    /// width/2 = |u| where u = p.U is on the corner's side     height/2 likewise with v = p.V
-    /// ```
-    ///
-    /// With a ratio to keep, the corner is the point nearest to (u, v) on the line of that ratio.
-    ///
-    /// # Errors
-    /// Returns an error if there is no basis, or the corner is dragged to or past the middle: width
-    /// or height is 0 or negative. With a ratio to keep also where there is none.
-    pub fn with_viewport_corner(
-        &self,
-        corner: ViewportCorner,
-        point: DVec3,
-        keeps: CornerKeeps,
-    ) -> Result<Camera, SteerError> {
-        check_point("corner", point)?;
-        let Basis { u, v, .. } = self.basis()?;
-        let p = point - self.eye;
-        let half = corner.signs() * DVec2::new(p.dot(u), p.dot(v));
-        let Viewport { width, height, distance } = self.viewport;
-        let ratio = match keeps {
-            CornerKeeps::Nothing => None,
-            CornerKeeps::Ratio => {
-                self.viewport.check()?;
-                Some(width / height)
-            }
-        };
-        let size = match ratio {
-            None => 2.0 * half,
-            Some(ratio) => {
-                // The nearest point (r y, y) to (x, y0) is at y = (r x + y0) / (r^2 + 1).
-                let height = 2.0 * (ratio * half.x + half.y) / (ratio * ratio + 1.0);
-                DVec2::new(ratio * height, height)
-            }
-        };
-        let viewport = Viewport { width: size.x, height: size.y, distance };
-        viewport.check()?;
-        Ok(Camera { viewport, ..*self })
-    }
-
-    /// The camera with its viewport's plane put through a point of the world:
-    /// `distance = -(point - eye).W`.
-    ///
-    /// # Errors
-    /// Returns an error if there is no basis, the point is not in front of the eye (the distance is
-    /// 0 or negative), or the viewport is none.
-    pub fn with_viewport_through(
-        &self,
-        point: DVec3,
-        keeps: DistanceKeeps,
-    ) -> Result<Camera, SteerError> {
-        check_point("viewport", point)?;
-        let distance = (self.eye - point).dot(self.basis()?.w);
-        let viewport = Viewport { distance, ..self.viewport };
-        viewport.check()?;
-        Ok(match keeps {
-            DistanceKeeps::Size => Camera { viewport, ..*self },
-            DistanceKeeps::Picture => self.scaled_picture(distance)?,
-        })
     }
 
     /// Eye and at moved together.
@@ -275,16 +152,6 @@ impl Camera {
         let camera = Camera { orientation: Orientation::Basis(turned), ..moved };
         camera.basis()?;
         Ok(Steered { camera, up_went_along: false })
-    }
-}
-
-impl Sphere {
-    /// The sphere with this centre whose surface passes through a point: `radius = |point - center|`.
-    ///
-    /// # Errors
-    /// Returns an error if the point is the centre: the radius is 0.
-    pub fn with_surface_through(&self, point: DVec3) -> Result<Sphere, ObjectError> {
-        Sphere::new(self.center, length(point - self.center))
     }
 }
 

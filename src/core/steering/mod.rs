@@ -7,9 +7,9 @@
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
 //! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
 //!   [`Camera::scaled_picture`] is the d-lock.
-//! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_viewport_corner`],
-//!   [`Camera::with_viewport_through`]; [`Sphere::with_surface_through`](crate::Sphere).
-//! - *Pointer*: [`Drag`]: from a position in the observer's picture to a point of the world.
+//! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`].
+//! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged): from a position in the
+//!   observer's picture to a point of the world.
 //! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], by [`pixel_in_world`].
 //!
 //! Every result is a camera with a basis, or a typed error with the numbers; never NaN.
@@ -44,7 +44,7 @@ mod turns;
 #[cfg(doc)]
 use crate::camera::Camera;
 
-pub use handles::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
-pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE, pixel_in_world};
+pub use handles::Keep;
+pub use pointer::{DragAlong, FARTHEST, LEAST_ANGLE, pixel_in_world};
 pub use snap::{nice_step, rounded_to, snapped};
 pub use steered::{CONE, POLE_GAP, ROUNDING_TURN, SteerError, Steered};

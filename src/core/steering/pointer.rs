@@ -1,9 +1,9 @@
 //! Drags: from the pointer in the observer's picture to a point of the world.
 
-use std::fmt;
-
 use glam::{DVec2, DVec3};
 
+use super::steered::SteerError;
+use crate::camera::basis::BasisError;
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::scale::unit;
 use crate::exact::scale::{shortest, triple};
@@ -27,71 +27,13 @@ pub enum DragAlong {
     Plane(DVec3, DVec3),
 }
 
-/// Reason why the pointer is at no point of the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum DragError {
-    /// The dragged point is not in front of the observer.
-    NotInFront {
-        /// Its depth, 0 or negative.
-        depth: f64,
-    },
-    /// A coordinate of the named field is NaN or infinite.
-    NotFinite {
-        /// `anchor`, `axis`, `pointer`, or `point` for the result.
-        field: &'static str,
-        /// The value; a pointer's third coordinate is 0.
-        value: DVec3,
-    },
-    /// The axis is zero, or the two axes of a plane are parallel.
-    NoDirection,
-    /// The axis points at the observer, or the plane is seen from its edge.
-    OnEdge {
-        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`].
-        angle: f64,
-    },
-    /// The pointer is past the horizon of the axis or plane, or nearly there.
-    PastHorizon,
-}
-
-impl fmt::Display for DragError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            DragError::NotInFront { depth } => {
-                write!(f, "the handle is at depth {}: not in front", shortest(*depth))
-            }
-            DragError::NotFinite { field, value } => {
-                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
-            }
-            DragError::NoDirection => write!(f, "the axes are zero or parallel"),
-            DragError::OnEdge { angle } => write!(
-                f,
-                "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
-                angle.to_degrees()
-            ),
-            DragError::PastHorizon => write!(f, "past the horizon of the drag's axis or plane"),
-        }
-    }
-}
-
-impl std::error::Error for DragError {}
-
-/// A drag in the observer's picture: what has been taken, and where the pointer took it.
-///
-/// The pointer keeps its distance from the handle, in the picture: taken 3 pixels beside its middle, a
-/// handle stays 3 pixels beside the pointer. Dragged to where it began, the anchor is as it was to the
-/// bit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drag {
-    /// The handle's point in the world.
-    pub anchor: DVec3,
-    /// The position in the observer's viewport where the pointer took it.
-    pub begun_at: DVec2,
-}
-
-impl Drag {
-    /// The point of the world to which the pointer at `uv`, in the observer's viewport, has dragged the
-    /// anchor. Observer and anchor have stayed since it began.
+impl ResolvedCamera {
+    /// Returns the point of the world to which the pointer drags an anchor in this observer's picture,
+    /// from `begun_at` to `uv` in its viewport. Observer and anchor have stayed since it began.
+    ///
+    /// The pointer keeps its distance from the anchor, in the picture: taken 3 pixels beside its middle,
+    /// a handle stays 3 pixels beside the pointer. Dragged to where it began, the anchor is as it was to
+    /// the bit.
     ///
     /// With the anchor at `(x, y, -z)` in the observer's coordinates, its image at
     /// `p = (x, y) distance / z`, the pointer's way `m = uv - begun_at`, and the ray
@@ -115,18 +57,17 @@ impl Drag {
     /// handle (axis: nearest to that), but for rounding.
     ///
     /// # Errors
-    /// See [`DragError`]: rather than jump to infinity, the drag is refused.
-    pub fn to(
+    /// Returns an error if the anchor is not in front of the observer, or if the point would jump to
+    /// infinity.
+    pub fn dragged(
         &self,
-        observer: &ResolvedCamera,
+        anchor: DVec3,
+        begun_at: DVec2,
         uv: DVec2,
         along: DragAlong,
-    ) -> Result<DVec3, DragError> {
-        let seen = ObserverAnchor::new(self.anchor, observer)?;
-        let way = uv - self.begun_at;
-        if !way.is_finite() {
-            return Err(DragError::NotFinite { field: "pointer", value: uv.extend(0.0) });
-        }
+    ) -> Result<DVec3, SteerError> {
+        let seen = ObserverAnchor::new(anchor, self)?;
+        let way = finite("pointer", (uv - begun_at).extend(0.0))?.truncate();
         let offset = match along {
             DragAlong::ViewPlane => seen.in_view_plane(way),
             DragAlong::Axis(axis) => seen.along_axis(way, direction(axis)?)?,
@@ -134,12 +75,12 @@ impl Drag {
                 let (a, b) = (direction(a)?, direction(b)?);
                 let normal = a.cross(b);
                 if normal.length() < 1e-12 {
-                    return Err(DragError::NoDirection);
+                    return Err(SteerError::NoDirection);
                 }
                 seen.in_plane(way, unit(normal))?
             }
         };
-        finite("point", self.anchor + offset)
+        finite("point", anchor + offset)
     }
 }
 
@@ -148,7 +89,7 @@ impl Drag {
 ///
 /// # Errors
 /// Returns an error if the point is not in front of the observer.
-pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
+pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, SteerError> {
     let ObserverAnchor { depth, distance, .. } = ObserverAnchor::new(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());
     Ok(depth / distance * height)
@@ -165,7 +106,7 @@ struct ObserverAnchor<'a> {
 }
 
 impl ObserverAnchor<'_> {
-    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<ObserverAnchor<'_>, DragError> {
+    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<ObserverAnchor<'_>, SteerError> {
         finite("anchor", anchor)?;
         let position = finite("anchor", anchor - observer.eye())?;
         let position = observer.basis().to_camera_from_world(position);
@@ -178,7 +119,7 @@ impl ObserverAnchor<'_> {
                 distance: observer.viewport().distance,
             });
         }
-        Err(DragError::NotInFront { depth })
+        Err(SteerError::NotInFront { depth })
     }
 
     fn in_view_plane(&self, way: DVec2) -> DVec3 {
@@ -186,7 +127,7 @@ impl ObserverAnchor<'_> {
         self.observer.basis().to_world_from_camera(moved.extend(0.0))
     }
 
-    fn along_axis(&self, way: DVec2, axis: DVec3) -> Result<DVec3, DragError> {
+    fn along_axis(&self, way: DVec2, axis: DVec3) -> Result<DVec3, SteerError> {
         let a = self.observer.basis().to_camera_from_world(axis);
         let sight = unit(self.position);
         let sine = sight.cross(a).length();
@@ -198,12 +139,12 @@ impl ObserverAnchor<'_> {
         let moved = way.dot(seen) / length * (self.depth / self.distance);
         let deeper = 1.0 + moved * a.z / (length * self.depth);
         if deeper * FARTHEST <= 1.0 {
-            return Err(DragError::PastHorizon);
+            return Err(SteerError::PastHorizon);
         }
         Ok(moved / (length * deeper) * axis)
     }
 
-    fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, DragError> {
+    fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, SteerError> {
         // At the anchor's depth; from there along the ray to the plane.
         let beside = self.in_view_plane(way);
         let image = self.position.truncate() * (self.distance / self.depth) + way;
@@ -214,21 +155,21 @@ impl ObserverAnchor<'_> {
         let back = normal.dot(beside) / normal.dot(ray);
         let t = self.depth / self.distance - back;
         if t <= 0.0 || t >= FARTHEST * self.depth / self.distance {
-            return Err(DragError::PastHorizon);
+            return Err(SteerError::PastHorizon);
         }
         Ok(beside - back * ray)
     }
 }
 
-fn check_angle(angle: f64) -> Result<(), DragError> {
-    if angle >= LEAST_ANGLE { Ok(()) } else { Err(DragError::OnEdge { angle }) }
+fn check_angle(angle: f64) -> Result<(), SteerError> {
+    if angle >= LEAST_ANGLE { Ok(()) } else { Err(SteerError::OnEdge { angle }) }
 }
 
-fn direction(axis: DVec3) -> Result<DVec3, DragError> {
+fn direction(axis: DVec3) -> Result<DVec3, SteerError> {
     finite("axis", axis)?;
-    if axis == DVec3::ZERO { Err(DragError::NoDirection) } else { Ok(unit(axis)) }
+    if axis == DVec3::ZERO { Err(SteerError::NoDirection) } else { Ok(unit(axis)) }
 }
 
-fn finite(field: &'static str, value: DVec3) -> Result<DVec3, DragError> {
-    if value.is_finite() { Ok(value) } else { Err(DragError::NotFinite { field, value }) }
+fn finite(field: &'static str, value: DVec3) -> Result<DVec3, SteerError> {
+    if value.is_finite() { Ok(value) } else { Err(BasisError::NotFinite { field, value }.into()) }
 }

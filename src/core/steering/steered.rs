@@ -23,7 +23,6 @@ pub const ROUNDING_TURN: f64 = 1e-6;
 
 /// A camera after the drag of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct Steered {
     /// The camera after it.
     pub camera: Camera,
@@ -31,7 +30,7 @@ pub struct Steered {
     pub up_went_along: bool,
 }
 
-/// Reason why a camera cannot be steered.
+/// Reason why a camera cannot be steered, or a point not be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SteerError {
@@ -60,6 +59,22 @@ pub enum SteerError {
         /// The turn in radians.
         turn: f64,
     },
+    /// The eye would be moved to `at` or past it.
+    PastAt,
+    /// The dragged point is not in front of the observer.
+    NotInFront {
+        /// Its depth, 0 or negative.
+        depth: f64,
+    },
+    /// The axis of a drag is zero, or the two axes of its plane are parallel.
+    NoDirection,
+    /// The axis of a drag points at the observer, or its plane is seen from its edge.
+    OnEdge {
+        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`](super::LEAST_ANGLE).
+        angle: f64,
+    },
+    /// The pointer is past the horizon of the drag's axis or plane, or nearly there.
+    PastHorizon,
 }
 
 impl fmt::Display for SteerError {
@@ -82,6 +97,17 @@ impl fmt::Display for SteerError {
                 "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \
                  apart or nearer to the origin, or up away from the view direction"
             ),
+            SteerError::PastAt => write!(f, "the eye is moved towards at and never reaches it"),
+            SteerError::NotInFront { depth } => {
+                write!(f, "the handle is at depth {}: not in front", shortest(*depth))
+            }
+            SteerError::NoDirection => write!(f, "the axes are zero or parallel"),
+            SteerError::OnEdge { angle } => write!(
+                f,
+                "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
+                angle.to_degrees()
+            ),
+            SteerError::PastHorizon => write!(f, "past the horizon of the drag's axis or plane"),
         }
     }
 }

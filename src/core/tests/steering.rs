@@ -1,7 +1,6 @@
 //! The camera in the hand: whatever is dragged, a camera comes out whose v turned no more than the drag
 //! did, or a typed error.
 
-mod handles;
 mod moves;
 mod pointer;
 mod poles;

@@ -1,14 +1,14 @@
 //! The state of the views of a document, which a scene file does not hold.
 
 pub mod ghost;
-pub mod hand;
+pub mod handles;
 mod names;
 pub mod pen;
 pub mod presenting;
 mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
-use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
+use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, Selection, Shade};
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,7 @@ use crate::model::practice::exercises::Exercises;
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::ghost::Ghost;
-use crate::model::session::hand::Hand;
+use crate::model::session::handles::HandleState;
 use crate::model::session::pen::Pen;
 use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
 use crate::model::translator::Translator;
@@ -76,7 +76,7 @@ pub struct Session {
     /// The pen that draws over the views while presenting, while it is in use.
     pub pen: Option<Pen>,
     /// The state of the handles.
-    pub hand: Hand,
+    pub handles: HandleState,
     /// The choices in the translator.
     pub translator: Translator,
     /// The settings, which are kept across runs.
@@ -275,13 +275,4 @@ impl Heights {
             _ => y,
         }
     }
-}
-
-/// Returns what the settings keep fixed during drags. `other` is the modifier key that swaps what a
-/// moved eye keeps.
-pub fn keeps_of(settings: &Settings, other: bool) -> (Keep, CornerKeeps, DistanceKeeps) {
-    let eye = if other { settings.eye_keeps.other() } else { settings.eye_keeps };
-    let corner = if settings.keep_pixel_shape { CornerKeeps::Ratio } else { CornerKeeps::Nothing };
-    let distance = if settings.keep_picture { DistanceKeeps::Picture } else { DistanceKeeps::Size };
-    (eye, corner, distance)
 }

@@ -70,7 +70,7 @@ impl App {
             Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);
-                self.hand.navigation.steer(steer, &mut self.scene.open.document.camera, time);
+                self.dragging.steer(steer, &mut self.scene.open.document.camera, time);
             }
             Action::Observe(observe) => self.scene.observe(observe, self.views.world_size()),
             Action::Object(action) => return self.scene.change_objects(action),

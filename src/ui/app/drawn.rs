@@ -33,7 +33,7 @@ impl OpenScene {
             pointed_ray: self.session.pointed_ray,
             hovered: self.session.hovered,
             alt_dims: self.session.alt_dims,
-            hand: self.session.hand.clone(),
+            handles: self.session.handles.clone(),
             pen: self.session.pen.clone(),
             ..drawn.session
         };

@@ -6,6 +6,7 @@
 
 use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, UiBuilder};
 
+use super::scene::OpenScene;
 use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
 use crate::model::readings::NumberStyle;
@@ -14,6 +15,7 @@ use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Sw
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::practice::mistakes::vote;
+use crate::ui::scene::dragging::Edited;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{pen, readouts, views};
 use crate::ui::workspaces::{Desk, Page, page, second_picture};
@@ -23,7 +25,9 @@ impl App {
     pub(super) fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = std::mem::take(&mut self.waiting);
-        self.hand.take(&ctx, &mut self.scene, &self.views.derived, self.over.covers());
+        let OpenScene { open, session, chosen_object, .. } = &mut self.scene;
+        let mut edited = Edited { document: &mut open.document, session, chosen_object };
+        self.dragging.take(&ctx, &mut edited, &self.views.derived, self.over.covers());
         self.window_inputs(&ctx, &mut actions);
         let inspection = self.views.derived.inspection.as_deref();
         self.playback.go_on(ui, &mut self.scene, &mut self.history, inspection, &mut actions);
@@ -261,7 +265,7 @@ impl App {
         if !self.over.covers() {
             let second = page.second.map_or("", second_picture::name);
             views::inputs(ui, rects, second, &mut scene.session, shown, actions);
-            let is_free = scene.session.hand.over.is_none();
+            let is_free = scene.session.handles.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
             hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
@@ -284,7 +288,7 @@ impl App {
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
         let actions = &mut self.waiting;
-        self.views.show(ui, rects, &mut self.scene, &mut self.hand);
+        self.views.show(ui, rects, &mut self.scene, &mut self.dragging);
         let style = NumberStyle::new(&self.scene.session.settings);
         let mut desk = Desk {
             open: &self.scene.open,

@@ -8,7 +8,6 @@ mod exchange;
 mod failure;
 mod figures;
 mod frame;
-mod hand;
 mod history;
 mod lessons;
 mod look;
@@ -27,7 +26,6 @@ use std::time::Duration;
 use egui::Context;
 use pinhole_exchange::document::Document;
 
-use self::hand::InHand;
 use self::history::SceneHistory;
 use self::over::Over;
 use self::playback::Playback;
@@ -45,6 +43,7 @@ use crate::ui::action::{Action, FileAction};
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 use crate::ui::frame_times::{FrameWork, WorkTimes};
+use crate::ui::scene::dragging::Dragging;
 use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
@@ -60,7 +59,7 @@ pub struct App {
     over: Over,
     views: Views,
     tools: Tools,
-    hand: InHand,
+    dragging: Dragging,
     window: AppWindow,
     recovery: Recovery,
     watch: Watch,
@@ -93,7 +92,7 @@ impl App {
             over: Over::default(),
             views: Views::default(),
             tools: Tools::default(),
-            hand: InHand::default(),
+            dragging: Dragging::default(),
             window,
             recovery,
             watch: Watch::default(),

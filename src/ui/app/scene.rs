@@ -12,21 +12,16 @@ use pinhole_exchange::scenes::SceneSource;
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
 use crate::model::given::{self, Given};
+use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
 use crate::model::session::ghost::Ghost;
-use crate::model::session::hand::Hand;
+use crate::model::session::handles::HandleState;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};
 use crate::ui::panels::{camera, objects};
-
-/// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
-/// times nearer.
-const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
-const PAN: f64 = 0.05;
-const ZOOM: f64 = 1.15;
 
 /// All that going back to a scene brings back.
 #[derive(Clone, Debug)]
@@ -168,10 +163,12 @@ impl OpenScene {
         let Some(observer) = &mut self.session.observer else { return };
         match observe {
             Observe::Orbit(right, up) => {
-                observer.orbit(TURN * f64::from(right), TURN * f64::from(up));
+                observer.orbit(KEY_TURN * f64::from(right), KEY_TURN * f64::from(up));
             }
-            Observe::Pan(right, up) => observer.pan(-PAN * f64::from(right), PAN * f64::from(up)),
-            Observe::Zoom(steps) => observer.zoom(ZOOM.powi(steps)),
+            Observe::Pan(right, up) => {
+                observer.pan(-KEY_PAN * f64::from(right), KEY_PAN * f64::from(up));
+            }
+            Observe::Zoom(steps) => observer.zoom(KEY_ZOOM.powi(steps)),
             Observe::FrameCamera => {
                 *observer = observer.framing_camera(&self.open.document.camera, size);
             }
@@ -279,8 +276,8 @@ impl OpenScene {
         };
         let now = &mut self.session;
         let (presenting, spotlight, pen) = (now.presenting, now.spotlight, now.pen.take());
-        let hand = Hand::default();
-        let session = Session { settings, presenting, spotlight, pen, hand, ..to.session };
+        let handles = HandleState::default();
+        let session = Session { settings, presenting, spotlight, pen, handles, ..to.session };
         *self = OpenScene { session, ..to };
     }
 }

@@ -6,13 +6,13 @@ use std::time::Duration;
 
 use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 
-use super::hand::InHand;
 use super::scene::OpenScene;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::model::observer::ViewSize;
 use crate::model::readings::NumberStyle;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
+use crate::ui::scene::dragging::Dragging;
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
@@ -94,7 +94,7 @@ impl Views {
         ui: &mut Ui,
         rects: &ViewRects,
         scene: &mut OpenScene,
-        hand: &mut InHand,
+        dragging: &mut Dragging,
     ) {
         self.world_size = rects.world.map(views::size_of).or(self.world_size);
         let derived = &self.derived;
@@ -115,8 +115,8 @@ impl Views {
             views::speak(ui, views::CAMERA, &spoken);
         }
         // One of them speaks at a time.
-        let is_steered = hand.navigation.has_word(ui.input(|i| i.time));
-        if session.hand.over.is_none() && !is_steered && !session.is_asking {
+        let is_steered = dragging.has_word(session, ui.input(|i| i.time));
+        if session.handles.over.is_none() && !is_steered && !session.is_asking {
             let style = NumberStyle::new(&session.settings);
             views::tell_pointed(ui, session, derived, document, style);
         }
@@ -136,7 +136,7 @@ impl Views {
                 views::coarse(ui, rect, &text);
             }
         }
-        hand.tell(ui, rects, scene, derived);
+        dragging.tell(ui, rects, (document, session), derived);
     }
 }
 

@@ -2,10 +2,10 @@
 //! below.
 
 pub mod compare;
-pub mod handles;
-pub mod navigation;
+pub mod drag_text;
+pub mod dragging;
 pub mod pen;
 pub mod readouts;
+pub mod steps;
 pub mod view_rects;
 pub mod views;
-pub mod walking;

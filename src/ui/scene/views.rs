@@ -13,16 +13,16 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written_whole;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
 use crate::model::letters::typeset_message;
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
-use crate::ui::scene::handles::sphere_at;
+use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::{ViewRects, strip_above};
-use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::derive::{Derived, Shown, ViewSizes};
@@ -161,7 +161,7 @@ fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
 }
 
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    if session.hand.is_busy {
+    if session.handles.is_busy {
         return;
     }
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
@@ -179,7 +179,7 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    if session.hand.is_busy {
+    if session.handles.is_busy {
         return;
     }
     if let (true, Some(pointer), Some(frame), Some(resolved)) =
@@ -191,7 +191,7 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
             session.selection = Selection::Pixel(position.pixel);
         }
     }
-    if let Some(t) = walking::dragged(ui, response, session.ray_point_t, shown) {
+    if let Some(t) = dragged_ray_point(ui, response, session.ray_point_t, shown) {
         session.ray_point_t = Some(t);
         return;
     }
@@ -215,15 +215,12 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     }
     if response.contains_pointer() {
         let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
-        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        let factor = f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp();
         if factor != 1.0 {
             observer.zoom(factor);
         }
     }
 }
-
-/// Maximum distance from a mark at which the mouse hovers it, in points.
-const REACH: f32 = 8.0;
 
 /// Maximum number of objects for finding the hovered object in the camera view.
 const ASKED_OBJECTS: usize = 4096;
@@ -277,7 +274,7 @@ fn in_view(
     let pointer = response.hover_pos().filter(|_| response.hovered())?;
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
-    concept_at(at, REACH * per_point)
+    concept_at(at, MARK_REACH * per_point)
 }
 
 /// Returns the object at a position of the camera view.
@@ -393,7 +390,7 @@ fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
         Keep::View => "Eye travels",
     };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
-                direction. K switches, Alt switches while dragging.";
+                direction. Alt switches while dragging.";
     if ui.small_button(text).on_hover_text(hint).clicked() {
         *keeps = keeps.other();
     }

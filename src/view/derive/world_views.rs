@@ -93,7 +93,7 @@ impl WorldViews {
             items: session.settings.items,
             highlighted: highlight_key(session),
             ray_point_t: session.ray_point_t,
-            handles: handles::drawn(&stage, &session.hand, &session.spoken_of()),
+            handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
             ghost: answer_marks::ghost(inputs, derived),
             answer_marks: Arc::clone(&derived.answer_marks),
             scale: sizes.scale,

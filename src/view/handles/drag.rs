@@ -1,258 +1,165 @@
-//! Drags: from the pointer to a point of the world, and from there to the values that the handle
-//! changes. They are always computed from the values at the start of the drag, so that dragging
-//! back to the start changes nothing.
+//! The effect of a drag: from the pointer to a point of the world, and from there to the values that
+//! the handle changes.
 
 use std::f64::consts::PI;
 
 use pinhole_core::steering::{
-    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, Steered, ViewportCorner,
-    nice_step, pixel_in_world, rounded_to, snapped,
+    DragAlong, Keep, SteerError, Steered, nice_step, pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
+use pinhole_core::{
+    Basis, Camera, CameraError, DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection,
+    Viewport,
+};
 
-use super::magnet;
-use super::{HandleValues, Solid};
-use crate::model::session::hand::{Along, Axis, Grasp, Handle};
+use crate::model::interaction::{STEP_DEGREES, STEP_POINTS};
+use crate::model::session::Settings;
+use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
-/// The state at the start of a drag.
+/// A handle's drag, with its observer and the settings that say what stays.
 #[derive(Clone, Copy, Debug)]
-pub struct DragStart {
-    /// The values that the handle changes.
-    pub before: HandleValues,
-    /// The camera at the start, if it had a basis.
-    pub resolved: Option<ResolvedCamera>,
-    /// The grasp of the handle.
-    pub grasp: Grasp,
-    /// Position of the handle in the world.
-    pub at: DVec3,
-    /// Position in the observer's viewport where the pointer took the handle.
-    pub begun_at: DVec2,
-}
-
-/// The options of a drag.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DragOptions {
-    /// The direction or plane of the drag.
-    pub along: Along,
+pub struct HandleDrag<'a> {
+    /// The handle.
+    pub handle: Handle,
+    /// The drag.
+    pub drag: &'a Drag,
+    /// The observer.
+    pub observer: &'a ResolvedCamera,
+    /// Dots per point.
+    pub scale: f32,
+    /// The settings.
+    pub settings: &'a Settings,
+    /// The quantity that stays when the eye moves.
+    pub eye_keeps: Keep,
     /// True if values snap to multiples of a round step.
     pub snaps: bool,
-    /// The quantity that stays when the eye moves.
-    pub eye: Keep,
-    /// True if up stays as it is given, also where a moved eye or at brings the view near it.
-    pub keeps_up: bool,
-    /// The quantity that stays when a corner of the viewport moves.
-    pub corner: CornerKeeps,
-    /// The quantity that stays when the viewport's distance changes.
-    pub distance: DistanceKeeps,
 }
 
 /// The result of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dragged {
     /// The changed values.
-    pub part: HandleValues,
-    /// The current grasp of the handle.
-    pub grasp: Grasp,
+    pub values: HandleValues,
+    /// Unit vector from a sphere's centre to the held point of its surface.
+    pub toward: DVec3,
     /// True if up was turned, too, because the view came near it.
     pub up_went_along: bool,
-    /// The step that values were snapped to.
-    pub step: Option<f64>,
-    /// Angle in degrees by which the camera was rolled, if it was.
-    pub rolled: Option<f64>,
 }
-
-/// A drag in progress, with its observer and options.
-#[derive(Clone, Copy, Debug)]
-pub struct HandleDrag<'a> {
-    /// The start of the drag.
-    pub start: &'a DragStart,
-    /// The observer.
-    pub observer: &'a ResolvedCamera,
-    /// Dots per point.
-    pub scale: f32,
-    /// The options.
-    pub options: DragOptions,
-}
-
-/// Least length, in points, of a step to which values snap and by which keys move a handle.
-const STEP_POINTS: f64 = 10.0;
-
-/// Step to which angles snap, in degrees.
-const STEP_DEGREES: f64 = 15.0;
 
 /// Returns the step for values at a point of the world: 1, 2 or 5 times a power of ten.
-pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Option<f64> {
-    nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at).ok()?).ok()
+///
+/// # Errors
+/// Returns an error if the point is not in front of the observer.
+pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Result<f64, SteerError> {
+    nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at)?)
 }
 
 /// Returns the position of the tip of v after a roll of the camera by `degrees`.
-pub fn turned_by(start: &DragStart, degrees: f64) -> Option<DVec3> {
+pub fn turned_by(drag: &Drag, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let (eye, basis) = (start.before.camera.eye, start.resolved?);
-    Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
-}
-
-/// Returns the vector whose arrow, drawn `length` times as long, goes from `base` to `tip`.
-fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
-    (tip - base) / length
+    let Basis { u, v, .. } = drag.before.camera.basis().ok()?;
+    Some(drag.before.camera.eye + drag.length * (cos * v - sin * u))
 }
 
 impl HandleDrag<'_> {
     /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
     /// # Errors
-    /// Returns the reason, in words, if the handle cannot be dragged there.
-    pub fn to(&self, uv: DVec2) -> Result<Dragged, String> {
-        let DragStart { at, begun_at, before, .. } = *self.start;
-        // An axis that is held, or round steps, lead past the magnet.
-        let is_free = self.options.along == Along::View && !self.options.snaps;
-        if let Some(camera) = is_free.then(|| magnet::drawn_on(self, uv)).flatten() {
-            let part = HandleValues { camera, ..before };
-            return Ok(Dragged { part, ..self.unchanged() });
-        }
-        let drag = Drag { anchor: at, begun_at };
-        let point = drag.to(self.observer, uv, self.along()?).map_err(|e| e.to_string())?;
-        self.put(point)
+    /// Returns an error if the handle cannot be dragged there.
+    pub fn to(&self, uv: DVec2) -> Result<Dragged, SteerError> {
+        let Drag { at, begun_at, .. } = *self.drag;
+        self.put(self.observer.dragged(at, begun_at, uv, self.along()?)?)
     }
 
     /// Returns the result of moving the handle to a point of the world, or as near to it as it can
     /// be.
     ///
     /// # Errors
-    /// Returns the reason, in words, if it cannot be there.
-    pub fn put(&self, point: DVec3) -> Result<Dragged, String> {
-        let DragStart { before, grasp, at, .. } = *self.start;
-        let unchanged = self.unchanged();
+    /// Returns an error if it cannot be there.
+    pub fn put(&self, point: DVec3) -> Result<Dragged, SteerError> {
+        let Drag { before: values, at, toward, .. } = *self.drag;
+        let mut dragged = Dragged { values, toward, up_went_along: false };
         if point == at {
-            return Ok(unchanged);
+            return Ok(dragged);
         }
-        let camera =
-            |camera: Camera| Dragged { part: HandleValues { camera, ..before }, ..unchanged };
-        let steered = match grasp.handle {
-            Handle::Eye => self.eye(self.readable(at, point, 1.0)?),
-            Handle::At => self.look_at(self.readable(at, point, 1.0)?),
-            Handle::Up => self.up(point).map(|camera| (camera, false)),
-            Handle::Roll => {
-                let (rolled, degrees) = self.roll(point)?;
-                let rolled = Dragged { rolled: Some(degrees), ..camera(rolled) };
-                return Ok(self.snapped_by(rolled));
+        let camera = match self.handle {
+            Handle::Eye | Handle::At => {
+                let point = self.readable(at, point, 1.0)?;
+                let steered =
+                    if self.handle == Handle::Eye { self.eye(point) } else { self.look_at(point) }?;
+                dragged.up_went_along = steered.up_went_along;
+                steered.camera
             }
-            Handle::Dolly => self.dolly(point).map(|camera| (camera, false)),
-            Handle::Corner(corner) => self.corner(corner, point).map(|camera| (camera, false)),
-            Handle::Distance => self.distance(point).map(|camera| (camera, false)),
-            Handle::Pixel => return Ok(Dragged { part: self.pixel(point), ..unchanged }),
-            _ => return self.solid(point).map(|pulled| self.snapped_by(pulled)),
+            Handle::Up => self.up(point)?,
+            Handle::Roll => self.roll(point)?,
+            Handle::Dolly => self.dolly(point)?,
+            Handle::Corner(corner) => self.corner(corner, point)?,
+            Handle::Distance => self.distance(point)?,
+            Handle::Pixel => {
+                dragged.values.selection = self.pixel(point)?;
+                return Ok(dragged);
+            }
+            Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) | Handle::Normal(_) => {
+                return self.object(point, dragged);
+            }
         };
-        let (after, up_went_along) = steered?;
-        let mut pulled = Dragged { up_went_along, ..camera(after) };
-        if self.options.distance == DistanceKeeps::Picture {
-            let (old, new) = (before.camera.viewport, after.viewport);
-            pulled.part.selection = before.selection.in_another_viewport(old, new);
+        if self.settings.keep_picture {
+            let (old, new) = (values.camera.viewport, camera.viewport);
+            dragged.values.selection = values.selection.in_another_viewport(old, new);
         }
-        Ok(self.snapped_by(pulled))
+        dragged.values.camera = camera;
+        Ok(dragged)
     }
 
-    fn unchanged(&self) -> Dragged {
-        let DragStart { before: part, grasp, .. } = *self.start;
-        Dragged { part, grasp, up_went_along: false, step: None, rolled: None }
-    }
-
-    fn snapped_by(&self, pulled: Dragged) -> Dragged {
-        Dragged { step: self.step().filter(|_| self.options.snaps), ..pulled }
-    }
-
-    /// Returns the step to which this drag snaps, in the unit of the changed value.
-    fn step(&self) -> Option<f64> {
-        match self.start.grasp.handle {
-            Handle::Roll => Some(STEP_DEGREES),
-            Handle::Pixel => None,
-            _ => step_of(self.observer, self.start.at, self.scale),
-        }
-    }
-
-    /// Returns the direction or plane of the drag.
-    fn along(&self) -> Result<DragAlong, String> {
-        let no_basis = || "the camera has no basis".to_owned();
-        let DragStart { resolved, grasp, at, before, .. } = self.start;
-        let axis = |axis: Axis| axis.direction(resolved.as_ref()).ok_or_else(no_basis);
-        if grasp.handle.is_free() {
-            return Ok(match self.options.along {
-                Along::View => DragAlong::ViewPlane,
-                Along::Axis(one) => DragAlong::Axis(axis(one)?),
-                Along::Without(one) => {
-                    let [a, b] = one.others();
-                    DragAlong::Plane(axis(a)?, axis(b)?)
-                }
-            });
-        }
-        let (u, v, w) = (axis(Axis::U)?, axis(Axis::V)?, axis(Axis::W)?);
-        let keeps_picture = self.options.distance == DistanceKeeps::Picture;
-        Ok(match grasp.handle {
-            Handle::Corner(_) | Handle::Distance if keeps_picture => {
-                DragAlong::Axis(*at - before.camera.eye)
+    /// Returns the line or plane of the drag.
+    fn along(&self) -> Result<DragAlong, CameraError> {
+        let camera = &self.drag.before.camera;
+        Ok(match self.handle {
+            Handle::Corner(_) | Handle::Distance if self.settings.keep_picture => {
+                DragAlong::Axis(self.drag.at - camera.eye)
             }
-            Handle::Distance | Handle::Dolly => DragAlong::Axis(w),
-            Handle::Corner(_) | Handle::Pixel if self.options.along == Along::Axis(Axis::U) => {
-                DragAlong::Axis(u)
+            Handle::Distance | Handle::Dolly => DragAlong::Axis(camera.basis()?.w),
+            Handle::Corner(_) | Handle::Pixel | Handle::Roll => {
+                let Basis { u, v, .. } = camera.basis()?;
+                DragAlong::Plane(u, v)
             }
-            Handle::Corner(_) | Handle::Pixel if self.options.along == Along::Axis(Axis::V) => {
-                DragAlong::Axis(v)
-            }
-            _ => DragAlong::Plane(u, v),
+            _ => DragAlong::ViewPlane,
         })
-    }
-
-    /// Returns the size of a pixel of the picture at the handle, in world units.
-    fn pixel_size(&self) -> Result<f64, String> {
-        pixel_in_world(self.observer, self.start.at).map_err(|e| e.to_string())
     }
 
     /// Rounds a number to the digits that a hand can set, or snaps it; `per` is its change per
     /// world unit.
-    fn number(&self, value: f64, per: f64) -> Result<f64, String> {
-        let number = match self.step().filter(|_| self.options.snaps) {
-            Some(step) => snapped(value, step),
-            None => rounded_to(value, per * self.pixel_size()?),
-        };
-        number.map_err(|e| e.to_string())
+    fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
+        match (self.snaps, self.handle) {
+            (false, _) => rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?),
+            (true, Handle::Roll) => snapped(value, STEP_DEGREES),
+            (true, _) => snapped(value, step_of(self.observer, self.drag.at, self.scale)?),
+        }
     }
 
-    /// Rounds or snaps a point or vector. Coordinates that the drag did not change stay the same to
-    /// the bit. Along the camera's axes the displacement is snapped, not the end point.
-    fn readable(&self, from: DVec3, to: DVec3, per: f64) -> Result<DVec3, String> {
-        let camera_axes: &[Axis] = match self.options.along {
-            Along::Axis(Axis::U) => &[Axis::U],
-            Along::Axis(Axis::V) => &[Axis::V],
-            Along::Axis(Axis::W) => &[Axis::W],
-            Along::Without(axis @ (Axis::U | Axis::V | Axis::W)) => &axis.others(),
-            _ => &[],
-        };
-        if self.options.snaps && !camera_axes.is_empty() {
-            let mut point = from;
-            for axis in camera_axes {
-                let direction = axis.direction(self.start.resolved.as_ref()).unwrap_or_default();
-                point += self.number((to - from).dot(direction), per)? * direction;
-            }
-            return Ok(point);
-        }
-        let number = |from: f64, to: f64| if from == to { Ok(to) } else { self.number(to, per) };
+    /// Rounds or snaps a number, unless the drag did not change it: then it stays the same to the bit.
+    fn changed(&self, from: f64, to: f64, per: f64) -> Result<f64, SteerError> {
+        if from == to { Ok(to) } else { self.number(to, per) }
+    }
+
+    fn readable(&self, from: DVec3, to: DVec3, per: f64) -> Result<DVec3, SteerError> {
+        let number = |from: f64, to: f64| self.changed(from, to, per);
         Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
     }
 
-    fn eye(&self, point: DVec3) -> Result<(Camera, bool), String> {
-        let camera = self.start.before.camera;
+    fn eye(&self, point: DVec3) -> Result<Steered, SteerError> {
+        let camera = self.drag.before.camera;
         let by = point - camera.eye;
-        let orientation = match (camera.orientation, self.options.eye) {
+        let orientation = match (camera.orientation, self.eye_keeps) {
             (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
             (Orientation::View { view, up }, Keep::At) => Orientation::View { view: view - by, up },
             (given, _) => given,
         };
         let set = Camera { eye: point, orientation, ..camera };
-        self.aimed(set, camera.with_eye_at(point, self.options.eye))
+        self.aimed(set, camera.with_eye_at(point, self.eye_keeps))
     }
 
-    fn look_at(&self, point: DVec3) -> Result<(Camera, bool), String> {
-        let camera = self.start.before.camera;
+    fn look_at(&self, point: DVec3) -> Result<Steered, SteerError> {
+        let camera = self.drag.before.camera;
         let orientation = match camera.orientation {
             Orientation::At { up, .. } => Orientation::At { at: point, up },
             Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
@@ -261,152 +168,127 @@ impl HandleDrag<'_> {
         self.aimed(Camera { orientation, ..camera }, camera.with_at(point))
     }
 
-    /// Returns the steered camera, and whether up was turned, too. A camera without a basis is replaced
-    /// by `set`, whose fields then show the fault; with up kept, it is `set` in any case.
+    /// Returns the steered camera. A camera without a basis is replaced by `set`, whose fields then show
+    /// the fault; with up kept, it is `set` in any case.
     fn aimed(
         &self,
         set: Camera,
         steered: Result<Steered, SteerError>,
-    ) -> Result<(Camera, bool), String> {
+    ) -> Result<Steered, SteerError> {
         let has_up = !matches!(set.orientation, Orientation::Basis(_));
-        match steered {
-            _ if has_up && self.options.keeps_up => Ok((set, false)),
-            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
-            Err(SteerError::Camera(_)) if has_up => Ok((set, false)),
-            Err(reason) => Err(reason.to_string()),
+        let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
+        if has_up && (self.settings.keep_up || is_at_fault) {
+            return Ok(Steered { camera: set, up_went_along: false });
         }
+        steered
     }
 
     /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields
     /// then show the fault.
-    fn up(&self, tip: DVec3) -> Result<Camera, String> {
-        let (camera, length) = (self.start.before.camera, self.start.grasp.length);
-        let new = of_tip(tip, camera.eye, length);
-        let new = self.readable(camera.up(), new, 1.0 / length)?;
+    fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
+        let (camera, length) = (self.drag.before.camera, self.drag.length);
+        let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
         let orientation = match camera.orientation {
             Orientation::At { at, .. } => Orientation::At { at, up: new },
             Orientation::View { view, .. } => Orientation::View { view, up: new },
-            Orientation::Basis(_) => return Err(SteerError::NoUp.to_string()),
+            Orientation::Basis(_) => return Err(SteerError::NoUp),
         };
         Ok(Camera { orientation, ..camera })
     }
 
-    /// Returns the camera rolled until v points to the tip, and the angle in degrees.
-    fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
-        let DragStart { before, resolved, grasp, .. } = self.start;
-        let basis = *resolved.as_ref().ok_or("the camera has no basis")?.basis();
-        let along = tip - before.camera.eye;
-        let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
-        let per = 180.0 / (PI * grasp.length);
-        let degrees = self.number(degrees, per)?;
-        Ok((before.camera.swung(degrees).map_err(|e| e.to_string())?, degrees))
+    /// Returns the camera rolled until v points to the tip.
+    fn roll(&self, tip: DVec3) -> Result<Camera, SteerError> {
+        let camera = self.drag.before.camera;
+        let Basis { u, v, .. } = camera.basis()?;
+        let along = tip - camera.eye;
+        let degrees = (-along.dot(u)).atan2(along.dot(v)).to_degrees();
+        camera.swung(self.number(degrees, 180.0 / (PI * self.drag.length))?)
     }
 
     /// Returns the camera moved along w by as much as the tip of w.
-    fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
-        let DragStart { before: HandleValues { camera, .. }, resolved, at, .. } = self.start;
-        let w = resolved.as_ref().ok_or("the camera has no basis")?.basis().w;
-        let back = self.number((tip - *at).dot(w), 1.0)?;
-        let reach = camera.pivot().map_err(|e| e.to_string())?.distance(camera.eye);
-        let forward = match camera.orientation {
-            Orientation::At { .. } if reach + back <= 0.0 => {
-                return Err("the eye is moved towards at and never reaches it".to_owned());
-            }
+    fn dolly(&self, tip: DVec3) -> Result<Camera, SteerError> {
+        let camera = self.drag.before.camera;
+        let back = self.number((tip - self.drag.at).dot(camera.basis()?.w), 1.0)?;
+        let reach = camera.pivot()?.distance(camera.eye);
+        camera.dollied(match camera.orientation {
+            Orientation::At { .. } if reach + back <= 0.0 => return Err(SteerError::PastAt),
             Orientation::At { .. } => (reach / (reach + back)).ln(),
             _ => -back / reach,
-        };
-        camera.dollied(forward).map_err(|e| e.to_string())
-    }
-
-    fn corner(&self, corner: ViewportCorner, point: DVec3) -> Result<Camera, String> {
-        if self.options.distance == DistanceKeeps::Picture {
-            return self.distance(point);
-        }
-        let camera = self.start.before.camera;
-        let (ratio, viewport) =
-            match camera.with_viewport_corner(corner, point, self.options.corner) {
-                Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
-                Err(SteerError::Camera(_)) => {
-                    let resolved = self.start.resolved.ok_or("the camera has no basis")?;
-                    let size = 2.0 * corner.signs() * resolved.project(point).uv;
-                    let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
-                    (f64::NAN, fallen)
-                }
-                Err(reason) => return Err(reason.to_string()),
-            };
-        let read =
-            |before: f64, now: f64| if before == now { Ok(now) } else { self.number(now, 2.0) };
-        let width = read(camera.viewport.width, viewport.width)?;
-        let height = if self.options.corner == CornerKeeps::Nothing || ratio.is_nan() {
-            read(camera.viewport.height, viewport.height)?
-        } else {
-            width / ratio
-        };
-        Ok(Camera { viewport: Viewport { width, height, ..viewport }, ..camera })
-    }
-
-    fn distance(&self, point: DVec3) -> Result<Camera, String> {
-        let camera = self.start.before.camera;
-        let distance = match camera.with_viewport_through(point, DistanceKeeps::Size) {
-            Ok(moved) => moved.viewport.distance,
-            Err(_) => {
-                let w = self.start.resolved.ok_or("the camera has no basis")?.basis().w;
-                (camera.eye - point).dot(w)
-            }
-        };
-        let distance = self.number(distance, 1.0)?;
-        let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        Ok(match self.options.distance {
-            DistanceKeeps::Size => set,
-            // An invalid distance is reported as it is without the lock.
-            DistanceKeeps::Picture => camera.scaled_picture(distance).unwrap_or(set),
         })
     }
 
-    /// Selects the pixel nearest to a point of the viewport.
-    fn pixel(&self, point: DVec3) -> HandleValues {
-        let DragStart { before, resolved, .. } = self.start;
-        let position = resolved.as_ref().and_then(|resolved| {
-            let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
-            resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half))
-        });
-        match position {
-            Some(position) => HandleValues {
-                selection: pinhole_core::Selection::Pixel(position.pixel),
-                ..*before
-            },
-            None => *before,
+    /// Returns the camera with a corner of its viewport at (or nearest to) a point; its middle stays.
+    /// To keep the pixels' shape, the corner is the point nearest to the pointer on the diagonal. An
+    /// invalid size is kept as it is, so that the fields show the fault.
+    fn corner(&self, corner: Corner, point: DVec3) -> Result<Camera, SteerError> {
+        if self.settings.keep_picture {
+            return self.distance(point);
         }
+        let camera = self.drag.before.camera;
+        let old = camera.viewport;
+        let Basis { u, v, .. } = camera.basis()?;
+        let p = point - camera.eye;
+        let half = corner.signs() * DVec2::new(p.dot(u), p.dot(v));
+        let sized = |width, height| Viewport { width, height, ..old };
+        let free = sized(2.0 * half.x, 2.0 * half.y);
+        let on_diagonal = || {
+            // The nearest point (r y, y) to (x, y0) is at y = (r x + y0) / (r^2 + 1).
+            let ratio = old.width / old.height;
+            let height = 2.0 * (ratio * half.x + half.y) / (ratio * ratio + 1.0);
+            Some(sized(ratio * height, height)).filter(|viewport| viewport.check().is_ok())
+        };
+        let viewport = match self.settings.keep_pixel_shape.then(on_diagonal).flatten() {
+            Some(Viewport { width, height, .. }) => {
+                let ratio = width / height;
+                let width = self.changed(old.width, width, 2.0)?;
+                sized(width, width / ratio)
+            }
+            None => sized(
+                self.changed(old.width, free.width, 2.0)?,
+                self.changed(old.height, free.height, 2.0)?,
+            ),
+        };
+        Ok(Camera { viewport, ..camera })
+    }
+
+    /// Returns the camera with the plane of its viewport through a point.
+    fn distance(&self, point: DVec3) -> Result<Camera, SteerError> {
+        let camera = self.drag.before.camera;
+        let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
+        let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
+        // An invalid distance is reported as it is without the lock.
+        let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
+        Ok(scaled.flatten().unwrap_or(set))
+    }
+
+    /// Returns the pixel nearest to a point of the viewport.
+    fn pixel(&self, point: DVec3) -> Result<Selection, CameraError> {
+        let HandleValues { camera, selection, .. } = self.drag.before;
+        let resolved = camera.resolve()?;
+        let half = 0.5 * DVec2::new(camera.viewport.width, camera.viewport.height);
+        let position = resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half));
+        Ok(position.map_or(selection, |position| Selection::Pixel(position.pixel)))
     }
 
     /// Moves or changes a sphere or a plane.
-    fn solid(&self, point: DVec3) -> Result<Dragged, String> {
-        let DragStart { before, grasp, at, .. } = *self.start;
-        let mut now = self.unchanged();
-        let Some((k, solid)) = before.object else { return Ok(now) };
-        let solid = match (solid, grasp.handle) {
-            (Solid::Sphere(mut sphere), Handle::Radius(_)) => {
+    fn object(&self, point: DVec3, mut dragged: Dragged) -> Result<Dragged, SteerError> {
+        let Drag { at, length, .. } = *self.drag;
+        match (&mut dragged.values.object, self.handle) {
+            (Some((_, Object::Sphere(sphere))), Handle::Radius(_)) => {
                 let out = point - sphere.center;
-                let radius = sphere.with_surface_through(point).map_or(0.0, |moved| moved.radius);
-                sphere.radius = self.number(radius, 1.0)?;
-                now.grasp.toward = out.try_normalize().unwrap_or(grasp.toward);
-                Solid::Sphere(sphere)
+                sphere.radius = self.number(out.length(), 1.0)?;
+                dragged.toward = out.try_normalize().unwrap_or(dragged.toward);
             }
-            (Solid::Sphere(mut sphere), _) => {
-                sphere.center = self.readable(at, point, 1.0)?;
-                Solid::Sphere(sphere)
+            (Some((_, Object::Sphere(sphere))), _) => {
+                sphere.center = self.readable(at, point, 1.0)?
             }
-            (Solid::Plane(mut plane), Handle::Normal(_)) => {
-                let normal = of_tip(point, plane.point, grasp.length);
-                plane.normal = self.readable(plane.normal, normal, 1.0 / grasp.length)?;
-                Solid::Plane(plane)
+            (Some((_, Object::Plane(plane))), Handle::Normal(_)) => {
+                let normal = (point - plane.point) / length;
+                plane.normal = self.readable(plane.normal, normal, 1.0 / length)?;
             }
-            (Solid::Plane(mut plane), _) => {
-                plane.point = self.readable(at, point, 1.0)?;
-                Solid::Plane(plane)
-            }
-        };
-        now.part.object = Some((k, solid));
-        Ok(now)
+            (Some((_, Object::Plane(plane))), _) => plane.point = self.readable(at, point, 1.0)?,
+            (None, _) => {}
+        }
+        Ok(dragged)
     }
 }

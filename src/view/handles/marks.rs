@@ -1,58 +1,52 @@
 //! The marks that the overlay draws for handles.
 
-use pinhole_core::DVec3;
+use pinhole_core::{Basis, DVec3};
 
-use super::{Grip, Stage, grips};
+use super::{PlacedHandle, Stage, placed};
 use crate::model::concept::Concept;
-use crate::model::session::hand::{Along, Axis, Hand, Handle};
+use crate::model::session::handles::{Handle, HandleState};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
-/// Length of the axes at a hovered handle, to either side, in points.
-const STUB_POINTS: f64 = 46.0;
-
-/// Length of an axis during a drag along it, as a multiple of the observer's distance.
-const LONG: f64 = 100.0;
+/// Length of the lines along which a handle moves, to either side, in points.
+const GUIDE_POINTS: f64 = 46.0;
 
 /// Returns what the overlay draws for the handles: eye, at and the tip of up, and of the others those
 /// that are needed, which belong to what is under the hand, chosen, or `spoken` of.
-pub fn drawn(stage: &Stage, hand: &Hand, spoken: &[Concept]) -> Handles {
-    let mut grips = grips(stage, hand);
-    let in_hand = [hand.over, hand.held.map(|grasp| grasp.handle)];
-    grips.retain(|grip| {
-        let handle = grip.handle;
-        is_always_drawn(handle)
-            || in_hand.into_iter().flatten().any(|other| belong_together(handle, other))
-            || spoken.iter().any(|concept| is_about(handle, *concept))
+pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
+    let mut placed = placed(stage, state);
+    let held = state.drag.and_then(|drag| drag.handle());
+    placed.retain(|PlacedHandle { handle, .. }| {
+        is_always_drawn(*handle)
+            || [state.over, held].into_iter().flatten().any(|other| belong_together(*handle, other))
+            || spoken.iter().any(|concept| is_about(*handle, *concept))
     });
-    let is_marked = |grip: &&Grip| hand.held.is_some_and(|held| held.handle == grip.handle);
-    let held = grips.iter().find(is_marked);
-    let over = held.or_else(|| grips.iter().find(|grip| hand.over == Some(grip.handle)));
-    let marks = grips.iter().map(|grip| HandleMark {
-        at: grip.at,
-        knob: knob(grip.handle),
+    let find = |handle: Option<Handle>| placed.iter().find(|one| Some(one.handle) == handle);
+    let (held, over) = (find(held), find(held).or_else(|| find(state.over)));
+    let marks = placed.iter().map(|one| HandleMark {
+        at: one.at,
+        knob: knob(one.handle),
         state: match over {
-            Some(over) if over.handle == grip.handle && held.is_some() => KnobState::Held,
-            Some(over) if over.handle == grip.handle => KnobState::Over,
+            Some(over) if over.handle == one.handle && held.is_some() => KnobState::Held,
+            Some(over) if over.handle == one.handle => KnobState::Over,
             _ => KnobState::Plain,
         },
     });
-    let grasp = hand.held;
-    let beyond = stage.beyond(stage.document.camera.eye);
-    let stems = grips.iter().filter_map(|grip| {
-        let Handle::Normal(k) = grip.handle else { return None };
-        let point = stage.position(Handle::Point(k), stage.grasp(Handle::Point(k))?)?;
-        let way = grip.at - point;
+    let camera = &stage.document.camera;
+    let beyond = stage.beyond(camera.eye);
+    let stems = placed.iter().filter_map(|one| {
+        let Handle::Normal(k) = one.handle else { return None };
+        let point = stage.plane(k)?.point;
+        let way = one.at - point;
         let length = way.length();
         (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])
     });
+    let length_of = |handle| held.filter(|held| held.handle == handle).map(|held| held.length);
     Handles {
         marks: marks.collect(),
         stems: stems.collect(),
-        guides: over.map_or(Vec::new(), |grip| guides(stage, grip, hand)),
-        arrow: grasp.filter(|g| g.handle == Handle::Dolly).map(|g| g.length - beyond),
-        up: grasp
-            .filter(|g| g.handle == Handle::Up)
-            .map(|g| g.length * stage.document.camera.up().length() - beyond),
+        guides: over.map_or(Vec::new(), |over| guides(stage, over)),
+        arrow: length_of(Handle::Dolly).map(|length| length - beyond),
+        up: length_of(Handle::Up).map(|length| length * camera.up().length() - beyond),
     }
 }
 
@@ -88,34 +82,28 @@ fn knob(handle: Handle) -> Knob {
     }
 }
 
-/// Returns guides for all directions in which the handle can be dragged, or for the one in which it
-/// is dragged.
-fn guides(stage: &Stage, grip: &Grip, hand: &Hand) -> Vec<Guide> {
-    let stub = overlay::length_of_points(stage.observer, grip.at, STUB_POINTS, stage.scale);
-    let long = LONG * stage.observer.eye().distance(grip.at);
-    let line = |axis: Axis, length: f64| {
-        let direction = length * axis.direction(stage.resolved)?;
-        let (from, to) = (grip.at - direction, grip.at + direction);
-        Some(Guide::Line { from, to, axis: axis as usize, is_long: length > stub })
+/// Returns the lines or the ring along which a handle moves; none for one that moves freely.
+fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
+    let PlacedHandle { handle, at, .. } = *over;
+    let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);
+    let ring = |center: DVec3, radius: f64, basis: &Basis| {
+        vec![Guide::Ring { center, a: radius * basis.u, b: radius * basis.v }]
     };
-    let lines = |axes: &[Axis], length: f64| axes.iter().filter_map(|a| line(*a, length)).collect();
-    let ring = |center: DVec3, a: DVec3, b: DVec3| vec![Guide::Ring { center, a, b }];
-    let eye = stage.document.camera.eye;
-    match (grip.handle, hand.held.is_some(), hand.along) {
-        (Handle::Roll, ..) => stage.resolved.map_or(Vec::new(), |resolved| {
-            let length = grip.at.distance(eye);
-            ring(eye, length * resolved.basis().u, length * resolved.basis().v)
+    let line = |axis: usize| {
+        let basis = stage.resolved?.basis();
+        let direction = length * [basis.u, basis.v, basis.w][axis];
+        Some(Guide::Line { from: at - direction, to: at + direction, axis })
+    };
+    match handle {
+        Handle::Roll => {
+            let eye = stage.document.camera.eye;
+            stage.resolved.map_or(Vec::new(), |camera| ring(eye, at.distance(eye), camera.basis()))
+        }
+        Handle::Radius(k) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {
+            ring(item.shape.center, item.shape.radius, stage.observer.basis())
         }),
-        (Handle::Dolly, ..) | (Handle::Distance, ..) => lines(&[Axis::W], stub),
-        (Handle::Radius(k), ..) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {
-            let (center, radius) = (item.shape.center, item.shape.radius);
-            let basis = stage.observer.basis();
-            ring(center, radius * basis.u, radius * basis.v)
-        }),
-        (handle, true, Along::Axis(axis)) if handle.is_free() => lines(&[axis], long),
-        (handle, true, Along::Without(axis)) if handle.is_free() => lines(&axis.others(), long),
-        (Handle::Corner(_) | Handle::Pixel, ..) => lines(&[Axis::U, Axis::V], stub),
-        (_, true, _) => Vec::new(),
-        (_, false, _) => lines(&[Axis::X, Axis::Y, Axis::Z], stub),
+        Handle::Dolly | Handle::Distance => line(2).into_iter().collect(),
+        Handle::Corner(_) | Handle::Pixel => [0, 1].into_iter().filter_map(line).collect(),
+        _ => Vec::new(),
     }
 }

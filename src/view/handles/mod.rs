@@ -1,25 +1,267 @@
 //! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
-//! planes. This module is pure; pointer input is handled in `ui::scene::handles`.
+//! planes. This module is pure; pointer input is handled in `ui::scene::dragging`.
 //!
-//! - `positions`: the handles and their positions on the screen; `hit`: hit test.
-//! - `values`: the values that a handle changes, before and after; `drag`: from the pointer to a
-//!   point of the world, and on to those values through [`pinhole_core::steering`].
-//! - `text`: names and values; `marks`: marks for the overlay.
+//! Here are their positions on the screen and the hit test. `drag` goes from the pointer to a point of
+//! the world, and on to the values that the handle changes through [`pinhole_core::steering`]; `text`
+//! has names and values, `marks` the marks for the overlay.
 //!
 //! No gizmo crate is used: those for egui edit one transform at a time, where a viewport has corners
 //! and a sphere a radius, and paint past the overlay, whose marks go into figures.
 
 mod drag;
-mod hit;
-mod magnet;
 mod marks;
-mod positions;
 mod text;
-mod values;
 
-pub use drag::{DragOptions, DragStart, Dragged, HandleDrag, step_of, turned_by};
-pub use hit::{Hit, hit};
+use pinhole_core::{DVec2, DVec3, Orientation, Plane, ResolvedCamera, Selection};
+use pinhole_exchange::document::Document;
+
+pub use drag::{HandleDrag, step_of, turned_by};
 pub use marks::drawn;
-pub use positions::{Grip, Stage, grips};
-pub use text::{label, value, vector};
-pub use values::{HandleValues, Solid};
+pub use text::{label, value};
+
+use crate::model::observer::UP_LENGTH;
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
+use crate::view::overlay;
+
+/// Distance from an arrow's tip to its handle, in points.
+const BEYOND: f64 = 10.0;
+
+/// Distance up to which handles lie together, as a share of the reach of the pointer.
+const TOGETHER: f64 = 0.4;
+
+/// The document and the observer for which handles are placed.
+#[derive(Clone, Copy)]
+pub struct Stage<'a> {
+    /// The document.
+    pub document: &'a Document,
+    /// The document's camera, if it has a basis.
+    pub resolved: Option<&'a ResolvedCamera>,
+    /// The selected ray.
+    pub selection: Selection,
+    /// The overlay items that are drawn.
+    pub items: OverlayItems,
+    /// The observer.
+    pub observer: &'a ResolvedCamera,
+    /// Dots per point.
+    pub scale: f32,
+}
+
+/// A handle with its position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedHandle {
+    /// The handle.
+    pub handle: Handle,
+    /// The position in the world.
+    pub at: DVec3,
+    /// The position on the observer's screen, in dots.
+    pub spot: DVec2,
+    /// Length in the world at which an arrow of length 1 is drawn, if this is its tip.
+    pub length: f64,
+    /// Unit vector from a sphere's centre to its radius handle.
+    pub toward: DVec3,
+}
+
+impl PlacedHandle {
+    /// Returns the drag that begins with this handle, taken at `begun_at` in the observer's viewport.
+    pub fn taken(&self, document: &Document, selection: Selection, begun_at: DVec2) -> Drag {
+        let PlacedHandle { handle, at, length, toward, .. } = *self;
+        let before = HandleValues::read(document, selection, handle.object());
+        Drag { grabbed: Grabbed::Handle(handle), before, begun_at, at, length, toward }
+    }
+}
+
+/// Returns all handles that the observer sees, drawn or not. If several are at the same position, the
+/// first one is preferred.
+pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
+    if !stage.items.shows(Item::Handles) {
+        return Vec::new();
+    }
+    let of_camera = [Handle::Eye, Handle::At, Handle::Up, Handle::Roll, Handle::Dolly];
+    let corners = Corner::ALL.map(Handle::Corner);
+    let of_object = |k: usize| {
+        if k < stage.document.sphere_count() {
+            [Handle::Center(k), Handle::Radius(k)]
+        } else {
+            [Handle::Point(k), Handle::Normal(k)]
+        }
+    };
+    // Who has chosen an object wants to move it, even where at is its centre.
+    let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
+    let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
+    let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
+    let is_small = stage.is_viewport_small();
+    let placed = handles.filter_map(|handle| {
+        let held = state.drag.filter(|drag| drag.handle() == Some(handle));
+        let in_the_way = is_small && handle.is_on_viewport() && held.is_none();
+        if in_the_way || !stage.items.shows(handle.item()) {
+            return None;
+        }
+        let (length, toward) = match held {
+            Some(drag) => (drag.length, drag.toward),
+            None => (stage.length(handle)?, stage.observer.basis().u),
+        };
+        let at = stage.position(handle, length, toward)?;
+        Some(PlacedHandle { handle, at, spot: stage.spot(at)?, length, toward })
+    });
+    placed.collect()
+}
+
+/// Returns the handle nearest to a position, at most `reach` away, all in dots. Among handles that
+/// lie together with it, the first one is returned, or the one after the handle that was clicked
+/// last.
+pub fn hit(
+    placed: &[PlacedHandle],
+    at: DVec2,
+    reach: f64,
+    clicked: Option<Handle>,
+) -> Option<PlacedHandle> {
+    let near = placed.iter().filter(|other| other.spot.distance(at) <= reach);
+    // `min_by` returns the first of equally near ones.
+    let nearest = near.min_by(|a, b| a.spot.distance(at).total_cmp(&b.spot.distance(at)))?;
+    let is_together = |other: &&PlacedHandle| other.spot.distance(nearest.spot) <= TOGETHER * reach;
+    let group: Vec<&PlacedHandle> = placed.iter().filter(is_together).collect();
+    let after = clicked.and_then(|clicked| group.iter().position(|one| one.handle == clicked));
+    Some(*group[after.map_or(0, |k| (k + 1) % group.len())])
+}
+
+impl Stage<'_> {
+    /// Returns true if there is no room for handles on the viewport.
+    fn is_viewport_small(&self) -> bool {
+        let Some(resolved) = self.resolved else { return false };
+        let spot = |corner: Corner| {
+            let uv = corner.uv(resolved.viewport());
+            self.spot(resolved.viewport_point(uv))
+        };
+        let [Some(a), Some(b), Some(c), Some(d)] = Corner::ALL.map(spot) else { return false };
+        a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
+    }
+
+    /// Returns the distance, in the world, of a handle from its arrow's tip; the arrow's head stays
+    /// visible.
+    fn beyond(&self, base: DVec3) -> f64 {
+        overlay::length_of_points(self.observer, base, BEYOND, self.scale)
+    }
+
+    /// Returns the length in the world at which an arrow of length 1 is drawn whose tip this handle
+    /// is, 1 for other handles; `None` if the arrow is not seen.
+    fn length(&self, handle: Handle) -> Option<f64> {
+        let per_length = |drawn: f64, vector: DVec3| {
+            let length = vector.length();
+            (length > 0.0 && length.is_finite()).then_some(drawn / length)
+        };
+        let camera = &self.document.camera;
+        let arrow = || {
+            let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
+            (arrow > 0.0 && arrow.is_finite()).then_some(arrow)
+        };
+        match handle {
+            Handle::Up => per_length(UP_LENGTH * arrow()? + self.beyond(camera.eye), camera.up()),
+            Handle::Roll | Handle::Dolly => Some(arrow()? + self.beyond(camera.eye)),
+            Handle::Normal(k) => {
+                let Plane { point, normal } = self.plane(k)?;
+                let arrow = overlay::normal_length(self.observer, point, self.scale);
+                per_length(arrow + self.beyond(point), normal)
+            }
+            _ => Some(1.0),
+        }
+    }
+
+    /// Returns the position of a handle in the world.
+    fn position(&self, handle: Handle, length: f64, toward: DVec3) -> Option<DVec3> {
+        let camera = &self.document.camera;
+        let on_viewport = |uv: DVec2| Some(self.resolved?.viewport_point(uv));
+        match handle {
+            Handle::Eye => Some(camera.eye),
+            Handle::At => match camera.orientation {
+                Orientation::At { at, .. } => Some(at),
+                Orientation::View { view, .. } => Some(camera.eye + view),
+                Orientation::Basis(_) => None,
+            },
+            Handle::Up => match camera.orientation {
+                Orientation::At { up, .. } | Orientation::View { up, .. } => {
+                    Some(camera.eye + length * up)
+                }
+                Orientation::Basis(_) => None,
+            },
+            Handle::Roll => Some(camera.eye + length * self.resolved?.basis().v),
+            Handle::Dolly => Some(camera.eye + length * self.resolved?.basis().w),
+            Handle::Corner(corner) => on_viewport(corner.uv(&camera.viewport)),
+            Handle::Distance => on_viewport(DVec2::new(0.0, -0.5 * camera.viewport.height)),
+            Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.resolved?)),
+            Handle::Center(k) => Some(self.document.spheres.get(k)?.shape.center),
+            Handle::Radius(k) => {
+                let sphere = self.document.spheres.get(k)?.shape;
+                Some(sphere.center + sphere.radius * toward)
+            }
+            Handle::Point(k) => Some(self.plane(k)?.point),
+            Handle::Normal(k) => {
+                let plane = self.plane(k)?;
+                Some(plane.point + length * plane.normal)
+            }
+        }
+    }
+
+    fn plane(&self, k: usize) -> Option<Plane> {
+        let position = k.checked_sub(self.document.sphere_count())?;
+        Some(self.document.planes.get(position)?.shape)
+    }
+
+    /// Returns the position of a point on the observer's screen, in dots; `None` outside the
+    /// picture.
+    fn spot(&self, at: DVec3) -> Option<DVec2> {
+        let seen = self.observer.project(at);
+        let image = self.observer.image();
+        let size = [image.width() as usize, image.height() as usize];
+        let [x, y] = overlay::camera_position_of_uv(self.observer, size, seen.uv);
+        let spot = DVec2::new(x.into(), y.into());
+        let extent = DVec2::new(f64::from(image.width()), f64::from(image.height()));
+        let inside = spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all();
+        (seen.is_in_front() && inside).then_some(spot)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(handle: Handle, x: f64, y: f64) -> PlacedHandle {
+        let (at, toward) = (DVec3::ZERO, DVec3::X);
+        PlacedHandle { handle, at, spot: DVec2::new(x, y), length: 1.0, toward }
+    }
+
+    #[track_caller]
+    fn assert_hit(
+        placed: &[PlacedHandle],
+        at: [f64; 2],
+        clicked: Option<Handle>,
+        expected: Option<Handle>,
+    ) {
+        let found = hit(placed, DVec2::from_array(at), 10.0, clicked);
+        assert_eq!(found.map(|hit| hit.handle), expected);
+    }
+
+    #[test]
+    fn the_nearest_within_reach() {
+        let placed = [at(Handle::Eye, 0.0, 0.0), at(Handle::At, 12.0, 0.0)];
+        assert_hit(&placed, [5.0, 0.0], None, Some(Handle::Eye));
+        assert_hit(&placed, [7.0, 0.0], None, Some(Handle::At));
+        assert_hit(&placed, [7.0, 0.0], Some(Handle::At), Some(Handle::At));
+        assert_hit(&placed, [23.0, 0.0], None, None);
+        assert_hit(&[], [0.0, 0.0], None, None);
+    }
+
+    #[test]
+    fn those_that_lie_together_take_turns() {
+        let placed = [
+            at(Handle::At, 1.0, 0.0),
+            at(Handle::Center(0), 0.0, 0.0),
+            at(Handle::Pixel, 0.0, 2.0),
+        ];
+        let mut clicked = None;
+        for expected in [Handle::At, Handle::Center(0), Handle::Pixel, Handle::At] {
+            assert_hit(&placed, [0.0, 1.0], clicked, Some(expected));
+            clicked = Some(expected);
+        }
+    }
+}

@@ -1,12 +1,10 @@
 //! Names and values of handles, in words.
 
-use pinhole_core::steering::ViewportCorner;
-use pinhole_core::{DVec3, Orientation, Selection};
+use pinhole_core::{DVec3, Object, Orientation, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written;
 
-use super::HandleValues;
-use crate::model::session::hand::Handle;
+use crate::model::session::handles::{Corner, Handle, HandleValues};
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {
@@ -20,10 +18,11 @@ pub fn label(handle: Handle, document: &Document) -> String {
         Handle::Up => "up",
         Handle::Roll => "roll around w",
         Handle::Dolly => "dolly along w",
-        Handle::Corner(ViewportCorner::TopLeft) => "viewport, top left corner",
-        Handle::Corner(ViewportCorner::TopRight) => "viewport, top right corner",
-        Handle::Corner(ViewportCorner::BottomLeft) => "viewport, bottom left corner",
-        Handle::Corner(ViewportCorner::BottomRight) => "viewport, bottom right corner",
+        Handle::Corner(Corner { is_right, is_top }) => {
+            let row = if is_top { "top" } else { "bottom" };
+            let column = if is_right { "right" } else { "left" };
+            return format!("viewport, {row} {column} corner");
+        }
         Handle::Distance => "viewport's distance",
         Handle::Pixel => "selected pixel",
         Handle::Center(k) => return titled(k, "centre"),
@@ -35,7 +34,7 @@ pub fn label(handle: Handle, document: &Document) -> String {
 }
 
 /// Returns `(1, 0, −2.5)`, rounded to `digits` digits.
-pub fn vector(v: DVec3, digits: usize) -> String {
+fn vector(v: DVec3, digits: usize) -> String {
     let [x, y, z] = v.to_array().map(|x| written(x, digits));
     format!("({x}, {y}, {z})")
 }
@@ -78,11 +77,18 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
             }
             Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
         },
-        Handle::Center(_) => part.sphere().map_or(String::new(), |s| named("centre", s.center)),
-        Handle::Radius(_) => {
-            part.sphere().map_or(String::new(), |s| format!("radius = {}", number(s.radius)))
+        Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) | Handle::Normal(_) => {
+            match (part.object, handle) {
+                (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
+                    named("centre", sphere.center)
+                }
+                (Some((_, Object::Sphere(sphere))), _) => {
+                    format!("radius = {}", number(sphere.radius))
+                }
+                (Some((_, Object::Plane(plane))), Handle::Point(_)) => named("point", plane.point),
+                (Some((_, Object::Plane(plane))), _) => named("normal", plane.normal),
+                (None, _) => String::new(),
+            }
         }
-        Handle::Point(_) => part.plane().map_or(String::new(), |p| named("point", p.point)),
-        Handle::Normal(_) => part.plane().map_or(String::new(), |p| named("normal", p.normal)),
     }
 }

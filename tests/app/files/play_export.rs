@@ -40,8 +40,7 @@ fn figure(window: &Harness<'_, App>, kind: Kind, phase: f64, size: u32) -> Figur
     // What the mouse was at is nothing to keep.
     session.hovered = None;
     // Nor is the handle under it: where a dialog was, the mouse may be on one.
-    session.hand.over = None;
-    session.hand.together = 0;
+    session.handles.over = None;
     let still = app.player().unwrap().start.at(kind, phase).unwrap();
     still.show(kind, &mut document, &mut session);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };

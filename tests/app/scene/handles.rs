@@ -1,5 +1,5 @@
 //! The camera and the scene in the hand: every handle dragged by the mouse or moved by keys, with the
-//! numbers that come of it; Escape, snapping, axes, undo; the camera view taken in the hand.
+//! numbers that come of it; Escape, snapping, undo; the camera view taken in the hand.
 
 use egui::accesskit::Role;
 use egui::{
@@ -9,14 +9,15 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::Settings;
-use pinhole::model::session::hand::Handle;
+use pinhole::model::session::handles::Handle;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
+use pinhole::view::overlay::world_position_of;
 use pinhole_core::{Camera, DVec3, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};
-use crate::harness::{assert_says, choose_object, says, unfolded, window, window_with};
+use crate::harness::{assert_says, choose_object, says, type_into, unfolded, window, window_with};
 
 fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
     harness.get_by_role_and_label(Role::Slider, handle).rect().center()
@@ -166,67 +167,13 @@ fn a_moved_eye_orbits_at_or_travels() {
     assert!(apart < 1e-12, "{apart}");
     undo(&mut harness);
 
-    // While it is dragged, K and Alt are for the other.
+    // While it is dragged, Alt is for the other.
     let from = take(&mut harness, "eye handle");
     with_modifiers(&mut harness, Modifiers::ALT);
     pull(&mut harness, from + vec2(20.0, 10.0));
     assert_eq!(camera(&harness), orbited);
     with_modifiers(&mut harness, Modifiers::NONE);
-    harness.key_press(Key::K);
-    harness.run();
-    assert_eq!(camera(&harness), orbited);
-    assert_says(&harness, "Eye orbits at");
     drop_it(&mut harness, from + vec2(20.0, 10.0));
-}
-
-#[test]
-fn keys_hold_a_drag_to_an_axis_or_a_plane() {
-    let changed = |a: DVec3, b: DVec3| [a.x != b.x, a.y != b.y, a.z != b.z];
-    for (key, shift, expected) in [
-        (Key::X, false, [true, false, false]),
-        (Key::Y, false, [false, true, false]),
-        (Key::Z, false, [false, false, true]),
-        (Key::X, true, [false, true, true]),
-        (Key::Y, true, [true, false, true]),
-    ] {
-        let mut harness = window("look-at");
-        let before = camera(&harness).eye;
-        let from = take(&mut harness, "eye handle");
-        with_modifiers(&mut harness, if shift { Modifiers::SHIFT } else { Modifiers::NONE });
-        harness.key_down(key);
-        pull(&mut harness, from + vec2(14.0, 9.0));
-        assert_eq!(changed(camera(&harness).eye, before), expected, "{key:?} {shift}");
-        if shift {
-            assert_near(node_at(&harness, "eye handle"), from + vec2(14.0, 9.0));
-        }
-        // Letting go of the keys moves nothing, in whatever order they are let go.
-        let held = camera(&harness);
-        with_modifiers(&mut harness, Modifiers::NONE);
-        pull(&mut harness, from + vec2(14.0, 9.0));
-        assert_eq!(camera(&harness), held, "{key:?} {shift}");
-        harness.key_up(key);
-        pull(&mut harness, from + vec2(14.0, 9.0));
-        assert_eq!(camera(&harness), held, "{key:?} {shift}");
-        drop_it(&mut harness, from + vec2(14.0, 9.0));
-        assert_eq!(camera(&harness), held, "{key:?} {shift}");
-    }
-}
-
-#[test]
-fn the_cameras_axes_hold_a_drag_too() {
-    let mut harness = window("look-at");
-    let before = camera(&harness);
-    let w = before.basis().unwrap().w;
-    let from = take(&mut harness, "eye handle");
-    harness.key_down(Key::W);
-    pull(&mut harness, from + vec2(18.0, -6.0));
-    let way = camera(&harness).eye - before.eye;
-    assert!(
-        way.length() > 0.1 && way.cross(w).length() < 0.02 * way.length(),
-        "{way:?} along {w:?}"
-    );
-    harness.key_up(Key::W);
-    drop_it(&mut harness, from + vec2(18.0, -6.0));
 }
 
 #[test]
@@ -234,11 +181,9 @@ fn control_snaps_to_round_numbers() {
     let mut harness = window("look-at");
     let from = take(&mut harness, "eye handle");
     with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
-    harness.key_down(Key::X);
     pull(&mut harness, from + vec2(31.0, 4.0));
-    let x = camera(&harness).eye.x;
-    assert!((x * 5.0).fract() == 0.0, "{x} is no multiple of 0.2");
-    harness.key_up(Key::X);
+    let eye = camera(&harness).eye;
+    assert_eq!((eye * 5.0).fract(), DVec3::ZERO, "{eye} are no multiples of 0.2");
     with_modifiers(&mut harness, Modifiers::NONE);
     drop_it(&mut harness, from + vec2(31.0, 4.0));
 }
@@ -325,15 +270,10 @@ fn the_selected_pixel_is_dragged_over_the_viewport_and_changes_no_document() {
 #[test]
 fn an_eye_that_is_put_to_at_shows_the_fault_and_is_led_out_of_it() {
     let mut harness = window("canonical");
-    let from = take(&mut harness, "eye handle");
-    let at = node_at(&harness, "at handle");
-    with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
-    harness.key_down(Key::Z);
-    pull(&mut harness, at);
+    type_into(&mut harness, "eye z", "-5");
     assert_eq!(camera(&harness).eye, DVec3::new(0.0, 0.0, -5.0));
     assert_says(&harness, "eye and at are the same point (0, 0, −5): move one of them");
-    harness.key_up(Key::Z);
-    with_modifiers(&mut harness, Modifiers::NONE);
+    let from = take(&mut harness, "eye handle");
     pull(&mut harness, from + vec2(5.0, 5.0));
     assert!(camera(&harness).basis().is_ok());
     drop_it(&mut harness, from + vec2(5.0, 5.0));
@@ -358,12 +298,15 @@ fn a_drag_past_the_pole_turns_v_without_a_jump() {
 }
 
 #[test]
-fn at_dragged_to_the_tip_of_up_takes_up_along_and_says_so() {
+fn at_dragged_over_the_eye_takes_up_along_and_says_so() {
     let mut harness = window("canonical");
-    let pole = node_at(&harness, "up handle");
+    let frame = harness.state().derived().world_frame.clone().unwrap();
+    let (basis, at) = (frame.camera().basis(), at_of(&camera(&harness)));
+    // At moves parallel to the screen, across w: there it is straight above the eye, the origin.
+    let [x, y] =
+        world_position_of(&frame, DVec3::new(0.0, at.dot(basis.w) / basis.w.y, 0.0)).unwrap();
+    let pole = harness.get_by_role_and_label(Role::Image, "World view").rect().min + vec2(x, y);
     take(&mut harness, "at handle");
-    with_modifiers(&mut harness, Modifiers::SHIFT);
-    harness.key_down(Key::X);
     pull(&mut harness, pole);
     let above = camera(&harness);
     let (view, v) = (above.view().normalize(), above.basis().unwrap().v);
@@ -371,8 +314,6 @@ fn at_dragged_to_the_tip_of_up_takes_up_along_and_says_so() {
     assert!(v.z > 0.999, "the view was pitched up, and v with it: {v:?}");
     assert_ne!(above.up(), DVec3::Y);
     assert_says(&harness, "up turns with the camera");
-    harness.key_up(Key::X);
-    with_modifiers(&mut harness, Modifiers::NONE);
     drop_it(&mut harness, pole);
 }
 
@@ -445,7 +386,7 @@ fn pointing_at_handles_traces_no_picture() {
         let at = node_at(&harness, handle);
         harness.hover_at(at);
         harness.run();
-        assert!(harness.state().session().hand.over.is_some(), "{handle}");
+        assert!(harness.state().session().handles.over.is_some(), "{handle}");
     }
     assert_eq!(harness.state().pictures_traced(), traced);
 }
@@ -603,14 +544,14 @@ fn handles_that_lie_together_take_turns_with_each_click() {
     for expected in [Handle::At, Handle::Center(0), Handle::At] {
         harness.hover_at(at);
         harness.run();
-        assert_eq!(harness.state().session().hand.over, Some(expected));
+        assert_eq!(harness.state().session().handles.over, Some(expected));
         crate::harness::click_at(&mut harness, at);
     }
     assert_eq!((document(&harness), harness.state().session().selection), (before, selected));
     // Press and release in one frame are a click too.
     harness.hover_at(at);
     harness.run();
-    assert_eq!(harness.state().session().hand.over, Some(Handle::Center(0)));
+    assert_eq!(harness.state().session().handles.over, Some(Handle::Center(0)));
 }
 
 #[test]

@@ -6,7 +6,6 @@ mod covered;
 mod framing;
 mod handles;
 mod labels;
-mod magnet;
 mod overlaps;
 use egui_kittest::Harness;
 use pinhole::ui::app::App;

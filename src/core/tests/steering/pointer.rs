@@ -45,19 +45,19 @@ fn image(observer: &ResolvedCamera, point: DVec3) -> DVec2 {
 
 #[test]
 fn what_is_far_moves_farther() {
-    let drag = Drag { anchor: vec3(1.0, 0.0, 6.0), begun_at: DVec2::new(0.25, 0.0) };
-    let to = |u, v, along| drag.to(&straight(), DVec2::new(u, v), along);
+    let (anchor, begun_at) = (vec3(1.0, 0.0, 6.0), DVec2::new(0.25, 0.0));
+    let to = |u, v, along| straight().dragged(anchor, begun_at, DVec2::new(u, v), along);
     assert_eq!(to(0.5, 0.25, DragAlong::ViewPlane), Ok(vec3(2.0, 1.0, 6.0)));
     assert_eq!(to(0.5, 0.25, DragAlong::Axis(2.0 * DVec3::Y)), Ok(vec3(1.0, 1.0, 6.0)));
     let oblique = to(0.5, 0.0, DragAlong::Axis(vec3(1.0, 0.0, -1.0))).unwrap();
     // On the ray (0.5, 0, -1) from z = 10, and on the axis: x = (10 - z)/2 = 7 - z.
     assert!((oblique - vec3(3.0, 0.0, 4.0)).length() < 1e-14);
     // On the floor the ray (0.25, -0.5, -1) comes down one unit at z = 8.
-    let floor = Drag { anchor: vec3(0.0, -1.0, 6.0), begun_at: DVec2::new(0.0, -0.25) };
+    let (anchor, begun_at) = (vec3(0.0, -1.0, 6.0), DVec2::new(0.0, -0.25));
     let plane = DragAlong::Plane(DVec3::X, DVec3::Z);
-    let moved = floor.to(&straight(), DVec2::new(0.25, -0.5), plane).unwrap();
+    let moved = straight().dragged(anchor, begun_at, DVec2::new(0.25, -0.5), plane).unwrap();
     assert!((moved - vec3(0.5, -1.0, 8.0)).length() < 1e-14);
-    assert_eq!(floor.to(&straight(), floor.begun_at, plane), Ok(floor.anchor));
+    assert_eq!(straight().dragged(anchor, begun_at, begun_at, plane), Ok(anchor));
 }
 
 #[test]
@@ -66,33 +66,34 @@ fn a_pixel_measures_more_far_away() {
     // 2 x 2 in 400 x 400 pixels.
     assert_eq!(at(9.0), Ok(0.005));
     assert_eq!(at(-10.0), Ok(0.1));
-    assert_eq!(at(10.0), Err(DragError::NotInFront { depth: 0.0 }));
+    assert_eq!(at(10.0), Err(SteerError::NotInFront { depth: 0.0 }));
 }
 
 #[test]
 fn nothing_jumps_to_infinity() {
-    let drag = Drag { anchor: vec3(0.0, -1.0, 0.0), begun_at: DVec2::new(0.0, -0.1) };
-    let to = |v, along| drag.to(&straight(), DVec2::new(0.0, v), along);
+    let begun_at = DVec2::new(0.0, -0.1);
+    let to =
+        |v, along| straight().dragged(vec3(0.0, -1.0, 0.0), begun_at, DVec2::new(0.0, v), along);
     // Along the floor, towards the horizon in the middle and past it.
     let away = DragAlong::Axis(DVec3::NEG_Z);
     assert!(to(-0.2, away).is_ok());
     for v in [-9e-5, 0.0, 0.3] {
-        assert_eq!(to(v, away), Err(DragError::PastHorizon));
+        assert_eq!(to(v, away), Err(SteerError::PastHorizon));
     }
     assert!(to(-0.0875, DragAlong::Plane(DVec3::X, DVec3::Z)).is_ok());
     let on_edge = to(-0.08, DragAlong::Plane(DVec3::X, DVec3::Z));
-    assert!(matches!(on_edge, Err(DragError::OnEdge { .. })));
+    assert!(matches!(on_edge, Err(SteerError::OnEdge { .. })));
     let wall = DragAlong::Plane(DVec3::X, vec3(0.0, 1.0, -1.0));
-    assert_eq!(to(2.0, wall), Err(DragError::PastHorizon));
+    assert_eq!(to(2.0, wall), Err(SteerError::PastHorizon));
     let towards = DragAlong::Axis(vec3(0.0, 1.0, 10.0));
-    assert!(matches!(to(0.3, towards), Err(DragError::OnEdge { angle }) if angle < 1e-9));
+    assert!(matches!(to(0.3, towards), Err(SteerError::OnEdge { angle }) if angle < 1e-9));
     for along in [DragAlong::Axis(DVec3::ZERO), DragAlong::Plane(DVec3::X, -3.0 * DVec3::X)] {
-        assert_eq!(to(0.3, along), Err(DragError::NoDirection));
+        assert_eq!(to(0.3, along), Err(SteerError::NoDirection));
     }
-    let behind = Drag { anchor: vec3(0.0, 0.0, 11.0), ..drag };
-    let refused = behind.to(&straight(), DVec2::ZERO, DragAlong::ViewPlane);
-    assert_eq!(refused, Err(DragError::NotInFront { depth: -1.0 }));
-    assert!(matches!(to(f64::NAN, DragAlong::ViewPlane), Err(DragError::NotFinite { .. })));
+    let behind = vec3(0.0, 0.0, 11.0);
+    let refused = straight().dragged(behind, begun_at, DVec2::ZERO, DragAlong::ViewPlane);
+    assert_eq!(refused, Err(SteerError::NotInFront { depth: -1.0 }));
+    assert!(matches!(to(f64::NAN, DragAlong::ViewPlane), Err(SteerError::Camera(_))));
 }
 
 proptest! {
@@ -109,9 +110,8 @@ proptest! {
         let near = observer.project(anchor).depth.min(1e300);
         let rounding = 1e-9 + 1e-14 * observer.eye().length() / near;
         let uv = uv + beside;
-        let drag = Drag { anchor, begun_at: uv };
         for along in [DragAlong::ViewPlane, DragAlong::Plane(a, b)] {
-            let Ok(point) = drag.to(&observer, uv + way, along) else {
+            let Ok(point) = observer.dragged(anchor, uv, uv + way, along) else {
                 prop_assert!(along != DragAlong::ViewPlane);
                 continue;
             };
@@ -124,8 +124,8 @@ proptest! {
                 prop_assert!(off.abs() <= 1e-9 * moved.length() + 1e-14 * observer.eye().length());
             }
             // Unless the plane is seen from its edge there.
-            let back = drag.to(&observer, uv, along);
-            let on_edge = matches!(back, Err(DragError::OnEdge { .. }));
+            let back = observer.dragged(anchor, uv, uv, along);
+            let on_edge = matches!(back, Err(SteerError::OnEdge { .. }));
             prop_assert!(back == Ok(anchor) || on_edge);
         }
     }
@@ -137,9 +137,8 @@ proptest! {
         way in (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(DVec2::from),
         axis in direction(),
     ) {
-        let drag = Drag { anchor, begun_at: uv };
         prop_assume!(observer.eye().length() < 100.0 * observer.project(anchor).depth);
-        let Ok(point) = drag.to(&observer, uv + way, DragAlong::Axis(axis)) else {
+        let Ok(point) = observer.dragged(anchor, uv, uv + way, DragAlong::Axis(axis)) else {
             return Ok(());
         };
         let depth = observer.project(anchor).depth;
@@ -151,7 +150,7 @@ proptest! {
         let rest = image(&observer, anchor) + way - image(&observer, point);
         let nearer = (depth / observer.project(point).depth).max(1.0);
         prop_assert!(rest.dot(line).abs() <= 1e-8 * nearer, "{} {}", rest, line);
-        prop_assert_eq!(drag.to(&observer, uv, DragAlong::Axis(axis)), Ok(anchor));
+        prop_assert_eq!(observer.dragged(anchor, uv, uv, DragAlong::Axis(axis)), Ok(anchor));
     }
 
     #[test]
@@ -161,8 +160,7 @@ proptest! {
         axis in direction(),
     ) {
         prop_assume!(observer.eye().length() < 100.0 * observer.project(anchor).depth);
-        let drag = Drag { anchor, begun_at: uv };
-        let to = |way: DVec2| drag.to(&observer, uv + way, DragAlong::Axis(axis));
+        let to = |way: DVec2| observer.dragged(anchor, uv, uv + way, DragAlong::Axis(axis));
         let (Ok(a), Ok(b)) = (to(way), to(way + DVec2::splat(1e-9))) else {
             return Ok(());
         };

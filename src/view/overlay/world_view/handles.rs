@@ -67,16 +67,14 @@ impl KnobState {
 /// The line or ring along which a handle moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Guide {
-    /// A line along an axis.
+    /// A line along an axis of the camera.
     Line {
         /// One end.
         from: DVec3,
         /// The other end, where the axis points.
         to: DVec3,
-        /// Index of the axis: 0 to 2 for x, y, z; 3 to 5 for u, v, w.
+        /// Index of the axis: 0 to 2 for u, v, w.
         axis: usize,
-        /// True if it crosses the whole picture; its name is then in the middle.
-        is_long: bool,
     },
     /// A ring around a point: `center + cos(angle) a + sin(angle) b`.
     Ring {
@@ -88,8 +86,6 @@ pub enum Guide {
         b: DVec3,
     },
 }
-
-const AXES: [&str; 6] = ["x", "y", "z", "u", "v", "w"];
 
 /// Distance from the middle of a handle to its edge, in points: plain ones, and others.
 const PLAIN: f64 = 6.0;
@@ -175,17 +171,14 @@ impl Sketch<'_> {
 
     fn guide(&mut self, guide: Guide) {
         match guide {
-            Guide::Line { from, to, axis, is_long } => {
-                let of_camera = axis >= 3;
-                let colors = if of_camera { self.colors.basis } else { self.colors.axes };
-                let color = colors[axis % 3];
+            Guide::Line { from, to, axis } => {
+                let color = self.colors.basis[axis];
                 let pen = Pen::new(Item::Handles, color, 2.2).on_top();
                 self.line(from, to, pen);
-                let named = if is_long { from.midpoint(to) } else { to };
-                let size = if of_camera { VECTOR_TEXT } else { POINT_TEXT };
-                if let Some(spot) = self.screen.spot(named) {
+                if let Some(spot) = self.screen.spot(to) {
                     let toward = self.screen.spot(from).map_or(DVec2::X, |f| spot.at - f.at);
-                    self.label(pen, AXES[axis % 6], spot.at, toward, (color, size, of_camera));
+                    let name = ["u", "v", "w"][axis];
+                    self.label(pen, name, spot.at, toward, (color, VECTOR_TEXT, true));
                 }
             }
             Guide::Ring { center, a, b } => {

@@ -1,0 +1,389 @@
+//! Mouse input on the handles of the world view, and in the camera view, where it looks around and
+//! orbits. It is processed before anything is drawn, so that everything drawn is up to date;
+//! [`crate::view::handles`] and [`pinhole_core::steering`] calculate the effects.
+
+use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
+use pinhole_core::steering::SteerError;
+use pinhole_core::{Camera, DVec2, DVec3, NO_OBJECT, ResolvedCamera};
+use pinhole_exchange::document::Document;
+
+use super::steps::RecentSteps;
+use crate::model::interaction::{CLICK, HANDLE_REACH, RAY_POINT_REACH};
+use crate::model::session::handles::{Drag, Grabbed, Handle, HandleValues};
+use crate::model::session::{Session, Settings};
+use crate::view::derive::Derived;
+use crate::view::handles::{HandleDrag, PlacedHandle, Stage, hit, placed};
+use crate::view::overlay;
+
+/// The state of the input in the two views between passes: of drags, and of steps by keys and wheel.
+#[derive(Debug, Default)]
+pub(crate) struct Dragging {
+    /// The world view's rectangle and its id in egui.
+    pub(super) world: Option<(Rect, Id)>,
+    /// The camera view's rectangle and its id in egui.
+    pub(super) camera: Option<(Rect, Id)>,
+    /// Where a handle was pressed, until the pointer has moved from there.
+    pressed_at: Option<Pos2>,
+    /// The handle that was clicked last, so that the next click reaches the one below it.
+    clicked: Option<Handle>,
+    /// True if the button is still down although its drag was cancelled.
+    given_back: bool,
+    /// True if a handle is under the pointer.
+    pub(super) by_pointer: bool,
+    /// The reason why the last drag or step had no effect.
+    pub(super) refused: Option<SteerError>,
+    /// True if the drag has turned up, too.
+    pub(super) up_went_along: bool,
+    /// The recent steps by keys or by the wheel.
+    pub(super) recent: Option<RecentSteps>,
+    /// Scrolling since the loupe's last step, in points.
+    pub(super) scrolled: f32,
+}
+
+/// The data that the input edits.
+pub(crate) struct Edited<'a> {
+    pub(crate) document: &'a mut Document,
+    pub(crate) session: &'a mut Session,
+    pub(crate) chosen_object: &'a mut Option<usize>,
+}
+
+/// The world view on the screen.
+pub(super) struct View<'a> {
+    pub(super) rect: Rect,
+    pub(super) id: Id,
+    pub(super) observer: &'a ResolvedCamera,
+    pub(super) scale: f32,
+}
+
+impl View<'_> {
+    fn dots(&self, at: Pos2) -> Vec2 {
+        (at - self.rect.min) * self.scale
+    }
+
+    /// Returns the position of a point of the screen in the observer's viewport.
+    fn uv(&self, at: Pos2) -> DVec2 {
+        let image = self.observer.image();
+        let size = [image.width() as usize, image.height() as usize];
+        overlay::camera_uv_at(self.observer, size, self.dots(at).into())
+    }
+
+    /// Returns all handles with their positions.
+    pub(super) fn placed(&self, document: &Document, session: &Session) -> Vec<PlacedHandle> {
+        let resolved = document.camera.resolve().ok();
+        let stage = Stage {
+            document,
+            resolved: resolved.as_ref(),
+            selection: session.selection,
+            items: session.settings.items,
+            observer: self.observer,
+            scale: self.scale,
+        };
+        placed(&stage, &session.handles)
+    }
+
+    /// Returns what calculates a drag: with Ctrl it snaps, with Alt a moved eye keeps what it does not
+    /// keep otherwise.
+    pub(super) fn handle_drag<'a>(
+        &'a self,
+        ctx: &Context,
+        handle: Handle,
+        drag: &'a Drag,
+        settings: &'a Settings,
+    ) -> HandleDrag<'a> {
+        let modifiers = ctx.input(|i| i.modifiers);
+        let keeps = settings.eye_keeps;
+        HandleDrag {
+            handle,
+            drag,
+            observer: self.observer,
+            scale: self.scale,
+            settings,
+            eye_keeps: if modifiers.alt { keeps.other() } else { keeps },
+            snaps: modifiers.command,
+        }
+    }
+
+    /// Returns the id that represents a handle in egui, for the focus and for screen readers.
+    pub(super) fn id_of(&self, handle: Handle) -> Id {
+        self.id.with(("handle", handle))
+    }
+
+    pub(super) fn has_focus(&self, ctx: &Context, handle: Handle) -> bool {
+        ctx.memory(|memory| memory.has_focus(self.id_of(handle)))
+    }
+}
+
+impl Dragging {
+    /// Applies the input of mouse, wheel and keys in the views; none while something lies over the
+    /// window. `shown` is the last frame, which the user reacts to.
+    pub(crate) fn take(
+        &mut self,
+        ctx: &Context,
+        edited: &mut Edited,
+        shown: &Derived,
+        is_covered: bool,
+    ) {
+        let handles = &mut edited.session.handles;
+        handles.is_busy = !is_covered && (handles.drag.is_some() || self.given_back);
+        if is_covered {
+            self.recent = None;
+            self.let_go(edited.session);
+            return;
+        }
+        self.given_back &= ctx.input(|i| i.pointer.any_down());
+        let response = |view: Option<(Rect, Id)>| ctx.read_response(view?.1);
+        let (world, camera) = (response(self.world), response(self.camera));
+        let world = self.world_view(ctx, shown).zip(world);
+        if world.is_none() {
+            handles.over = None;
+        }
+        if handles.drag.is_none() {
+            if let Some((view, response)) = &world {
+                self.point(ctx, (view, response), edited, shown);
+            }
+            if let (None, Some(response)) = (edited.session.handles.drag, &camera) {
+                self.press_camera(ctx, response, edited);
+            }
+        }
+        match (edited.session.handles.drag, &world, &camera) {
+            (Some(drag @ Drag { grabbed: Grabbed::Handle(_), .. }), Some((view, _)), _) => {
+                self.hold(ctx, drag, Some(view), edited);
+            }
+            (Some(drag), _, Some(_)) => self.hold(ctx, drag, None, edited),
+            (Some(_), ..) => self.let_go(edited.session),
+            (None, world, camera) => {
+                if let Some((view, _)) = world {
+                    view.move_focused(ctx, edited);
+                }
+                match camera {
+                    Some(response) => self.roll_wheel(ctx, response, edited),
+                    None => self.recent = None,
+                }
+            }
+        }
+    }
+
+    /// Returns the world view as it was drawn last.
+    pub(super) fn world_view<'a>(&self, ctx: &Context, shown: &'a Derived) -> Option<View<'a>> {
+        let (rect, id) = self.world?;
+        let observer = shown.world_frame.as_deref()?.camera();
+        Some(View { rect, id, observer, scale: ctx.pixels_per_point() })
+    }
+
+    /// Releases the handle or the camera.
+    fn let_go(&mut self, session: &mut Session) {
+        (self.pressed_at, self.refused, self.up_went_along) = (None, None, false);
+        (session.handles.drag, session.handles.over) = (None, None);
+    }
+
+    /// Updates which handle the pointer or the keyboard focus is on, and takes the handle that is
+    /// pressed.
+    fn point(
+        &mut self,
+        ctx: &Context,
+        (view, response): (&View, &Response),
+        edited: &mut Edited,
+        shown: &Derived,
+    ) {
+        let Edited { document, session, chosen_object } = edited;
+        let chosen = chosen_object.filter(|chosen| *chosen < document.object_count());
+        session.handles.objects[0] = chosen;
+        let all = view.placed(document, session);
+        if !ctx.input(|i| i.pointer.any_down()) {
+            let pointer = response.hover_pos().filter(|_| response.hovered());
+            let found = pointer.and_then(|at| self.hit(&all, view, at, session, shown));
+            let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
+            let over = found.or_else(focused).map(|one| one.handle);
+            session.handles.over = over;
+            self.by_pointer = found.is_some();
+            let over = over.and_then(Handle::object);
+            if over.is_none() {
+                let sphere = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
+                let hovered = sphere.map(|k| k as usize);
+                let hovered = hovered.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
+                session.handles.objects[1] = hovered;
+            } else if over == chosen {
+                session.handles.objects[1] = None;
+            }
+        }
+        let is_pressed = ctx.input(|i| i.pointer.button_pressed(PointerButton::Primary));
+        let pressed_at = ctx
+            .input(|i| i.pointer.press_origin())
+            .filter(|_| is_pressed && response.is_pointer_button_down_on());
+        // Press and release of a short click arrive in the same pass.
+        let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
+        let Some(at) = pressed_at.or(clicked_at) else { return };
+        let Some(found) = self.hit(&all, view, at, session, shown) else { return };
+        **chosen_object = found.handle.object().or(**chosen_object);
+        session.handles.is_busy = true;
+        if pressed_at.is_none() {
+            self.clicked = Some(found.handle);
+            return;
+        }
+        self.pressed_at = pressed_at;
+        session.handles.over = Some(found.handle);
+        session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
+    }
+
+    fn hit(
+        &mut self,
+        all: &[PlacedHandle],
+        view: &View,
+        at: Pos2,
+        session: &Session,
+        shown: &Derived,
+    ) -> Option<PlacedHandle> {
+        let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
+        let (dots, reach) = (to_dots(view.dots(at).into()), HANDLE_REACH * f64::from(view.scale));
+        self.clicked = self.clicked.filter(|clicked| {
+            all.iter().any(|one| one.handle == *clicked && one.spot.distance(dots) <= reach)
+        });
+        let found = hit(all, dots, reach, self.clicked)?;
+        // The point on the selected ray can be grabbed, too.
+        let ray_point = || {
+            let point = shown.inspection.as_deref()?.ray.at(session.ray_point_t?);
+            overlay::world_position_of(shown.world_frame.as_deref()?, point)
+        };
+        let is_nearest = ray_point()
+            .is_none_or(|point| to_dots(point).distance(dots) > found.spot.distance(dots));
+        is_nearest.then_some(found)
+    }
+
+    /// Takes the camera view with the button that looks around or orbits.
+    fn press_camera(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
+        let grabbed = ctx.input(|i| {
+            let pressed = |button| i.pointer.button_pressed(button);
+            let looks = pressed(PointerButton::Secondary)
+                || (pressed(PointerButton::Primary) && i.modifiers.alt);
+            let orbits = pressed(PointerButton::Middle) || (looks && i.modifiers.shift);
+            if orbits { Some(Grabbed::Orbit) } else { looks.then_some(Grabbed::Look) }
+        });
+        let origin = ctx.input(|i| i.pointer.press_origin());
+        let Edited { document, session, .. } = edited;
+        let (Some(grabbed), Some(at), Ok(_), true) =
+            (grabbed, origin, document.camera.resolve(), response.is_pointer_button_down_on())
+        else {
+            return;
+        };
+        let before = HandleValues::read(document, session.selection, None);
+        let begun_at = self.camera_uv(&before.camera, at);
+        let (at, length, toward) = (before.camera.eye, 1.0, DVec3::X);
+        session.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
+        session.handles.is_busy = true;
+        self.recent = None;
+    }
+
+    /// Returns the position of a point of the screen in the camera's viewport.
+    fn camera_uv(&self, camera: &Camera, at: Pos2) -> DVec2 {
+        let rect = self.camera.map_or(Rect::ZERO, |(rect, _)| rect);
+        let size = rect.size().round().max(Vec2::splat(1.0));
+        let at = at - rect.min;
+        let share = |at: f32, size: f32| f64::from(at) / f64::from(size);
+        let (right, down) = (share(at.x, size.x), share(at.y, size.y));
+        DVec2::new(camera.viewport.width * (right - 0.5), camera.viewport.height * (0.5 - down))
+    }
+
+    /// Moves what is held with the pointer; Escape takes everything back.
+    fn hold(&mut self, ctx: &Context, mut drag: Drag, world: Option<&View>, edited: &mut Edited) {
+        let Edited { document, session, .. } = edited;
+        let is_down = ctx.input(|i| match drag.grabbed {
+            Grabbed::Handle(_) => i.pointer.primary_down(),
+            Grabbed::Look | Grabbed::Orbit => i.pointer.any_down(),
+        });
+        if is_escape_pressed(ctx) {
+            drag.before.put(document, &mut session.selection);
+            self.given_back = is_down;
+            self.clicked = None;
+            self.let_go(session);
+            return;
+        }
+        if let Some(at) = ctx.input(|i| i.pointer.latest_pos()) {
+            self.pressed_at = self.pressed_at.filter(|from| at.distance(*from) < CLICK);
+            if self.pressed_at.is_none() {
+                let outcome = match (drag.grabbed, world) {
+                    (Grabbed::Handle(handle), Some(view)) => {
+                        let settings = session.settings;
+                        let dragged = view.handle_drag(ctx, handle, &drag, &settings);
+                        dragged.to(view.uv(at)).map(|dragged| {
+                            dragged.values.put(document, &mut session.selection);
+                            drag.toward = dragged.toward;
+                            self.up_went_along = dragged.up_went_along;
+                        })
+                    }
+                    _ => turned(&drag, self.camera_uv(&drag.before.camera, at))
+                        .map(|camera| document.camera = camera),
+                };
+                self.refused = outcome.err();
+            }
+        }
+        session.handles.drag = Some(drag);
+        if !is_down {
+            let handle = drag.handle();
+            self.clicked = handle.filter(|_| self.pressed_at.is_some());
+            self.let_go(session);
+            session.handles.over = handle;
+        }
+    }
+}
+
+/// Returns the camera that has looked around or orbited with the pointer, to `uv` in its viewport.
+fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
+    let camera = drag.before.camera;
+    if drag.grabbed == Grabbed::Orbit {
+        let (yaw, pitch) = camera.viewport.orbit_of_drag(drag.begun_at, uv);
+        camera.orbited(yaw, pitch)
+    } else {
+        let (yaw, pitch) = camera.viewport.look_of_drag(drag.begun_at, uv);
+        camera.looked_round(yaw, pitch)
+    }
+}
+
+/// Consumes all keys, which have no other effect during a drag; returns true if Escape is one of them.
+fn is_escape_pressed(ctx: &Context) -> bool {
+    ctx.input_mut(|i| {
+        let is_pressed = i.events.iter().any(|event| {
+            matches!(event, Event::Key { key: Key::Escape, pressed: true, repeat: false, .. })
+        });
+        i.events.retain(|event| !matches!(event, Event::Key { .. } | Event::Text(_)));
+        is_pressed
+    })
+}
+
+/// Returns the index of the sphere at a position of the world view, in physical pixels.
+pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
+    let frame = shown.world_frame.as_ref()?;
+    let image = frame.camera().image();
+    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
+    let view = (at.y as usize) * image.width() as usize + at.x as usize;
+    frame.object.get(view).copied().filter(|object| inside && *object != NO_OBJECT)
+}
+
+/// Returns the t to which the point on the selected ray is dragged in the world view; `None` if it is
+/// not dragged.
+pub(crate) fn dragged_ray_point(
+    ui: &Ui,
+    response: &Response,
+    ray_point_t: Option<f64>,
+    shown: &Derived,
+) -> Option<f64> {
+    let (t, frame) = (ray_point_t?, shown.world_frame.as_deref()?);
+    let ray = shown.inspection.as_deref()?.ray;
+    let key = response.id.with("ray point");
+    let per_point = ui.ctx().pixels_per_point();
+    if response.drag_started() {
+        let pressed = ui.input(|i| i.pointer.press_origin())?;
+        let on_screen = overlay::world_position_of(frame, ray.at(t));
+        let near = |[x, y]: [f32; 2]| {
+            let at = response.rect.min + egui::vec2(x, y) / per_point;
+            at.distance(pressed) <= RAY_POINT_REACH
+        };
+        ui.data_mut(|data| data.insert_temp(key, on_screen.is_some_and(near)));
+    }
+    let is_taken = ui.data(|data| data.get_temp(key)).unwrap_or(false);
+    if !is_taken || !response.dragged_by(PointerButton::Primary) {
+        return None;
+    }
+    let dots = (response.interact_pointer_pos()? - response.rect.min) * per_point;
+    // The point stays if the ray runs towards the observer.
+    Some(overlay::t_towards(frame, &ray, dots.into()).unwrap_or(t))
+}
