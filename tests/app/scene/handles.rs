@@ -12,7 +12,6 @@ use pinhole::model::session::Settings;
 use pinhole::model::session::handles::Handle;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::world_position_of;
 use pinhole_core::{Camera, DVec3, Selection};
 use pinhole_exchange::document::Document;
 
@@ -295,26 +294,6 @@ fn a_drag_past_the_pole_turns_v_without_a_jump() {
         v = basis.v;
     }
     drop_it(&mut harness, to);
-}
-
-#[test]
-fn at_dragged_over_the_eye_takes_up_along_and_says_so() {
-    let mut harness = window("canonical");
-    let frame = harness.state().derived().world_frame.clone().unwrap();
-    let (basis, at) = (frame.camera().basis(), at_of(&camera(&harness)));
-    // At moves parallel to the screen, across w: there it is straight above the eye, the origin.
-    let [x, y] =
-        world_position_of(&frame, DVec3::new(0.0, at.dot(basis.w) / basis.w.y, 0.0)).unwrap();
-    let pole = harness.get_by_role_and_label(Role::Image, "World view").rect().min + vec2(x, y);
-    take(&mut harness, "at handle");
-    pull(&mut harness, pole);
-    let above = camera(&harness);
-    let (view, v) = (above.view().normalize(), above.basis().unwrap().v);
-    assert!(view.y > 0.999, "{view:?}");
-    assert!(v.z > 0.999, "the view was pitched up, and v with it: {v:?}");
-    assert_ne!(above.up(), DVec3::Y);
-    assert_says(&harness, "up turns with the camera");
-    drop_it(&mut harness, pole);
 }
 
 #[test]
