@@ -6,7 +6,6 @@ use super::steered::SteerError;
 use crate::camera::basis::BasisError;
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::scale::unit;
-use crate::exact::scale::{shortest, triple};
 
 /// An axis nearer than this to the line of sight, or a plane nearer to containing it, is not dragged
 /// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.
