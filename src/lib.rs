@@ -16,8 +16,7 @@
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! `reference` (the oracle) and `yardstick` (the bench rig) are crates for tests and benches. Of the
-//! program, only `pinhole report` asks the oracle.
+//! The crate `reference` is the oracle: tests ask it, and of the program only `pinhole report`.
 //!
 //! # The path of one edit
 //!

@@ -11,7 +11,7 @@ const FLOORS: [&[&str]; 7] = [
     &["lecture", "exchange"],
     &["model"],
     &["view"],
-    &["figures", "report", "reference", "yardstick"],
+    &["figures", "report", "reference"],
     &["ui", "cli"],
     &["platform"],
 ];

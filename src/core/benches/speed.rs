@@ -15,16 +15,18 @@
 //! use too, which is told where the system tells it, minima say more than medians.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
+mod yardstick;
+
 use std::path::Path;
 use std::time::Duration;
 
 use pinhole_core::Level;
-use pinhole_yardstick::contest::{self, LADDER, Limits, Outcome};
-use pinhole_yardstick::machine::Watch;
-use pinhole_yardstick::rig::{EMBREE, Program, Rig, STREAMING};
-use pinhole_yardstick::rounds::Times;
-use pinhole_yardstick::scenes::{self, Listed, STATED};
-use pinhole_yardstick::{Setting, check};
+use yardstick::contest::{self, LADDER, Limits, Outcome};
+use yardstick::machine::Watch;
+use yardstick::rig::{EMBREE, Program, Rig, STREAMING};
+use yardstick::rounds::Times;
+use yardstick::scenes::{self, Listed, STATED};
+use yardstick::{Setting, check};
 
 /// Scenes of at least so many spheres have fewer pixels checked, as each ray is asked of all.
 const MANY: usize = 100_000;

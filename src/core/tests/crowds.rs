@@ -365,7 +365,7 @@ fn crowds_of_many_random_cameras_are_right() {
 #[test]
 #[ignore = "takes minutes; see the command above"]
 fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
-    for listed in pinhole_yardstick::adversarial::all() {
+    for listed in crate::yardstick::bench::adversarial::all() {
         let start = std::time::Instant::now();
         let setting = (listed.make)();
         for number in [0, 3] {

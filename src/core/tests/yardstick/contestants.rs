@@ -4,10 +4,12 @@ use std::path::Path;
 use std::time::Duration;
 
 use pinhole_core::*;
-use pinhole_yardstick::bvh::Bvh;
-use pinhole_yardstick::contest::{self, Limits};
-use pinhole_yardstick::rig::Program;
-use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes, textbook};
+
+use super::bench::bvh::Bvh;
+use super::bench::contest::{self, Limits};
+use super::bench::frames::Buffers;
+use super::bench::rig::Program;
+use super::bench::{Setting, adversarial, check, scenes, textbook};
 
 fn ladder(setting: &Setting) -> Frame<f32> {
     let camera = setting.camera(0);

@@ -3,8 +3,9 @@
 use std::collections::HashSet;
 
 use pinhole_core::*;
-use pinhole_yardstick::scenes::{self, covered};
-use pinhole_yardstick::{Setting, adversarial};
+
+use super::bench::scenes::{self, covered};
+use super::bench::{Setting, adversarial};
 
 fn made(name: &str) -> Setting {
     (adversarial::all().into_iter().find(|listed| listed.name == name).unwrap().make)()

@@ -12,30 +12,17 @@
 //! Every contestant writes t as `f32` and the object as `u32` for every pixel, ray generation and
 //! whatever depends on the camera included; what depends on the scene alone, such as the rival's
 //! bounding volumes, is made before and not timed.
-//!
-//! ```
-//! use std::time::Duration;
-//! use pinhole_yardstick::contest::{self, Limits};
-//! use pinhole_yardstick::scenes;
-//!
-//! let setting = scenes::spheres_at(10, 0.6, 1.0).with_image(96, 54);
-//! let limits = Limits { share: Duration::from_millis(1), ..Limits::default() };
-//! let outcome = contest::run(&setting, &limits, &mut []);
-//! let (name, times) = outcome.rows[0];
-//! assert!(name == contest::LADDER && times.min <= times.median);
-//! ```
 
-pub mod adversarial;
-pub mod bvh;
-pub mod check;
-pub mod contest;
-mod frames;
-pub mod machine;
+pub(crate) mod adversarial;
+pub(crate) mod bvh;
+pub(crate) mod check;
+pub(crate) mod contest;
+pub(crate) mod frames;
+pub(crate) mod machine;
 mod random;
-pub mod rig;
-pub mod rounds;
-pub mod scenes;
-pub mod textbook;
+pub(crate) mod rig;
+pub(crate) mod rounds;
+pub(crate) mod scenes;
+pub(crate) mod textbook;
 
-pub use frames::Buffers;
-pub use scenes::Setting;
+pub(crate) use scenes::Setting;

@@ -5,19 +5,19 @@ use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
 
 /// t and object of every pixel, row by row from the top.
 #[derive(Clone, Debug)]
-pub struct Buffers {
+pub(crate) struct Buffers {
     /// Columns.
-    pub width: usize,
+    pub(crate) width: usize,
     /// t of the first hit; infinite where there is none.
-    pub t: Vec<f32>,
+    pub(crate) t: Vec<f32>,
     /// The object hit, or [`NO_OBJECT`].
-    pub object: Vec<u32>,
+    pub(crate) object: Vec<u32>,
 }
 
 impl Buffers {
     /// The buffers of an image. All of their memory has been written to, so that no page of it is
     /// new to the system when times are taken.
-    pub fn new(image: ImageSize) -> Buffers {
+    pub(crate) fn new(image: ImageSize) -> Buffers {
         let width = image.width() as usize;
         let pixels = width * image.height() as usize;
         Buffers { width, t: vec![f32::INFINITY; pixels], object: vec![NO_OBJECT; pixels] }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 /// A moment from which on the use of the machine's processors is watched.
 #[derive(Clone, Copy, Debug)]
-pub struct Watch {
+pub(crate) struct Watch {
     start: Instant,
     /// Ticks of all processors that were not idle, and those of this process and its ended children.
     ticks: Option<[f64; 2]>,
@@ -16,13 +16,13 @@ const TICK: f64 = 0.01;
 
 impl Watch {
     /// Starts now.
-    pub fn start() -> Watch {
+    pub(crate) fn start() -> Watch {
         Watch { start: Instant::now(), ticks: ticks() }
     }
 
     /// Number of processors that others kept busy since, on average: what this process and its ended
     /// children did not use of their time. `None` where the system does not tell.
-    pub fn others(&self) -> Option<f64> {
+    pub(crate) fn others(&self) -> Option<f64> {
         let ([busy, own], [busy_then, own_then]) = (ticks()?, self.ticks?);
         let others = (busy - busy_then) - (own - own_then);
         Some((TICK * others / self.start.elapsed().as_secs_f64()).max(0.0))

@@ -5,11 +5,11 @@ use glam::Vec3;
 use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene, Sphere};
 use rayon::prelude::*;
 
-use crate::frames::{Buffers, Rays};
+use super::frames::{Buffers, Rays};
 
 /// A sphere in `f32`.
 #[derive(Clone, Copy, Debug)]
-pub struct Ball {
+pub(crate) struct Ball {
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
 }
@@ -26,14 +26,14 @@ impl Nearest {
 }
 
 /// Rounds the spheres of a scene.
-pub fn balls(scene: &Scene) -> Vec<Ball> {
+pub(crate) fn balls(scene: &Scene) -> Vec<Ball> {
     let ball =
         |sphere: &Sphere| Ball { center: sphere.center.as_vec3(), radius: sphere.radius as f32 };
     scene.spheres().iter().map(ball).collect()
 }
 
 /// Traces a frame.
-pub fn trace(balls: &[Ball], camera: &ResolvedCamera, buffers: &mut Buffers) {
+pub(crate) fn trace(balls: &[Ball], camera: &ResolvedCamera, buffers: &mut Buffers) {
     let rays = Rays::new(camera);
     each_pixel(buffers, |row, column| {
         let direction = rays.direction(row, column);

@@ -5,19 +5,19 @@ use std::fmt;
 use pinhole_core::{Frame, NO_OBJECT, Scene};
 use rayon::prelude::*;
 
-use crate::random::Random;
+use super::random::Random;
 
 /// A pixel that is not what the exact ray says.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fault {
+pub(crate) struct Fault {
     /// Row in the frame's raster.
-    pub row: usize,
+    pub(crate) row: usize,
     /// Column in the frame's raster.
-    pub column: usize,
+    pub(crate) column: usize,
     /// Object and t in the frame.
-    pub found: (Option<u32>, f32),
+    pub(crate) found: (Option<u32>, f32),
     /// Object and t of the exact ray.
-    pub truth: (Option<u32>, f64),
+    pub(crate) truth: (Option<u32>, f64),
 }
 
 impl fmt::Display for Fault {
@@ -36,7 +36,12 @@ impl fmt::Display for Fault {
 ///
 /// # Errors
 /// Returns the first pixel that differs.
-pub fn sample(scene: &Scene, frame: &Frame<f32>, count: usize, seed: u64) -> Result<(), Fault> {
+pub(crate) fn sample(
+    scene: &Scene,
+    frame: &Frame<f32>,
+    count: usize,
+    seed: u64,
+) -> Result<(), Fault> {
     let (rows, columns) = (frame.raster().rows().len(), frame.raster().columns().len());
     let mut random = Random::new(seed);
     let pixels: Vec<[usize; 2]> = (0..count)
@@ -75,13 +80,13 @@ fn is_within_one_ulp(found: f32, truth: f64) -> bool {
 ///
 /// # Panics
 /// Returns an error if they differ in size.
-pub fn alike(a: &[u32], b: &[u32]) -> f64 {
+pub(crate) fn alike(a: &[u32], b: &[u32]) -> f64 {
     assert_eq!(a.len(), b.len());
     let same = a.iter().zip(b).filter(|(a, b)| a == b).count();
     same as f64 / a.len().max(1) as f64
 }
 
 /// The share of pixels, 0 to 1, that hit something.
-pub fn coverage(objects: &[u32]) -> f64 {
+pub(crate) fn coverage(objects: &[u32]) -> f64 {
     1.0 - alike(objects, &vec![NO_OBJECT; objects.len()])
 }

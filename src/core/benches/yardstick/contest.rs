@@ -9,29 +9,29 @@ use pinhole_core::{
 
 use rayon::ThreadPoolBuilder;
 
-use crate::bvh::Bvh;
-use crate::frames::Buffers;
-use crate::rig::Rig;
-use crate::rounds::{self, Times, each};
-use crate::scenes::Setting;
-use crate::textbook;
+use super::bvh::Bvh;
+use super::frames::Buffers;
+use super::rig::Rig;
+use super::rounds::{self, Times, each};
+use super::scenes::Setting;
+use super::textbook;
 
 /// Name of `pinhole-core` among the contestants, every decision certified.
-pub const LADDER: &str = "ladder";
+pub(crate) const LADDER: &str = "ladder";
 
 /// Limits of the time to spend.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits {
+pub(crate) struct Limits {
     /// The ladder's instructions.
-    pub level: Level,
+    pub(crate) level: Level,
     /// Number of threads that make a frame.
-    pub threads: usize,
+    pub(crate) threads: usize,
     /// Maximum time that each contestant spends on frames, if one frame does not take longer.
-    pub share: Duration,
+    pub(crate) share: Duration,
     /// Maximum number of frames of each that are timed.
-    pub most: usize,
+    pub(crate) most: usize,
     /// A rival is left out where a frame of it would take longer, roughly, on one thread.
-    pub patience: Duration,
+    pub(crate) patience: Duration,
 }
 
 impl Default for Limits {
@@ -43,15 +43,15 @@ impl Default for Limits {
 
 /// The results of a contest.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub(crate) struct Outcome {
     /// Names of those who took part, the ladder first, and their seconds a frame.
-    pub rows: Vec<(&'static str, Times)>,
+    pub(crate) rows: Vec<(&'static str, Times)>,
     /// The ladder's last frame.
-    pub frame: Frame<f32>,
+    pub(crate) frame: Frame<f32>,
 }
 
 /// Number of spheres up to which the textbook asks all of them, and from which on it has a tree.
-pub const TREE_FROM: usize = 100;
+pub(crate) const TREE_FROM: usize = 100;
 
 /// A contestant's way to make a frame for each camera, and how long each took.
 type Run<'a> = Box<dyn FnMut(&[ResolvedCamera]) -> Vec<Duration> + 'a>;
@@ -61,7 +61,7 @@ type Run<'a> = Box<dyn FnMut(&[ResolvedCamera]) -> Vec<Duration> + 'a>;
 ///
 /// # Panics
 /// Returns an error if one of the programs ends before its time.
-pub fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outcome {
+pub(crate) fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outcome {
     let Limits { level, threads, share, most, patience } = *limits;
     let (scene, image, count) = (&setting.scene, setting.image(), setting.scene.len());
     let rigs: Vec<RefCell<&mut Rig>> = rigs.iter_mut().map(RefCell::new).collect();

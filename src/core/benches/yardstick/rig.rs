@@ -9,15 +9,15 @@ use std::time::Duration;
 
 use pinhole_core::ResolvedCamera;
 
-use crate::frames::Rays;
-use crate::scenes::Setting;
+use super::frames::Rays;
+use super::scenes::Setting;
 
 /// Name of the limit: streaming stores of t and object of every pixel, and nothing else.
-pub const STREAMING: &str = "streaming stores";
+pub(crate) const STREAMING: &str = "streaming stores";
 
 /// Names of Embree's ways: its own spheres, and user geometry with a test as wide as a packet of 16 rays,
 /// which are declared coherent or not.
-pub const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
+pub(crate) const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
 
 const SOURCES: [(&str, &str); 3] = [
     ("rig.hpp", include_str!("rigs/rig.hpp")),
@@ -27,7 +27,7 @@ const SOURCES: [(&str, &str); 3] = [
 
 /// A program that has been built.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub(crate) struct Program {
     path: PathBuf,
     modes: &'static [&'static str],
 }
@@ -37,7 +37,7 @@ impl Program {
     ///
     /// # Errors
     /// Returns what the compiler says, or that there is none.
-    pub fn stores(folder: &Path) -> Result<Program, String> {
+    pub(crate) fn stores(folder: &Path) -> Result<Program, String> {
         build(folder, "stores", &[])?;
         Ok(Program { path: folder.join("stores"), modes: &[STREAMING] })
     }
@@ -46,7 +46,7 @@ impl Program {
     ///
     /// # Errors
     /// Returns what the compiler says of both, or that there is none.
-    pub fn embree(folder: &Path) -> Result<Program, String> {
+    pub(crate) fn embree(folder: &Path) -> Result<Program, String> {
         let with = |version: &str| {
             build(
                 folder,
@@ -62,7 +62,7 @@ impl Program {
     ///
     /// # Errors
     /// Returns what keeps it from starting.
-    pub fn start(&self, setting: &Setting) -> Result<Rig, Error> {
+    pub(crate) fn start(&self, setting: &Setting) -> Result<Rig, Error> {
         let [frame, spheres] = ["frame", "spheres"].map(|kind| self.path.with_extension(kind));
         let numbers = |sphere: &pinhole_core::Sphere| {
             let [x, y, z] = sphere.center.to_array();
@@ -102,12 +102,12 @@ fn build(folder: &Path, name: &str, flags: &[&str]) -> Result<(), String> {
 
 /// A program that makes frames of a scene as it is told.
 #[derive(Debug)]
-pub struct Rig {
+pub(crate) struct Rig {
     child: Child,
     answers: BufReader<ChildStdout>,
     frame: PathBuf,
     /// The names of its ways to make a frame.
-    pub modes: &'static [&'static str],
+    pub(crate) modes: &'static [&'static str],
 }
 
 impl Rig {
@@ -115,7 +115,7 @@ impl Rig {
     ///
     /// # Errors
     /// Returns an error if the program has ended.
-    pub fn frames(
+    pub(crate) fn frames(
         &mut self,
         mode: usize,
         threads: usize,
@@ -135,7 +135,7 @@ impl Rig {
     ///
     /// # Errors
     /// Returns an error if the program has ended or cannot write the file.
-    pub fn objects(&mut self) -> Result<Vec<u32>, Error> {
+    pub(crate) fn objects(&mut self) -> Result<Vec<u32>, Error> {
         self.ask("save\n")?;
         let bytes = fs::read(&self.frame)?;
         let (numbers, _) = bytes[bytes.len() / 2..].as_chunks();

@@ -5,14 +5,14 @@ use pinhole_core::{
     Camera, ImageSize, Orientation, Raster, ResolvedCamera, Scene, Sphere, Viewport, trace_as,
 };
 
-use crate::random::Random;
-use crate::{adversarial, check};
+use super::random::Random;
+use super::{adversarial, check};
 
 /// A scene and who looks at it.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub(crate) struct Setting {
     /// The objects.
-    pub scene: Scene,
+    pub(crate) scene: Scene,
     camera: Camera,
     resolved: ResolvedCamera,
 }
@@ -25,23 +25,23 @@ impl Setting {
     ///
     /// # Panics
     /// Returns an error if a sphere is invalid, or the camera sees nothing.
-    pub fn new(spheres: Vec<Sphere>, camera: Camera) -> Setting {
+    pub(crate) fn new(spheres: Vec<Sphere>, camera: Camera) -> Setting {
         let scene = Scene::new(spheres, Vec::new()).expect("valid spheres");
         Setting { scene, camera, resolved: camera.resolve().expect("a camera that sees") }
     }
 
     /// The image's size.
-    pub fn image(&self) -> ImageSize {
+    pub(crate) fn image(&self) -> ImageSize {
         self.camera.image
     }
 
     /// Number of pixels of a frame.
-    pub fn pixels(&self) -> usize {
+    pub(crate) fn pixels(&self) -> usize {
         self.camera.image.width() as usize * self.camera.image.height() as usize
     }
 
     /// The camera of a frame: on a small circle around its position, at another point in every frame.
-    pub fn camera(&self, frame: usize) -> ResolvedCamera {
+    pub(crate) fn camera(&self, frame: usize) -> ResolvedCamera {
         let basis = self.resolved.basis();
         let (sin, cos) = (0.7 * frame as f64).sin_cos();
         let stride = STRIDE * self.camera.viewport.width;
@@ -54,7 +54,7 @@ impl Setting {
     /// # Panics
     /// Returns an error if the size is no [`ImageSize`].
     #[must_use]
-    pub fn with_image(self, width: u32, height: u32) -> Setting {
+    pub(crate) fn with_image(self, width: u32, height: u32) -> Setting {
         let camera = Camera { image: image(width, height), ..self.camera };
         let resolved = camera.resolve().expect("a camera that sees");
         Setting { camera, resolved, ..self }
@@ -99,7 +99,7 @@ pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
 /// pixels; then `radius_factor` times as large.
 ///
 /// The radius is searched for, by tracing one pixel of 64.
-pub fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
+pub(crate) fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
     let spheres = centers.into_iter().map(|center| Sphere { center, radius }).collect();
@@ -145,7 +145,7 @@ pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usi
 }
 
 /// The share of the pixels that hit something, from every eighth row and column.
-pub fn covered(setting: &Setting) -> f64 {
+pub(crate) fn covered(setting: &Setting) -> f64 {
     let image = setting.image();
     let raster = Raster::shown_on(image, image.width().div_ceil(8), image.height().div_ceil(8));
     let frame = trace_as::<f32>(&setting.scene, &setting.resolved, &raster, Default::default());
@@ -153,14 +153,14 @@ pub fn covered(setting: &Setting) -> f64 {
 }
 
 /// A scene of the list, before it is made.
-pub struct Listed {
+pub(crate) struct Listed {
     /// Its name.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// The reason why it is in the list: `growth` of time with the number of spheres, `adversarial`,
     /// or other `sizes` of image.
-    pub group: &'static str,
+    pub(crate) group: &'static str,
     /// Makes it.
-    pub make: Box<dyn Fn() -> Setting + Send + Sync>,
+    pub(crate) make: Box<dyn Fn() -> Setting + Send + Sync>,
 }
 
 impl Listed {
@@ -174,11 +174,11 @@ impl Listed {
 }
 
 /// The share of pixels that is covered in the scenes of the group `growth`.
-pub const COVERAGE: f64 = 0.6;
+pub(crate) const COVERAGE: f64 = 0.6;
 
 /// Names of the scenes in which speed is stated: growth, overdraw, crowds in the middle and in clusters,
 /// the eye inside.
-pub const STATED: [&str; 18] = [
+pub(crate) const STATED: [&str; 18] = [
     "N=1",
     "N=3",
     "N=10",
@@ -200,7 +200,7 @@ pub const STATED: [&str; 18] = [
 ];
 
 /// All scenes: growth up to 10^7, the adversarial ones, other images.
-pub fn all() -> Vec<Listed> {
+pub(crate) fn all() -> Vec<Listed> {
     let names = ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6", "N=1e7"];
     let counts = [1, 3, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000];
     let growth = names

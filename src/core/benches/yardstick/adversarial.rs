@@ -3,11 +3,11 @@
 use glam::DVec3;
 use pinhole_core::{Camera, Pixel, Sphere};
 
-use crate::random::Random;
-use crate::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for, spheres_at};
+use super::random::Random;
+use super::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for, spheres_at};
 
 /// All of them, and two other sizes of image.
-pub fn all() -> Vec<Listed> {
+pub(crate) fn all() -> Vec<Listed> {
     let hard = |name, make: fn() -> Setting| Listed::new(name, "adversarial", make);
     vec![
         hard("overdraw-1e3", || spheres_at(1000, COVERAGE, 10.0)),

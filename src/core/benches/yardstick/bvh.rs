@@ -5,12 +5,12 @@
 use glam::Vec3;
 use pinhole_core::{ResolvedCamera, Scene};
 
-use crate::frames::{Buffers, Rays};
-use crate::textbook::{self, Ball, Nearest, each_pixel};
+use super::frames::{Buffers, Rays};
+use super::textbook::{self, Ball, Nearest, each_pixel};
 
 /// A scene with its tree.
 #[derive(Clone, Debug)]
-pub struct Bvh {
+pub(crate) struct Bvh {
     nodes: Vec<Node>,
     /// The spheres in the order of the leaves, and which objects they are.
     balls: Vec<Ball>,
@@ -72,7 +72,7 @@ impl Bounds {
 
 impl Bvh {
     /// Builds the tree of a scene.
-    pub fn new(scene: &Scene) -> Bvh {
+    pub(crate) fn new(scene: &Scene) -> Bvh {
         let all = textbook::balls(scene);
         let mut objects: Vec<u32> = (0..all.len() as u32).collect();
         let mut nodes = vec![Node { bounds: Bounds::NONE, first: 0, count: 0 }];
@@ -98,7 +98,7 @@ impl Bvh {
     }
 
     /// Traces a frame.
-    pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
+    pub(crate) fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
         let rays = Rays::new(camera);
         each_pixel(buffers, |row, column| self.nearest_ball(rays.eye, rays.direction(row, column)));
     }
