@@ -15,8 +15,6 @@
 //! ```
 
 mod camera;
-#[cfg(test)]
-mod checks;
 mod dyadic;
 mod families;
 mod interval;
@@ -24,12 +22,12 @@ mod object;
 mod quotient;
 mod real;
 mod surd;
+#[cfg(test)]
+mod tests;
 mod trace;
 
 pub use camera::{Camera, Orientation, Status, View, basis};
-pub use families::{
-    BasisCase, Family, FrameCase, Kind, RayCase, invalid_bases, invalid_cameras, invalid_rays,
-};
+pub use families::{Draw, Family, FrameCase, Make, RayCase};
 pub use object::Object;
 pub use real::{Real, angle_between, distance_between};
 pub use trace::{Hit, first_hit, roots};

@@ -123,7 +123,7 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
 fn right_next_to_the_roots_of_the_reference_s_rays() {
     let mut values = 0;
     for family in Family::all() {
-        for &knob in family.knobs() {
+        for &knob in family.knobs {
             for case in family.rays(knob, 5, 2, false) {
                 let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
                 for object in given::scene(&case.objects).objects() {

@@ -3,11 +3,9 @@
 
 use pinhole_core::methods::Method;
 use pinhole_core::*;
-use pinhole_reference::{
-    Object as GivenObject, RayCase, invalid_bases, invalid_cameras, invalid_rays,
-};
+use pinhole_reference::{Object as GivenObject, RayCase};
 
-use crate::common::{first_hit_by, given, vec3};
+use crate::common::{first_hit_by, given, invalid, vec3};
 
 /// The field that a case's text says is at fault: "center" of "center.x is NaN".
 fn field_of(what: &str) -> &str {
@@ -61,7 +59,7 @@ fn assert_object_error(error: ObjectError, what: &str) {
 #[test]
 fn rays_and_objects() {
     let mut refused = [0; 3];
-    for (what, case) in invalid_rays() {
+    for (what, case) in invalid::rays() {
         let (spheres, planes) = objects_of(&case);
         let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
         let (sphere, plane) = (spheres[0], planes[0]);
@@ -150,7 +148,7 @@ fn assert_is_none(object: &Object, what: &str) {
 
 #[test]
 fn bases() {
-    let cases = invalid_bases();
+    let cases = invalid::bases();
     assert!(cases.len() > 50);
     for (what, case) in cases {
         let eye = case.eye.into();
@@ -188,7 +186,7 @@ fn bases() {
 
 #[test]
 fn cameras() {
-    let cases = invalid_cameras();
+    let cases = invalid::cameras();
     assert!(cases.len() >= 20);
     for (what, given) in cases {
         let size = ImageSize::new(given.columns, given.rows);

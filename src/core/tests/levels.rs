@@ -150,15 +150,15 @@ fn stress_frames_are_the_same_bits_on_every_level() {
     let levels = levels();
     let mut frames = 0;
     for family in Family::all() {
-        for knob in family.knobs() {
+        for knob in family.knobs {
             for case in family.frames(*knob, 5, 4, false) {
                 if case.camera.rows.max(case.camera.columns) > ImageSize::MAX {
                     continue;
                 }
                 let (scene, camera) =
                     (given::scene(&case.objects), given::camera(&case.camera).resolve().unwrap());
-                assert_same::<f64>(family.name(), &levels, &scene, &camera);
-                assert_same::<f32>(family.name(), &levels, &scene, &camera);
+                assert_same::<f64>(family.name, &levels, &scene, &camera);
+                assert_same::<f32>(family.name, &levels, &scene, &camera);
                 frames += 1;
             }
         }

@@ -323,7 +323,7 @@ fn an_origin_in_a_plane_is_beyond_f64() {
 fn frames_reach_every_step() {
     let mut steps = Steps::default();
     for family in Family::all() {
-        for knob in family.knobs() {
+        for knob in family.knobs {
             for case in family.frames(*knob, 7, 1, false) {
                 if case.camera.rows.max(case.camera.columns) > 64 {
                     continue;

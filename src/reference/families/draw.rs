@@ -2,10 +2,12 @@
 //!
 //! Only `+ - * /` and `sqrt` are used, which IEEE 754 fixes to the last bit.
 
+use crate::camera::Orientation;
+
 /// Numbers drawn from a seed by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number
 /// generators*, 2014). A generator of our own, because recorded results rest on its numbers: those of
 /// a library may change with its version.
-pub(crate) struct Draw {
+pub struct Draw {
     state: u64,
     /// True if all numbers of the case are to be exact in `f32`.
     pub(crate) single: bool,
@@ -20,7 +22,17 @@ pub(crate) struct Sizes {
 }
 
 impl Draw {
-    /// The numbers of one case.
+    /// The numbers of `count` cases of a family.
+    pub fn cases(
+        seed: u64,
+        family: &str,
+        knob: f64,
+        count: usize,
+        single: bool,
+    ) -> impl Iterator<Item = Draw> {
+        (0..count).map(move |index| Draw::new(seed, family, knob, index, single))
+    }
+
     pub(crate) fn new(seed: u64, family: &str, knob: f64, index: usize, single: bool) -> Draw {
         let mut draw = Draw { state: seed, single };
         let name = family.bytes().fold(0, |sum: u64, byte| sum.wrapping_mul(257) + u64::from(byte));
@@ -38,26 +50,38 @@ impl Draw {
         z ^ (z >> 31)
     }
 
+    /// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view`
+    /// exactly, both must be whole numbers.
+    pub fn aimed(&mut self, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
+        if self.once_in(3) {
+            Orientation::View { view, up }
+        } else {
+            Orientation::At { at: plus(eye, 1.0, view), up }
+        }
+    }
+
     /// Draws a number from 0 to 1, 1 excluded.
-    pub(crate) fn unit(&mut self) -> f64 {
+    fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+    /// Draws a number from `low` to `high`, `high` excluded but for rounding.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
     /// A whole number from `low` to `high`, both included.
-    pub(crate) fn whole(&mut self, low: i64, high: i64) -> f64 {
+    pub fn whole(&mut self, low: i64, high: i64) -> f64 {
         (low + (self.next() % (high - low + 1) as u64) as i64) as f64
     }
 
     /// True once in `n` times.
-    pub(crate) fn once_in(&mut self, n: u64) -> bool {
+    pub fn once_in(&mut self, n: u64) -> bool {
         self.next().is_multiple_of(n)
     }
 
-    pub(crate) fn sign(&mut self) -> f64 {
+    /// 1 or -1.
+    pub fn sign(&mut self) -> f64 {
         if self.once_in(2) { 1.0 } else { -1.0 }
     }
 
@@ -68,7 +92,8 @@ impl Draw {
         (size * self.between(1.0, 2.0)).min(high)
     }
 
-    pub(crate) fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
+    /// `2^k` for a whole k from `low` to `high`, both included.
+    pub fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
         let exponent = self.whole(low, high) as i64;
         f64::from_bits(((1023 + exponent) as u64) << 52)
     }
@@ -86,11 +111,13 @@ impl Draw {
         }
     }
 
-    pub(crate) fn in_box(&mut self, half: f64) -> [f64; 3] {
+    /// A point of the cube from `-half` to `half`.
+    pub fn in_box(&mut self, half: f64) -> [f64; 3] {
         [0; 3].map(|_| self.between(-half, half))
     }
 
-    pub(crate) fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
+    /// A vector of whole numbers up to `largest`, not all 0.
+    pub fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
         loop {
             let vector = [0; 3].map(|_| self.whole(-largest, largest));
             if vector != [0.0; 3] {
@@ -100,7 +127,7 @@ impl Draw {
     }
 
     /// A vector of length 1, but for rounding, in any direction.
-    pub(crate) fn direction(&mut self) -> [f64; 3] {
+    pub fn direction(&mut self) -> [f64; 3] {
         loop {
             let v = self.in_box(1.0);
             let square = dot(v, v);
@@ -111,7 +138,7 @@ impl Draw {
     }
 
     /// A unit vector at right angles to `v`, but for rounding.
-    pub(crate) fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
+    pub fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
         let v = scaled(v, 1.0 / dot(v, v).sqrt());
         loop {
             let across = cross(v, self.direction());
@@ -138,7 +165,7 @@ impl Draw {
 
     /// `x` moved away from 0 by so many units in the last place, of `f32` where numbers are to be
     /// exact in it.
-    pub(crate) fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
+    pub fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
         let steps = ulps as i64;
         // The bits of a float count its magnitudes on.
         let moved = if self.single {
@@ -152,7 +179,7 @@ impl Draw {
 
     /// `10^k` for a whole k, correctly rounded, subnormals included; in single precision a k beyond `f32`'s range is
     /// brought into it by the ratio of the ranges.
-    pub(crate) fn decade(&self, k: f64) -> f64 {
+    pub fn decade(&self, k: f64) -> f64 {
         let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
         format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
     }
@@ -167,7 +194,8 @@ impl Draw {
         f64::from(x.abs().clamp(limits.0, limits.1) as f32).copysign(x)
     }
 
-    pub(crate) fn given3(&self, v: [f64; 3]) -> [f64; 3] {
+    /// `v` as the case has it: exact in `f32` where its numbers have to be.
+    pub fn given3(&self, v: [f64; 3]) -> [f64; 3] {
         v.map(|x| self.given(x))
     }
 }

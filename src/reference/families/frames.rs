@@ -2,97 +2,95 @@
 
 use crate::camera::{Camera, Orientation};
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
-use crate::families::family::{
-    Family, FrameCase, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS, frames,
-};
 use crate::families::touching_frames;
+use crate::families::{Family, FrameCase, Make, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
 pub(crate) static FAMILIES: [Family; 12] = [
-    frames(
-        "frame-ordinary",
-        "Pictures of everyday spheres and planes.",
-        "number of objects",
-        &[1.0, 3.0, 8.0],
-        everyday,
-    ),
-    frames(
-        "frame-tangent",
-        "A pixel's ray touches a sphere exactly, and radii one ulp beside.",
-        "radius, in ulps from tangent",
-        &ULPS,
-        touching_frames::tangent,
-    ),
-    frames(
-        "frame-ties",
-        "Two spheres with the same centre, alike or an ulp apart.",
-        "second radius, ulps from first",
-        &ULPS,
-        touching_frames::ties,
-    ),
-    frames(
-        "frame-touching",
-        "A sphere that touches another from inside, in the middle of a pixel.",
-        "inner radius, in ulps from touching",
-        &ULPS,
-        touching_frames::touching,
-    ),
-    frames(
-        "frame-planet",
-        "The horizon of a huge sphere 0.001 to 10 below the eye.",
-        "log10 of the radius",
-        &PLANETS,
-        planet,
-    ),
-    frames(
-        "frame-tiny-far",
-        "Spheres that are tiny for their distance, beside pixels' rays.",
-        "log10 of radius / distance",
-        &SMALL,
-        tiny_far,
-    ),
-    frames(
-        "frame-eye-near-surface",
-        "The eye just above or below a sphere's surface.",
-        "log10 of height / radius",
-        &TO_ROUNDING,
-        eye_near_surface,
-    ),
-    frames(
-        "frame-offset",
-        "An everyday camera and scene, far from the world's origin.",
-        "log10 of the offset",
-        &OFFSETS,
-        offset,
-    ),
-    frames(
-        "frame-up-near-view",
-        "A camera whose up is nearly parallel to its view.",
-        "log10 of the angle, in radians",
-        &TO_ROUNDING,
-        up_near_view,
-    ),
-    frames(
-        "frame-long-thin",
-        "A picture of one row or one column.",
-        "log10 of its pixels",
-        &[0.0, 1.0, 2.0, 3.0, 4.0],
-        long_thin,
-    ),
-    frames(
-        "viewport-extreme",
-        "A viewport or its distance, or both, of an extreme size.",
-        "log10 of the size",
-        &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
-        viewport_extreme,
-    ),
-    frames(
-        "frame-range",
-        "Camera and scene so large or small that squares leave the range of numbers.",
-        "log10 of the scale",
-        &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
-        range,
-    ),
+    Family {
+        name: "frame-ordinary",
+        about: "Pictures of everyday spheres and planes.",
+        knob_name: "number of objects",
+        knobs: &[1.0, 3.0, 8.0],
+        make: Make::Frames(everyday),
+    },
+    Family {
+        name: "frame-tangent",
+        about: "A pixel's ray touches a sphere exactly, and radii one ulp beside.",
+        knob_name: "radius, in ulps from tangent",
+        knobs: &ULPS,
+        make: Make::Frames(touching_frames::tangent),
+    },
+    Family {
+        name: "frame-ties",
+        about: "Two spheres with the same centre, alike or an ulp apart.",
+        knob_name: "second radius, ulps from first",
+        knobs: &ULPS,
+        make: Make::Frames(touching_frames::ties),
+    },
+    Family {
+        name: "frame-touching",
+        about: "A sphere that touches another from inside, in the middle of a pixel.",
+        knob_name: "inner radius, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Frames(touching_frames::touching),
+    },
+    Family {
+        name: "frame-planet",
+        about: "The horizon of a huge sphere 0.001 to 10 below the eye.",
+        knob_name: "log10 of the radius",
+        knobs: &PLANETS,
+        make: Make::Frames(planet),
+    },
+    Family {
+        name: "frame-tiny-far",
+        about: "Spheres that are tiny for their distance, beside pixels' rays.",
+        knob_name: "log10 of radius / distance",
+        knobs: &SMALL,
+        make: Make::Frames(tiny_far),
+    },
+    Family {
+        name: "frame-eye-near-surface",
+        about: "The eye just above or below a sphere's surface.",
+        knob_name: "log10 of height / radius",
+        knobs: &TO_ROUNDING,
+        make: Make::Frames(eye_near_surface),
+    },
+    Family {
+        name: "frame-offset",
+        about: "An everyday camera and scene, far from the world's origin.",
+        knob_name: "log10 of the offset",
+        knobs: &OFFSETS,
+        make: Make::Frames(offset),
+    },
+    Family {
+        name: "frame-up-near-view",
+        about: "A camera whose up is nearly parallel to its view.",
+        knob_name: "log10 of the angle, in radians",
+        knobs: &TO_ROUNDING,
+        make: Make::Frames(up_near_view),
+    },
+    Family {
+        name: "frame-long-thin",
+        about: "A picture of one row or one column.",
+        knob_name: "log10 of its pixels",
+        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0],
+        make: Make::Frames(long_thin),
+    },
+    Family {
+        name: "viewport-extreme",
+        about: "A viewport or its distance, or both, of an extreme size.",
+        knob_name: "log10 of the size",
+        knobs: &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
+        make: Make::Frames(viewport_extreme),
+    },
+    Family {
+        name: "frame-range",
+        about: "Camera and scene so large or small that squares leave the range of numbers.",
+        knob_name: "log10 of the scale",
+        knobs: &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
+        make: Make::Frames(range),
+    },
 ];
 
 /// A camera at `eye` that looks at a point, with an image of 16 to 24 pixels a side.

@@ -5,45 +5,45 @@
 //! where N is one of the three.
 
 use crate::families::draw::{Draw, Sizes, cross, plus, scaled};
-use crate::families::family::{Family, RayCase, ULPS, rays};
+use crate::families::{Family, Make, RayCase, ULPS};
 use crate::object::Object;
 
 pub(crate) static FAMILIES: [Family; 5] = [
-    rays(
-        "ties-concentric",
-        "Two spheres with the same centre, alike or an ulp apart: which is first?",
-        "second radius, ulps from first",
-        &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
-        concentric,
-    ),
-    rays(
-        "ties-touching-inside",
-        "A sphere that touches another from inside, and a ray through the contact.",
-        "second radius, in ulps from touching",
-        &ULPS,
-        touching_inside,
-    ),
-    rays(
-        "ties-touching-outside",
-        "Spheres that touch from outside, and a ray through the contact.",
-        "second radius, in ulps from touching",
-        &ULPS,
-        touching_outside,
-    ),
-    rays(
-        "ties-sphere-plane",
-        "A plane that touches a sphere, and a ray through the contact.",
-        "radius, in ulps from touching",
-        &ULPS,
-        sphere_plane,
-    ),
-    rays(
-        "ties-planes",
-        "The same plane twice, or planes that cross where the ray goes.",
-        "second point, in ulps",
-        &ULPS,
-        planes,
-    ),
+    Family {
+        name: "ties-concentric",
+        about: "Two spheres with the same centre, alike or an ulp apart: which is first?",
+        knob_name: "second radius, ulps from first",
+        knobs: &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
+        make: Make::Rays(concentric),
+    },
+    Family {
+        name: "ties-touching-inside",
+        about: "A sphere that touches another from inside, and a ray through the contact.",
+        knob_name: "second radius, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Rays(touching_inside),
+    },
+    Family {
+        name: "ties-touching-outside",
+        about: "Spheres that touch from outside, and a ray through the contact.",
+        knob_name: "second radius, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Rays(touching_outside),
+    },
+    Family {
+        name: "ties-sphere-plane",
+        about: "A plane that touches a sphere, and a ray through the contact.",
+        knob_name: "radius, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Rays(sphere_plane),
+    },
+    Family {
+        name: "ties-planes",
+        about: "The same plane twice, or planes that cross where the ray goes.",
+        knob_name: "second point, in ulps",
+        knobs: &ULPS,
+        make: Make::Rays(planes),
+    },
 ];
 
 /// A contact point and the vectors there, all whole.

@@ -1,9 +1,8 @@
 //! Pictures in which outlines touch pixel centres exactly, and objects coincide.
 
 use crate::camera::{Camera, Orientation};
-use crate::families::bases::aimed;
+use crate::families::FrameCase;
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
-use crate::families::family::FrameCase;
 use crate::object::Object;
 
 /// Pixels from the middle to the edge, in a picture with a pixel in the middle.
@@ -65,7 +64,7 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     }
     let view = scaled(world[2], -draw.whole(1, 5));
     let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), world[2]);
-    let orientation = aimed(draw, eye, view, up);
+    let orientation = draw.aimed(eye, view, up);
     FrameCase { camera: camera(draw, eye, orientation, DISTANCE), objects }
 }
 
@@ -74,7 +73,7 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
 fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera {
     let view = in_frame(world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
     let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
-    let orientation = aimed(draw, eye, view, up);
+    let orientation = draw.aimed(eye, view, up);
     camera(draw, eye, orientation, DISTANCE)
 }
 

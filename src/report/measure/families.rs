@@ -7,11 +7,11 @@ use pinhole_core::{
     Basis, Camera, DVec3, ImageSize, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene,
     Sphere, Viewport,
 };
-use pinhole_reference::{self as reference, Family, FrameCase, Kind, Object, RayCase};
+use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayCase};
 
-use super::case::{CaseRun, Limits, Made, Set};
+use super::case::{CaseRun, Limits, Set, Work};
 use super::scenes::methods_for;
-use super::subject::{Picture, Subject};
+use super::subject::{Picture, Sample, Subject};
 use crate::report::model::Case;
 
 /// Rays for each setting of a knob.
@@ -30,29 +30,22 @@ pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: 
 
 /// The cases, and what they leave out.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
-    let is_measured = |family: &&Family| family.kind() != Kind::Bases;
     let of_knobs =
-        |family: &'static Family| family.knobs().iter().map(move |knob| case(family, *knob, seed));
-    let cases = Family::all().filter(is_measured).flat_map(of_knobs).collect();
-    let bases: Vec<_> =
-        Family::all().filter(|f| f.kind() == Kind::Bases).map(Family::name).collect();
+        |family: &'static Family| family.knobs.iter().map(move |knob| case(family, *knob, seed));
+    let cases = Family::all().flat_map(of_knobs).collect();
     let planes = "families of planes alone: one row a precision: all methods but the ladder share \
                   the textbook's plane";
-    let bases = format!(
-        "{}: families of bases; the methods differ in intersecting, not in the basis",
-        bases.join(", ")
-    );
     let frames = "ladder-f32 in the families of single rays: it traces frames alone, those of the \
                   families named frame-";
-    (cases, vec![bases, planes.to_owned(), frames.to_owned()])
+    (cases, vec![planes.to_owned(), frames.to_owned()])
 }
 
 fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
     let case = Case {
-        name: family.name().to_owned(),
+        name: family.name.to_owned(),
         knob: Some(knob),
-        knob_name: family.knob_name().to_owned(),
-        about: family.about().to_owned(),
+        knob_name: family.knob_name.to_owned(),
+        about: family.about.to_owned(),
         ..Case::default()
     };
     let limits = Limits { rounds: 11, pieces: 10 };
@@ -61,34 +54,33 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 
 /// The `f64` methods get the family's cases; the `f32` methods get those in numbers that are exact in
 /// `f32`, so that their own errors are seen and not those of rounding the scene.
-fn make(family: &Family, knob: f64, seed: u64) -> Made {
+fn make(family: &Family, knob: f64, seed: u64) -> Work {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
         let single = precision == Precision::F32;
-        let (subject, methods) = match family.kind() {
-            Kind::Rays => {
+        let (subject, methods) = match family.make {
+            Make::Rays(_) => {
                 let given = family.rays(knob, seed, RAYS, single);
                 let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
                 skipped += given.len() - cases.len();
-                let methods = methods_of(cases.iter().map(|(scene, _)| scene));
-                (Subject::Rays(cases), methods)
+                let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
+                (Subject::Rays(cases), methods_for(has_spheres))
             }
-            Kind::Frames | Kind::Bases => {
+            Make::Frames(_) => {
                 let given = family.frames(knob, seed, FRAMES, single);
                 let pictures: Vec<_> = given.iter().filter_map(picture).collect();
                 skipped += given.len() - pictures.len();
-                let methods = methods_of(pictures.iter().map(|picture| &*picture.scene));
-                (Subject::Frames(pictures), methods)
+                let has_spheres = pictures.iter().any(|p| !p.scene.spheres().is_empty());
+                (Subject::Frames(pictures), methods_for(has_spheres))
             }
         };
-        let methods = methods.into_iter().filter(|method| given_in(*method) == precision);
-        Set { methods: methods.collect(), subject }
+        Set::new(subject, methods.filter(|method| given_in(*method) == precision))
     };
     let sets = vec![set(Precision::F64), set(Precision::F32)];
-    let title = format!("{}, {} = {knob}", family.name(), family.knob_name());
+    let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    Made { sets, coverage: None, left_out }
+    Work::new(sets, None, left_out)
 }
 
 /// The precision of the numbers that a method is given. The ladder takes them as they are, whatever
@@ -97,14 +89,6 @@ fn given_in(method: Method) -> Precision {
     match method {
         Method::Known(_, precision) => precision,
         Method::Ladder | Method::LadderF32 | Method::DoubleDouble => Precision::F64,
-    }
-}
-
-/// The methods that differ in one of the scenes.
-fn methods_of<'a>(mut scenes: impl Iterator<Item = &'a Scene>) -> Vec<Method> {
-    match scenes.find(|scene| !scene.spheres().is_empty()) {
-        Some(scene) => methods_for(scene),
-        None => methods_for(&Scene::default()),
     }
 }
 
@@ -139,11 +123,11 @@ fn picture(case: &FrameCase) -> Option<Picture> {
     let (rows, columns) = (raster.rows().len(), raster.columns().len());
     let scene = Arc::new(scene_of(&case.objects)?);
     let timed = timed(&camera).unwrap_or((resolved, raster.clone()));
-    let mut picture = Picture::new(&scene, &camera, &resolved, raster, timed);
-    picture.pixels =
+    let pixels: Vec<_> =
         (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();
-    picture.populations = [picture.pixels.len(), 0];
-    Some(picture)
+    let populations = [pixels.len(), 0];
+    let sample = Sample { pixels, strata: Vec::new(), populations };
+    Some(Picture::new(scene, &camera, &resolved, raster, sample, timed))
 }
 
 /// The picture at a size that pictures have, as what all its pixels share is no more than a share of the

@@ -1,7 +1,9 @@
 //! Helpers of several tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod bases;
 pub(crate) mod given;
+pub(crate) mod invalid;
 pub(crate) mod levels;
 pub(crate) mod oracle;
 pub(crate) mod seed;

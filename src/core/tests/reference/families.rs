@@ -4,9 +4,12 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use pinhole_reference::{
-    BasisCase, Camera, Family, FrameCase, Kind, Object, Orientation, RayCase, Real, Status, View,
-    angle_between, basis, first_hit, invalid_bases, invalid_cameras, invalid_rays, roots,
+    Camera, Family, FrameCase, Make, Object, Orientation, RayCase, Real, Status, View,
+    angle_between, basis, first_hit, roots,
 };
+
+use crate::common::bases::{self, BasisCase, BasisFamily};
+use crate::common::invalid;
 
 const SEED: u64 = 20;
 const COUNT: usize = 60;
@@ -19,6 +22,10 @@ fn frames(name: &str, knob: f64, count: usize) -> Vec<FrameCase> {
     Family::named(name).unwrap().frames(knob, SEED, count, false)
 }
 
+fn bases(name: &str) -> &'static BasisFamily {
+    bases::FAMILIES.iter().find(|family| family.name == name).unwrap()
+}
+
 #[derive(Debug)]
 enum Case {
     Ray(RayCase),
@@ -28,9 +35,8 @@ enum Case {
 
 fn cases(family: &Family, knob: f64, count: usize, single: bool) -> Vec<Case> {
     let rays = family.rays(knob, SEED, count, single).into_iter().map(Case::Ray);
-    let bases = family.bases(knob, SEED, count, single).into_iter().map(Case::Basis);
     let frames = family.frames(knob, SEED, count, single).into_iter().map(Case::Frame);
-    rays.chain(bases).chain(frames).collect()
+    rays.chain(frames).collect()
 }
 
 fn is_valid(object: &Object) -> bool {
@@ -91,38 +97,50 @@ fn numbers(case: &Case) -> Vec<f64> {
 }
 
 /// Some cases of each family and knob, in both precisions.
-fn some_of_all(mut visit: impl FnMut(&Family, f64, bool, &Case)) {
-    for family in Family::all() {
-        for &knob in family.knobs() {
+fn some_of_all(mut visit: impl FnMut(&str, f64, bool, &Case)) {
+    let mut some_of = |name: &str, knobs: &[f64], cases: &dyn Fn(f64, bool) -> Vec<Case>| {
+        for &knob in knobs {
             for single in [false, true] {
-                for case in cases(family, knob, 12, single) {
-                    visit(family, knob, single, &case);
-                }
+                cases(knob, single).iter().for_each(|case| visit(name, knob, single, case));
             }
         }
+    };
+    let (rays, frames): (Vec<&Family>, Vec<&Family>) = Family::all().partition(|f| is_of_rays(f));
+    for family in rays {
+        some_of(family.name, family.knobs, &|knob, single| cases(family, knob, 12, single));
     }
+    for family in &bases::FAMILIES {
+        some_of(family.name, family.knobs, &|knob, single| {
+            family.cases(knob, SEED, 12, single).into_iter().map(Case::Basis).collect()
+        });
+    }
+    for family in frames {
+        some_of(family.name, family.knobs, &|knob, single| cases(family, knob, 12, single));
+    }
+}
+
+fn is_of_rays(family: &Family) -> bool {
+    matches!(family.make, Make::Rays(_))
 }
 
 #[test]
 fn the_table_is_complete() {
-    let names: Vec<&str> = Family::all().map(Family::name).collect();
+    let of_bases = bases::FAMILIES.iter().map(|family| family.name);
+    let names: Vec<&str> = Family::all().map(|family| family.name).chain(of_bases).collect();
     assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len());
     for family in Family::all() {
         let is_kebab = |c: char| c.is_ascii_lowercase() || c == '-';
-        assert!(family.name().chars().all(is_kebab), "{}", family.name());
-        assert!(!family.knob_name().is_empty());
-        assert!(family.about().ends_with(['.', '?']), "{}", family.name());
-        assert!(family.knobs().is_sorted() && family.knobs().len() > 1, "{}", family.name());
+        assert!(family.name.chars().all(is_kebab), "{}", family.name);
+        assert!(!family.knob_name.is_empty());
+        assert!(family.about.ends_with(['.', '?']), "{}", family.name);
+        assert!(family.knobs.is_sorted() && family.knobs.len() > 1, "{}", family.name);
     }
-    for kind in [Kind::Rays, Kind::Bases, Kind::Frames] {
-        assert!(Family::all().any(|family| family.kind() == kind));
-    }
+    assert!(Family::all().any(is_of_rays) && !Family::all().all(is_of_rays));
 }
 
 #[test]
 fn every_number_is_finite_and_every_object_valid() {
-    some_of_all(|family, knob, single, case| {
-        let name = family.name();
+    some_of_all(|name, knob, single, case| {
         for x in numbers(case) {
             assert!(x.is_finite(), "{name} {knob}: {case:?}");
             let is_single = f64::from(x as f32) == x;
@@ -178,7 +196,7 @@ fn eyes_are_where_they_are_said_to_be() {
             }
         }
     }
-    for &knob in Family::named("eye-inside").unwrap().knobs() {
+    for &knob in Family::named("eye-inside").unwrap().knobs {
         for case in rays("eye-inside", knob, false) {
             assert_eq!(case.objects[0].side_of(case.origin), Ordering::Less);
         }
@@ -188,7 +206,7 @@ fn eyes_are_where_they_are_said_to_be() {
     }
     let floor = Object::Sphere { center: [0.0, -5001.0, 0.0], radius: 5000.0 };
     let family = Family::named("course-floor").unwrap();
-    for case in family.knobs().iter().flat_map(|&knob| rays("course-floor", knob, false)) {
+    for case in family.knobs.iter().flat_map(|&knob| rays("course-floor", knob, false)) {
         assert_eq!((case.objects.as_slice(), case.origin), ([floor].as_slice(), [0.0; 3]));
         assert_eq!(first_object(&case.objects, [0.0; 3], case.direction).is_some(), {
             let [x, y, z] = case.direction;
@@ -206,11 +224,11 @@ fn both_ways(case: &RayCase) -> [usize; 2] {
 
 #[test]
 fn ties_are_exact_and_an_ulp_breaks_them() {
-    for family in Family::all().filter(|family| family.name().starts_with("ties-")) {
+    for family in Family::all().filter(|family| family.name.starts_with("ties-")) {
         for single in [false, true] {
             for case in family.rays(0.0, SEED, COUNT, single) {
                 // Whichever is listed first wins.
-                assert_eq!(both_ways(&case), [0, 0], "{}: {case:?}", family.name());
+                assert_eq!(both_ways(&case), [0, 0], "{}: {case:?}", family.name);
             }
             let is_broken = |case: &RayCase| both_ways(case) != [0, 0];
             for knob in [-1.0, 1.0] {
@@ -219,7 +237,7 @@ fn ties_are_exact_and_an_ulp_breaks_them() {
                     .iter()
                     .filter(|case| is_broken(case))
                     .count();
-                assert!(broken > COUNT / 2, "{} {knob}: {broken}", family.name());
+                assert!(broken > COUNT / 2, "{} {knob}: {broken}", family.name);
             }
         }
     }
@@ -244,7 +262,7 @@ fn parallel_means_parallel() {
 #[test]
 fn bases_are_there_or_not_as_said() {
     let statuses = |name: &str, knob: f64, single: bool| -> BTreeSet<String> {
-        let cases = Family::named(name).unwrap().bases(knob, SEED, COUNT, single);
+        let cases = bases(name).cases(knob, SEED, COUNT, single);
         let status = cases.iter().map(|case| basis(case.eye, &case.orientation).err());
         status.map(|status| format!("{status:?}")).collect()
     };
@@ -258,7 +276,7 @@ fn bases_are_there_or_not_as_said() {
             assert_eq!(statuses("no-basis", knob, single), set(Some(status)));
         }
         for name in ["basis-ordinary", "up-near-view", "view-length", "up-length"] {
-            for &knob in Family::named(name).unwrap().knobs() {
+            for &knob in bases(name).knobs {
                 assert_eq!(statuses(name, knob, single), set(None), "{name} {knob}");
             }
         }
@@ -267,8 +285,8 @@ fn bases_are_there_or_not_as_said() {
 
 #[test]
 fn up_is_as_near_to_the_view_as_said() {
-    for &knob in Family::named("up-near-view").unwrap().knobs() {
-        for case in Family::named("up-near-view").unwrap().bases(knob, SEED, COUNT, false) {
+    for &knob in bases("up-near-view").knobs {
+        for case in bases("up-near-view").cases(knob, SEED, COUNT, false) {
             let (Orientation::At { up, .. } | Orientation::View { up, .. }) = case.orientation
             else {
                 panic!("{case:?} has no up");
@@ -305,8 +323,8 @@ fn outlines_go_through_pixel_centres() {
 
 #[test]
 fn frames_have_a_basis_and_see_something() {
-    for family in Family::all().filter(|family| family.kind() == Kind::Frames) {
-        for &knob in family.knobs() {
+    for family in Family::all().filter(|family| !is_of_rays(family)) {
+        for &knob in family.knobs {
             let cases = family.frames(knob, SEED, 4, false);
             let sees = |case: &FrameCase| {
                 let Camera { rows, columns, .. } = case.camera;
@@ -316,7 +334,7 @@ fn frames_have_a_basis_and_see_something() {
                     columns.any(|column| object_of_pixel(&view, row, column).is_some())
                 })
             };
-            assert!(cases.iter().any(sees), "{} {knob}", family.name());
+            assert!(cases.iter().any(sees), "{} {knob}", family.name);
         }
     }
 }
@@ -361,7 +379,7 @@ fn in_frames_that_touch_a_pixel_is_tied_and_an_ulp_breaks_it() {
 #[test]
 fn most_families_hit_and_miss() {
     for name in ["several", "tiny-far", "planet", "grazing", "world-offset", "extreme-range"] {
-        for &knob in Family::named(name).unwrap().knobs() {
+        for &knob in Family::named(name).unwrap().knobs {
             let hits = rays(name, knob, false);
             let hits = hits
                 .iter()
@@ -374,8 +392,8 @@ fn most_families_hit_and_miss() {
 
 #[test]
 fn what_is_invalid_is_at_fault_in_one_way() {
-    assert!(invalid_rays().len() > 50 && invalid_bases().len() > 50);
-    for (what, case) in invalid_rays() {
+    assert!(invalid::rays().len() > 50 && invalid::bases().len() > 50);
+    for (what, case) in invalid::rays() {
         let is_finite = |v: [f64; 3]| v.iter().all(|x| x.is_finite());
         let is_valid = case.objects.iter().all(is_valid)
             && is_finite(case.origin)
@@ -383,11 +401,11 @@ fn what_is_invalid_is_at_fault_in_one_way() {
             && case.direction != [0.0; 3];
         assert!(!is_valid, "{what}");
     }
-    for (what, case) in invalid_bases() {
+    for (what, case) in invalid::bases() {
         assert!(numbers(&Case::Basis(case)).iter().any(|x| !x.is_finite()), "{what}");
     }
     let is_size = |x: f64| x.is_finite() && x > 0.0;
-    for (what, camera) in invalid_cameras() {
+    for (what, camera) in invalid::cameras() {
         let is_valid = [camera.width, camera.height, camera.distance].map(is_size) == [true; 3];
         assert!(!is_valid || camera.rows == 0 || camera.columns == 0, "{what}");
     }

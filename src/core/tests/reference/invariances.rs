@@ -3,21 +3,24 @@
 use std::cmp::Ordering;
 
 use pinhole_reference::{
-    Camera, Family, FrameCase, Hit, Kind, Object, Orientation, RayCase, Real, angle_between, basis,
+    Camera, Family, FrameCase, Hit, Make, Object, Orientation, RayCase, Real, angle_between, basis,
     distance_between, first_hit, roots,
 };
+
+use crate::common::bases;
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
 
 /// Names that need no range beyond f64's when all lengths are multiplied by 2^20.
 fn everyday_ray_families() -> impl Iterator<Item = &'static Family> {
     let is_extreme = |name: &str| name.ends_with("-range");
-    Family::all().filter(move |family| family.kind() == Kind::Rays && !is_extreme(family.name()))
+    Family::all()
+        .filter(move |family| matches!(family.make, Make::Rays(_)) && !is_extreme(family.name))
 }
 
 fn all_rays(count: usize) -> impl Iterator<Item = RayCase> {
     everyday_ray_families().flat_map(move |family| {
-        family.knobs().iter().flat_map(move |&knob| family.rays(knob, 11, count, false))
+        family.knobs.iter().flat_map(move |&knob| family.rays(knob, 11, count, false))
     })
 }
 
@@ -93,10 +96,10 @@ fn length(v: &[Real; 3]) -> f64 {
 #[test]
 fn a_hit_is_on_its_object() {
     for family in Family::all() {
-        for &knob in family.knobs() {
+        for &knob in family.knobs {
             for RayCase { objects, origin, direction } in family.rays(knob, 12, 10, false) {
                 let Some(hit) = first_hit(&objects, origin, direction) else { continue };
-                assert!((length(&hit.normal) - 1.0).abs() < 1e-15, "{}", family.name());
+                assert!((length(&hit.normal) - 1.0).abs() < 1e-15, "{}", family.name);
                 match objects[hit.object] {
                     Object::Sphere { center, radius } => {
                         // A point of 440 bits cannot say where on dust at the world's end it is.
@@ -105,7 +108,7 @@ fn a_hit_is_on_its_object() {
                         }
                         // At the distance of the radius from the centre, along the normal.
                         let off = distance_between(&hit.point, center) / radius;
-                        assert!((off - 1.0).abs() < 1e-15, "{}: {off}", family.name());
+                        assert!((off - 1.0).abs() < 1e-15, "{}: {off}", family.name);
                         let outward = hit.point.clone().map(|x| x.to_f64());
                         let outward: [f64; 3] = std::array::from_fn(|i| outward[i] - center[i]);
                         let size =
@@ -232,9 +235,9 @@ fn a_pixel_is_the_uv_of_its_centre() {
 
 #[test]
 fn bases_are_orthonormal_and_right_handed() {
-    for family in Family::all() {
-        for &knob in family.knobs() {
-            for case in family.bases(knob, 17, 20, false) {
+    for family in &bases::FAMILIES {
+        for &knob in family.knobs {
+            for case in family.cases(knob, 17, 20, false) {
                 let Ok([u, v, w]) = basis(case.eye, &case.orientation) else { continue };
                 for vector in [&u, &v, &w] {
                     assert!((length(vector) - 1.0).abs() < 1e-15);
@@ -246,7 +249,7 @@ fn bases_are_orthonormal_and_right_handed() {
                 let [a, b, c] = rounded_u;
                 let [d, e, f] = rounded_v;
                 let cross = [b * f - c * e, c * d - a * f, a * e - b * d];
-                assert!(angle_between(&w, cross) < 1e-15, "{} {knob}", family.name());
+                assert!(angle_between(&w, cross) < 1e-15, "{} {knob}", family.name);
                 let (Orientation::View { up, .. } | Orientation::At { up, .. }) = case.orientation
                 else {
                     continue;

@@ -4,12 +4,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pinhole_core::*;
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp};
-use pinhole_reference::{Family, Real, basis};
+use pinhole_reference::{Real, basis};
 use proptest::prelude::*;
 
 use super::{EXERCISE, vector};
 use crate::common::oracle::{Big, Big3, big, near};
-use crate::common::{assert_ulps, assert_ulps3, given, vec3};
+use crate::common::{assert_ulps, assert_ulps3, bases, given, vec3};
 use crate::config;
 
 fn from_up(camera: &Camera) -> BasisFromUp {
@@ -200,9 +200,9 @@ proptest! {
 #[test]
 fn the_vectors_are_those_of_the_reference() {
     let mut vectors = 0;
-    for family in Family::all() {
-        for &knob in family.knobs() {
-            for case in family.bases(knob, 5, 10, false) {
+    for family in &bases::FAMILIES {
+        for &knob in family.knobs {
+            for case in family.cases(knob, 5, 10, false) {
                 let orientation = given::orientation(&case.orientation);
                 let camera = Camera { eye: case.eye.into(), orientation, ..Camera::CANONICAL };
                 let BasisDerivation::FromUp(derived) = BasisDerivation::new(&camera) else {

@@ -125,7 +125,7 @@ fn every_way_to_meet_a_plane() {
 fn roots_and_hits_are_those_of_the_reference() {
     let mut seen = 0;
     for family in Family::all() {
-        for &knob in family.knobs() {
+        for &knob in family.knobs {
             for case in family.rays(knob, 11, 3, false) {
                 let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
                 let exact = ExactRay::from_ray(&ray).unwrap();

@@ -1,74 +1,68 @@
-//! Families of camera bases.
+//! Families of camera bases, as `pinhole_reference::Family` has them of rays and frames.
 
-use crate::camera::Orientation;
-use crate::families::draw::{Draw, plus, scaled};
-use crate::families::family::{BasisCase, Family, OFFSETS, TO_ROUNDING, ULPS, bases};
+use pinhole_reference::{Draw, Orientation};
 
-pub(crate) static FAMILIES: [Family; 7] = [
-    bases(
-        "basis-ordinary",
-        "An everyday eye, view and up.",
-        "angle between up and view in degrees, about",
-        &[10.0, 45.0, 90.0, 135.0, 170.0],
-        ordinary,
-    ),
-    bases(
-        "up-near-view",
-        "An up that is nearly parallel to the view.",
-        "log10 of the angle between up and view in radians",
-        &TO_ROUNDING,
-        up_near_view,
-    ),
-    bases(
-        "up-parallel",
-        "An up that is parallel to the view, and one ulp beside.",
-        "one coordinate of up, in ulps from parallel",
-        &ULPS,
-        up_parallel,
-    ),
-    bases(
-        "no-basis",
-        "What has no basis, by each reason.",
-        "0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view",
-        &[0.0, 1.0, 2.0, 3.0],
-        no_basis,
-    ),
-    bases(
-        "view-length",
-        "A view of an extreme length.",
-        "log10 of |at - eye|",
-        &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
-        view_length,
-    ),
-    bases(
-        "up-length",
-        "An up of an extreme length.",
-        "log10 of the length of up",
-        &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
-        up_length,
-    ),
-    bases(
-        "camera-offset",
-        "An everyday camera, far from the world's origin.",
-        "log10 of the offset",
-        &OFFSETS,
-        camera_offset,
-    ),
+/// A camera's place and orientation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BasisCase {
+    /// Its position.
+    pub(crate) eye: [f64; 3],
+    /// The way it is turned.
+    pub(crate) orientation: Orientation,
+}
+
+/// Bases that are hard for one reason, and a knob for how hard.
+pub(crate) struct BasisFamily {
+    /// Its name, in kebab-case.
+    pub(crate) name: &'static str,
+    /// The knob's values, in rising order.
+    pub(crate) knobs: &'static [f64],
+    make: fn(&mut Draw, f64) -> BasisCase,
+}
+
+impl BasisFamily {
+    /// Cases for one of the knobs; with `single`, all numbers are exact in `f32`.
+    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<BasisCase> {
+        let given = |mut draw: Draw| {
+            let BasisCase { eye, orientation } = (self.make)(&mut draw, knob);
+            BasisCase { eye: draw.given3(eye), orientation: orientation.map(|v| draw.given3(v)) }
+        };
+        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
+    }
+}
+
+const LENGTHS: [f64; 10] = [-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0];
+
+pub(crate) const FAMILIES: [BasisFamily; 7] = [
+    BasisFamily {
+        name: "basis-ordinary",
+        knobs: &[10.0, 45.0, 90.0, 135.0, 170.0],
+        make: ordinary,
+    },
+    BasisFamily {
+        name: "up-near-view",
+        knobs: &[-16.0, -14.0, -12.0, -10.0, -8.0, -6.0, -3.0, -1.0],
+        make: up_near_view,
+    },
+    BasisFamily { name: "up-parallel", knobs: &[-1.0, 0.0, 1.0], make: up_parallel },
+    BasisFamily { name: "no-basis", knobs: &[0.0, 1.0, 2.0, 3.0], make: no_basis },
+    BasisFamily { name: "view-length", knobs: &LENGTHS, make: view_length },
+    BasisFamily { name: "up-length", knobs: &LENGTHS, make: up_length },
+    BasisFamily { name: "camera-offset", knobs: &[3.0, 6.0, 9.0, 12.0], make: camera_offset },
 ];
 
-/// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
-/// whole numbers.
-pub(crate) fn aimed(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
-    if draw.once_in(3) {
-        Orientation::View { view, up }
-    } else {
-        Orientation::At { at: plus(eye, 1.0, view), up }
-    }
+fn scaled(a: [f64; 3], s: f64) -> [f64; 3] {
+    a.map(|x| x * s)
+}
+
+/// `a + s b`
+fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
 }
 
 fn seen_from(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> BasisCase {
     let eye = draw.given3(eye);
-    BasisCase { eye, orientation: aimed(draw, eye, view, up) }
+    BasisCase { eye, orientation: draw.aimed(eye, view, up) }
 }
 
 /// `cos` and `sin` of a multiple of 5 degrees, from those of 5 degrees: no library's last bit is in
@@ -79,7 +73,7 @@ fn by_degrees(degrees: f64) -> (f64, f64) {
     (0..turns).fold((1.0, 0.0), |(x, y), _| (x * c - y * s, x * s + y * c))
 }
 
-/// Everyday cameras.
+/// Everyday cameras; the knob is the angle between up and view in degrees, about.
 fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.direction());
     let (along, across) = by_degrees(degrees);
@@ -89,7 +83,8 @@ fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
-/// An up nearly parallel to the view: their cross product nearly cancels.
+/// An up nearly parallel to the view: their cross product nearly cancels. The knob is log10 of the
+/// angle in radians.
 fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = draw.in_box(10.0);
     let eye = draw.given3(eye);
@@ -112,7 +107,8 @@ fn whole_eye_and_view(draw: &mut Draw) -> ([f64; 3], [f64; 3]) {
     (draw.whole_vector(1000), draw.whole_vector(1000))
 }
 
-/// An up exactly along or against the view, where there is no basis, and one ulp beside.
+/// An up exactly along or against the view, where there is no basis, and one coordinate of it as many
+/// ulps beside as the knob says.
 fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let factor = draw.sign() * draw.whole(1, 1000) * draw.power_of_two(-20, 20);
@@ -126,7 +122,7 @@ fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     seen_from(draw, scaled(eye, scale), scaled(view, scale), up)
 }
 
-/// Cameras without a basis.
+/// Cameras without a basis, because 0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view.
 fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let up = draw.whole_vector(9);
@@ -135,13 +131,13 @@ fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     let orientation = match which as i64 {
         0 => Orientation::At { at: eye, up },
         1 => Orientation::View { view: zero, up },
-        2 => aimed(draw, eye, view, zero),
-        _ => aimed(draw, eye, view, scaled(view, factor)),
+        2 => draw.aimed(eye, view, zero),
+        _ => draw.aimed(eye, view, scaled(view, factor)),
     };
     BasisCase { eye, orientation }
 }
 
-/// Eye and at very close together, or very far apart.
+/// Eye and at very close together, or very far apart; the knob is log10 of |at - eye|.
 fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     let length = draw.decade(k);
     // An eye far larger than the view would swallow it.
@@ -151,14 +147,14 @@ fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
-/// Very long and very short up vectors.
+/// Very long and very short up vectors; the knob is log10 of the length.
 fn up_length(draw: &mut Draw, k: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.in_box(10.0));
     let up = scaled(draw.direction(), draw.decade(k));
     seen_from(draw, eye, view, up)
 }
 
-/// An everyday camera far from the world's origin: at - eye cancels.
+/// An everyday camera far from the world's origin, log10 of the offset: at - eye cancels.
 fn camera_offset(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = scaled(draw.direction(), draw.decade(k));
     let (view, up) = (draw.in_box(10.0), draw.in_box(1.0));

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use crate::camera::{Camera, Orientation};
 use crate::dyadic::{Dyadic, Toward, Vector, cross, dot, minus, vector};
-use crate::families::Draw;
-use crate::families::{Family, FrameCase};
+use crate::families::{Draw, Family, FrameCase};
 use crate::object::Object;
 use crate::quotient::Quotient;
 use crate::real::Real;
@@ -255,14 +254,14 @@ fn the_textbook_at_twice_the_precision_agrees() {
     let on_no_edge = |name: &str| {
         name.starts_with("frame-") && !name.ends_with("ties") && !name.ends_with("touching")
     };
-    for family in Family::all().filter(|family| on_no_edge(family.name())) {
-        for &knob in family.knobs() {
+    for family in Family::all().filter(|family| on_no_edge(family.name)) {
+        for &knob in family.knobs {
             // Of tangents: those an ulp beside.
-            if family.name() == "frame-tangent" && knob == 0.0 {
+            if family.name == "frame-tangent" && knob == 0.0 {
                 continue;
             }
             for case in family.frames(knob, 30, 2, false) {
-                agrees_with_the_textbook(family.name(), &case);
+                agrees_with_the_textbook(family.name, &case);
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Inputs that must be refused at the door, with what is wrong about each.
 
-use crate::camera::{Camera, Orientation};
-use crate::families::family::{BasisCase, RayCase};
-use crate::object::Object;
+use pinhole_reference::{Camera, Object, Orientation, RayCase};
+
+use super::bases::BasisCase;
 
 /// Numbers that are not finite.
 const STRANGE: [(&str, f64); 3] =
@@ -27,7 +27,7 @@ fn spoilt<T>(name: &str, v: [f64; 3], case: impl Fn([f64; 3]) -> T) -> Vec<(Stri
 }
 
 /// A ball, a wall and a ray of which one number is at fault.
-pub fn invalid_rays() -> Vec<(String, RayCase)> {
+pub(crate) fn rays() -> Vec<(String, RayCase)> {
     let case = |objects: [Object; 2], origin, direction| RayCase {
         objects: objects.to_vec(),
         origin,
@@ -60,7 +60,7 @@ pub fn invalid_rays() -> Vec<(String, RayCase)> {
 
 /// Cameras' places and orientations of which one number is not finite. Those whose numbers are
 /// finite but that have no basis are the family `no-basis`.
-pub fn invalid_bases() -> Vec<(String, BasisCase)> {
+pub(crate) fn bases() -> Vec<(String, BasisCase)> {
     let case = |eye, orientation| BasisCase { eye, orientation };
     let at_origin = |orientation| case([0.0; 3], orientation);
     let [u, v, w] = [[1.0, 0.0, 0.0], UP, [0.0, 0.0, 1.0]];
@@ -78,7 +78,7 @@ pub fn invalid_bases() -> Vec<(String, BasisCase)> {
 }
 
 /// Cameras with a basis whose viewport or image is at fault.
-pub fn invalid_cameras() -> Vec<(String, Camera)> {
+pub(crate) fn cameras() -> Vec<(String, Camera)> {
     let valid = Camera {
         eye: [0.0; 3],
         orientation: Orientation::View { view: VIEW, up: UP },
