@@ -23,6 +23,8 @@ use crate::exact::scale::unit;
 
 /// The way the camera looks and which way is up: one of the three ways to say so.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Orientation {
     /// Looks at the point `at`, level with respect to `up`.
     At {
@@ -44,6 +46,8 @@ pub enum Orientation {
 
 /// The three ways to give an [`Orientation`], without the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum OrientationKind {
     /// A point to look at, and up.
     At,
@@ -58,6 +62,7 @@ pub enum OrientationKind {
 /// Any values may stand here while they are edited; [`Camera::resolve`] is the door at which they
 /// are checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Camera {
     /// The origin of every view ray.
     pub eye: DVec3,

@@ -18,6 +18,7 @@ use crate::exact::scale::{ldexp, split};
 ///
 /// Any values may stand here; a ray that does not pass [`Ray::check`] meets nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ray {
     /// The point at `t = 0`, the lecture's p.
     pub origin: DVec3,

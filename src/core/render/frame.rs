@@ -24,6 +24,7 @@ pub struct Raster {
 
 /// The outputs to keep of every pixel. What is not asked for is not written: its buffer stays empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Outputs {
     /// `t` of the first hit.
     pub t: bool,

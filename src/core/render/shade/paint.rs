@@ -10,6 +10,8 @@ pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 
 /// A way to make a colour of a hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Shade {
     /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
     #[default]
