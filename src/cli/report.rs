@@ -1,4 +1,4 @@
-//! `pinhole report`: error against run time, as a table, JSON, CSV and a plot.
+//! `pinhole report`: error against run time, as a table, JSON and a plot.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::scenes::builtin;
 
-use super::console::{named, to_json, to_stdout};
+use super::console::{is_standard, named, to_json, to_stdout};
 use super::error::{CommandError, scene_fault, unmade};
 use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
@@ -15,7 +15,7 @@ use crate::figures::Format;
 use crate::report::measure::Run;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
-use crate::report::{csv, plot, table};
+use crate::report::{plot, table};
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     check(arguments)?;
@@ -24,15 +24,11 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
 
 /// Checks what can be told to be wrong before minutes of work.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
-    let ReportArguments { csv, plot, .. } = arguments;
     let refused = |problem: String| Err(CommandError::Arguments(problem));
-    for (name, path) in [("--csv", csv), ("--plot", plot)] {
-        if path.as_deref().is_some_and(is_stdout) {
-            return refused(format!("{name} needs a file: only --json can go to standard output"));
-        }
+    if arguments.plot.as_deref().is_some_and(is_standard) {
+        return refused("--plot needs a file: only --json can go to standard output".into());
     }
-    let json = json_file(arguments);
-    if let Some(json) = json {
+    if let Some(json) = json_file(arguments) {
         if is_scene(json) {
             return refused(format!(
                 "--json takes {0} as the file to write: put scenes first, as in {0} --json",
@@ -41,29 +37,21 @@ fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
         }
         named(json, "json", "--json writes JSON")?;
     }
-    if let Some(csv) = csv {
-        named(csv, "csv", "--csv writes CSV")?;
-    }
-    if let Some(plot) = plot {
+    if let Some(plot) = &arguments.plot {
         format_of(plot)?;
     }
-    let files = files(arguments);
-    for (index, (name, path)) in files.iter().enumerate() {
-        let earlier = files[..index].iter().find(|(_, earlier)| is_same_file(earlier, path));
-        if let Some((other, _)) = earlier {
-            return refused(format!("{other} and {name} both write {}", path.display()));
-        }
-        atomic::check(path)?;
+    if let (Some(json), Some(plot)) = (json_file(arguments), &arguments.plot)
+        && is_same_file(json, plot)
+    {
+        return refused(format!("--json and --plot both write {}", plot.display()));
     }
-    Ok(())
+    files(arguments).try_for_each(|(_, path)| Ok(atomic::check(path)?))
 }
 
 /// The files to write, with the options that name them.
-fn files(arguments: &ReportArguments) -> Vec<(&'static str, &Path)> {
-    let ReportArguments { csv, plot, .. } = arguments;
-    let files =
-        [("--json", json_file(arguments)), ("--csv", csv.as_deref()), ("--plot", plot.as_deref())];
-    files.into_iter().filter_map(|(name, path)| Some((name, path?))).collect()
+fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, &Path)> {
+    let files = [("--json", json_file(arguments)), ("--plot", arguments.plot.as_deref())];
+    files.into_iter().filter_map(|(name, path)| Some((name, path?)))
 }
 
 /// The runs to measure. Every scene is read before the first is measured.
@@ -109,10 +97,6 @@ fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandEr
             None => text = json,
         }
     }
-    if let Some(path) = &arguments.csv {
-        let bytes = csv::to_csv(report).map_err(|error| unmade(path, &error))?;
-        files.push((path.clone(), bytes));
-    }
     if let Some(path) = &arguments.plot {
         let format = format_of(path)?;
         let scale = if format == Format::Png { PNG_SCALE } else { 1.0 };
@@ -146,11 +130,7 @@ fn page_path(plot: &Path, page: usize) -> PathBuf {
 
 /// The file for the JSON; none for `--json` without a path, or with the sign for standard output.
 fn json_file(arguments: &ReportArguments) -> Option<&Path> {
-    arguments.json.as_deref().filter(|path| !is_stdout(path))
-}
-
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
+    arguments.json.as_deref().filter(|path| !is_standard(path))
 }
 
 /// Returns true for a path that is meant to be read, not written.

@@ -3,7 +3,6 @@
 //! [`model`] is what was measured; everything else turns it into text and pictures.
 
 pub mod columns;
-pub mod csv;
 #[cfg(feature = "report")]
 pub mod machine;
 #[cfg(feature = "report")]

@@ -4,10 +4,10 @@
 //! `None`, which is `null` in JSON. No number is NaN or infinite: a method that answers so for a ray
 //! that hits has decided wrong, and is counted there.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Error against run time, of every method in every case.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
     /// The arithmetic that says what is true.
     pub reference: String,
@@ -20,15 +20,13 @@ pub struct Report {
     /// The method and the loop that times are to be compared with.
     pub baseline: String,
     /// Sentences that a reader of the numbers needs.
-    #[serde(default)]
     pub notes: Vec<String>,
     /// The seed of the families' random numbers.
-    #[serde(default)]
     pub seed: Option<u64>,
 }
 
 /// One scene, or a stress family at one setting of its knob.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Case {
     /// The scene, or the family, whose cases share the name.
     pub name: String,
@@ -39,26 +37,21 @@ pub struct Case {
     /// Results of each method.
     pub methods: Vec<MethodRow>,
     /// Name of the knob; empty without one.
-    #[serde(default)]
     pub knob_name: String,
     /// How much t depends on what is given, over the rays that hit.
-    #[serde(default)]
     pub condition: Option<Condition>,
     /// The same of the cases that the `f32` methods get, where those are others.
-    #[serde(default)]
     pub condition_f32: Option<Condition>,
     /// A sentence about the family; empty for a scene.
-    #[serde(default)]
     pub about: String,
     /// The scene that this is a part of, looked at alone: its pixels are among the scene's too.
-    #[serde(default)]
     pub part_of: Option<String>,
 }
 
 /// Spread of the condition number of t: the share of itself that t moves by, where centre, radius, origin
 /// and direction each move by a small share of their sizes, is at most this times that share. Tangents,
 /// where it is infinite, are left out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Condition {
     /// Half of them are at most this.
     pub median: f64,
@@ -67,7 +60,7 @@ pub struct Condition {
 }
 
 /// Results of one method in one case.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
@@ -88,26 +81,20 @@ pub struct MethodRow {
     pub steps: Option<Steps>,
     /// The error in t, in ulps of `f64` whatever the method's precision: an ulp of `f32` is 2^29 of
     /// them. What is compared among methods.
-    #[serde(default)]
     pub ulp_f64: Ulps,
     /// `t` by the step of the ladder that found it, where `t` has a step of its own: rounded once from
     /// more digits than `f64` has, it is found in double-double or exactly.
-    #[serde(default)]
     pub steps_of_t: Option<Steps>,
     /// Wrong decisions as a share of all rays of the case, 0 to 1. Where more is compared with the truth
     /// beside outlines than elsewhere, both are weighted by how many pixels there are.
-    #[serde(default)]
     pub wrong_share: Option<f64>,
     /// The largest backward error, in units of 2^-53: centre, radius, origin and direction each moved by
     /// this share of their sizes make the method's t exact. Times the condition number it is at least
     /// the error in ulps of `f64`, to first order.
-    #[serde(default)]
     pub backward_error_max: Option<f64>,
     /// Rays decided right whose true t is out of the range of the method's precision: they are in no error.
-    #[serde(default)]
     pub t_out_of_range: u64,
     /// Pixels (or rays) that each round traced, and whose decisions [`MethodRow::steps`] counts.
-    #[serde(default)]
     pub pixels_timed: u64,
 }
 
@@ -119,7 +106,7 @@ pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 pub const SINGLE: f64 = (1u64 << 29) as f64;
 
 /// Spread of the errors in t, in ulps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Ulps {
     /// Half of the errors are at most this.
     pub median: Option<f64>,
@@ -139,22 +126,20 @@ impl Ulps {
 }
 
 /// Run times of interleaved rounds, in nanoseconds a pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Times {
     /// The middle one.
     pub median: Option<f64>,
     /// The shortest one: what methods are compared by, as all that disturbs a round makes it longer.
     pub min: Option<f64>,
     /// A quarter of them are at most this.
-    #[serde(default)]
     pub lower_quartile: Option<f64>,
     /// Three quarters of them are at most this.
-    #[serde(default)]
     pub upper_quartile: Option<f64>,
 }
 
 /// Decisions by each step of the ladder.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Steps {
     /// Decided in `f64`.
     pub f64: u64,

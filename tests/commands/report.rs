@@ -55,18 +55,15 @@ fn json_without_a_path_is_all_there_is_on_standard_output() {
 #[test]
 fn several_scenes_are_several_cases_in_every_file() {
     let folder = folder();
-    let line = "report s.toml two.toml --json a.json --csv a.csv --plot a.svg";
+    let line = "report s.toml two.toml --json a.json --plot a.svg";
     let table = report(folder.path(), line).done();
     assert!(table.contains("\ns.toml: ") && table.contains("\ntwo.toml: "), "{table}");
     assert_eq!(
         entries(folder.path()),
-        ["a-2.svg", "a-3.svg", "a.csv", "a.json", "a.svg", "s.toml", "two.toml"]
+        ["a-2.svg", "a-3.svg", "a.json", "a.svg", "s.toml", "two.toml"]
     );
     let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(json_of(&read("a.json"))["cases"].as_array().unwrap().len(), 2);
-    let csv = read("a.csv");
-    assert!(csv.starts_with("case,knob_name,knob,coverage,method,wrong,"), "{csv}");
-    assert!(csv.contains("\ns.toml,") && csv.contains("\ntwo.toml,"), "{csv}");
     // The summary is the first page.
     assert!(read("a.svg").contains(">wrong decisions</tspan>"), "{}", read("a.svg"));
     assert!(read("a-2.svg").contains(">s.toml</tspan>"));
@@ -98,19 +95,15 @@ fn wrong_arguments_are_told_before_anything_is_measured() {
     fails("report --plot a.pdf", 2, "--plot writes SVG or PNG: not a.pdf but a.svg or a.png");
     fails("report --plot a", 2, "--plot writes SVG or PNG: not a but a.svg or a.png");
     fails("report --json a.csv", 2, "--json writes JSON: not a.csv but a.json");
-    fails("report --csv a.json", 2, "--csv writes CSV: not a.json but a.csv");
     for scene in ["canonical", "s.toml"] {
         let message = format!(
             "--json takes {scene} as the file to write: put scenes first, as in {scene} --json"
         );
         fails(&format!("report --json {scene}"), 2, &message);
     }
-    fails(
-        "report --csv a --plot no/a.svg",
-        1,
-        "no/a.svg: cannot be written: no such file or directory",
-    );
-    fails("report --csv a --json a", 2, "--json and --csv both write a");
+    fails("report --plot no/a.svg", 1, "no/a.svg: cannot be written: no such file or directory");
+    fails("report --plot a.svg --json a.svg", 2, "--json writes JSON: not a.svg but a.json");
+    fails("report --plot -", 2, "--plot needs a file: only --json can go to standard output");
     fails("report s.toml no.toml", 1, "no.toml: cannot be read: no such file or directory");
     run("report canonical cannonical")
         .failed(1, "cannonical: neither a file nor a built-in scene: did you mean canonical?");
@@ -133,7 +126,7 @@ fn a_scene_at_fault_is_told_at_its_place() {
 fn an_interrupted_run_leaves_nothing() {
     let folder = folder();
     let mut child = command_in(folder.path())
-        .args(["report", "--json", "a.json", "--csv", "a.csv", "--plot", "a.png"])
+        .args(["report", "--json", "a.json", "--plot", "a.png"])
         .spawn()
         .unwrap();
     std::thread::sleep(Duration::from_millis(300));

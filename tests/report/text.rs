@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 use pinhole::report::model::Report;
-use pinhole::report::{csv, table};
+use pinhole::report::table;
 
 use super::sample;
 
@@ -192,19 +192,7 @@ fn json_reads_back_to_the_same_numbers() {
     report.cases[0].coverage = 0.1 + 0.2;
     report.cases[1].methods[3].ulp.max = Some(5e-324);
     let json = serde_json::to_string_pretty(&report).unwrap();
-    assert_eq!(serde_json::from_str::<Report>(&json).unwrap(), report);
-}
-
-#[test]
-fn csv_has_a_row_a_case_and_method() {
-    let text = String::from_utf8(csv::to_csv(&small()).unwrap()).unwrap();
-    expect![[r#"
-        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact,ulp_f64_median,ulp_f64_p99,ulp_f64_max,wrong_share,backward_error_max,condition_median,condition_max,steps_of_t_double_double,steps_of_t_exact,condition_f32_median,condition_f32_max,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,t_out_of_range,pixels_timed,part_of
-        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0,0.0,0.4,0.5,0.0,0.15,9.5,50.0,800,0,,,9.69,11.22,0,4096,
-        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,,0.0,858993459.2,1073741824.0,0.0,19500.0,9.5,50.0,,,,,3.7049999999999996,4.29,0,4096,
-        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,,0.0,1.6,2.0,0.0,19200.0,9.5,50.0,,,,,5.034999999999999,5.83,0,4096,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5,0.1,0.4,0.5,0.0,0.15,9.5,40.19607843137255,765,35,,,9.69,11.22,0,4096,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,,,,,0.176025390625,,9.5,40.19607843137255,,,,,3.7049999999999996,4.29,0,4096,
-        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,,12527855.188441262,50111420.75376505,62639275.94220631,0.00439453125,19200.0,9.5,40.19607843137255,,,,,5.034999999999999,5.83,0,4096,
-    "#]].assert_eq(&text);
+    let read: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(read["cases"][0]["coverage"], report.cases[0].coverage);
+    assert_eq!(read["cases"][1]["methods"][3]["ulp"]["max"], 5e-324);
 }

@@ -11,27 +11,12 @@ use super::subject::{Kernel, Subject};
 use super::tally::{Tally, quantile, sorted};
 use crate::report::model::{Case, Condition, MethodRow};
 
-/// Rays and the methods that follow them.
-pub(super) struct Set {
-    pub(super) subject: Subject,
-    pub(super) methods: Vec<Method>,
-}
-
-/// The parts of a case, made when its turn comes.
-pub(super) struct Made {
-    pub(super) sets: Vec<Set>,
-    /// The share of rays that hit, where it is known; else that of the rays decided.
-    pub(super) coverage: Option<f64>,
-    /// A sentence about what is not decided.
-    pub(super) left_out: Option<String>,
-}
-
 /// One case: to come, under way or done.
 pub(super) struct CaseRun {
     /// The case, with results once it is done.
     case: Case,
     limits: Limits,
-    make: Option<Box<dyn FnOnce() -> Made + Send>>,
+    make: Option<Box<dyn FnOnce() -> Work + Send>>,
     work: Option<Work>,
     left_out: Option<String>,
 }
@@ -44,14 +29,18 @@ pub(super) struct Limits {
     pub(super) pieces: usize,
 }
 
-struct Work {
-    sets: Vec<SetWork>,
-    left_out: Option<String>,
+/// The parts of a case, made when its turn comes.
+pub(super) struct Work {
+    sets: Vec<Set>,
+    /// The share of rays that hit, where it is known; else that of the rays decided.
     coverage: Option<f64>,
+    /// A sentence about what is not decided.
+    left_out: Option<String>,
     is_timing_next: bool,
 }
 
-struct SetWork {
+/// Rays and the methods that follow them.
+pub(super) struct Set {
     subject: Subject,
     workers: Vec<Worker>,
     decided: usize,
@@ -78,7 +67,7 @@ impl CaseRun {
     pub(super) fn new(
         case: Case,
         limits: Limits,
-        make: impl FnOnce() -> Made + Send + 'static,
+        make: impl FnOnce() -> Work + Send + 'static,
     ) -> CaseRun {
         CaseRun { case, limits, make: Some(Box::new(make)), work: None, left_out: None }
     }
@@ -108,7 +97,7 @@ impl CaseRun {
     /// Does one piece of work.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
         if let Some(make) = self.make.take() {
-            self.work = Some(Work::new(make()));
+            self.work = Some(make());
         } else if let Some(work) = &mut self.work {
             work.step(self.limits.rounds, one_thread);
         }
@@ -128,7 +117,7 @@ impl CaseRun {
 
     pub(super) fn report(&self) -> Case {
         let Some(work) = &self.work else { return self.case.clone() };
-        let rows_of = |set: &SetWork| {
+        let rows_of = |set: &Set| {
             let pixels_timed = set.subject.pixels_timed() as u64;
             let row = |w: &Worker| MethodRow { pixels_timed, ..w.tally.row(w.method) };
             set.workers.iter().map(|w| (w.method, row(w))).collect::<Vec<_>>()
@@ -138,8 +127,8 @@ impl CaseRun {
         rows.sort_by_key(|(method, _)| index(*method));
         Case {
             coverage: work.coverage(),
-            condition: work.sets.first().and_then(SetWork::condition),
-            condition_f32: work.sets.get(1).and_then(SetWork::condition),
+            condition: work.sets.first().and_then(Set::condition),
+            condition_f32: work.sets.get(1).and_then(Set::condition),
             methods: rows.into_iter().map(|(_, row)| row).collect(),
             ..self.case.clone()
         }
@@ -147,14 +136,13 @@ impl CaseRun {
 }
 
 impl Work {
-    fn new(made: Made) -> Work {
-        let sets = made.sets.into_iter().map(SetWork::new).collect();
-        Work { sets, left_out: made.left_out, coverage: made.coverage, is_timing_next: false }
+    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>, left_out: Option<String>) -> Work {
+        Work { sets, coverage, left_out, is_timing_next: false }
     }
 
     /// Share of the work that is done, up to 1.
     fn share(&self, rounds: usize) -> f64 {
-        let sum = |count: &dyn Fn(&SetWork) -> usize| self.sets.iter().map(count).sum::<usize>();
+        let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
         let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
         let done = sum(&|set| set.decided + set.timings);
         if all == 0 { 1.0 } else { done as f64 / all as f64 }
@@ -164,7 +152,7 @@ impl Work {
         if let Some(coverage) = self.coverage {
             return coverage;
         }
-        let sum = |count: fn(&SetWork) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
+        let sum = |count: fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
         let decided = sum(|set| set.decided);
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
@@ -189,23 +177,14 @@ impl Work {
     }
 }
 
-impl SetWork {
-    fn new(set: Set) -> SetWork {
-        let Set { subject, methods } = set;
+impl Set {
+    pub(super) fn new(subject: Subject, methods: impl IntoIterator<Item = Method>) -> Set {
         let worker = |method: Method| {
             let kernel = subject.kernel(method)?;
             Some(Worker { method, kernel, tally: Tally::of(subject.populations()) })
         };
         let workers = methods.into_iter().filter_map(worker).collect();
-        SetWork {
-            subject,
-            workers,
-            decided: 0,
-            hits: 0,
-            conditions: Vec::new(),
-            chunk: 4,
-            timings: 0,
-        }
+        Set { subject, workers, decided: 0, hits: 0, conditions: Vec::new(), chunk: 4, timings: 0 }
     }
 
     /// Spread of the condition numbers.

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
 
-use super::case::{CaseRun, Limits, Made, Set};
-use super::subject::{Picture, Populations, Subject, objects_of};
+use super::case::{CaseRun, Limits, Set, Work};
+use super::subject::{Picture, Sample, Subject, objects_of};
 use crate::report::model::Case;
 
 /// Maximum number of pixels a side that are looked at.
@@ -94,22 +94,20 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
 }
 
 /// All methods, or where there is no sphere, one for each way to meet a plane.
-pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
-    let differ = |method: &Method| match method {
-        Method::Known(formula, _) => !scene.spheres().is_empty() || *formula == Formula::Textbook,
+pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
+    Method::of_frames().filter(move |method| match method {
+        Method::Known(formula, _) => has_spheres || *formula == Formula::Textbook,
         Method::Ladder | Method::LadderF32 | Method::DoubleDouble => true,
-    };
-    Method::of_frames().filter(differ).collect()
+    })
 }
 
-fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Made {
+fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Work {
     let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
     let frame = trace(&scene, resolved, &raster, Outputs::default());
     let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
     let sample = sample(&frame.object, raster.columns().len());
-    let (methods, scene) = (methods_for(&scene), Arc::new(scene));
+    let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
     let timed = timed_raster(resolved, scene.len());
-    let mut picture = Picture::new(&scene, camera, resolved, raster, (*resolved, timed));
     let (all, seen) = (frame.object.len(), sample.pixels.len());
     let outline = sample.strata.iter().filter(|stratum| **stratum == 0).count();
     let left_out = (seen < all).then(|| {
@@ -122,13 +120,9 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
             seen - outline,
         )
     });
-    (picture.pixels, picture.strata) = (sample.pixels, sample.strata);
-    picture.populations = sample.populations;
-    Made {
-        sets: vec![Set { subject: Subject::Frames(vec![picture]), methods }],
-        coverage: Some(covered as f64 / all.max(1) as f64),
-        left_out,
-    }
+    let picture = Picture::new(scene, camera, resolved, raster, sample, (*resolved, timed));
+    let coverage = covered as f64 / all.max(1) as f64;
+    Work::new(vec![Set::new(Subject::Frames(vec![picture]), methods)], Some(coverage), left_out)
 }
 
 /// Raster that is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
@@ -138,18 +132,8 @@ fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     Raster::shown_on(resolved.image(), columns, (pixels / columns).min(TIMED_SIDE))
 }
 
-/// Chooses the pixels to compare with the truth.
-struct Sample {
-    /// Rows and columns.
-    pixels: Vec<(usize, usize)>,
-    /// 0 for a pixel beside an outline, 1 for any other.
-    strata: Vec<usize>,
-    /// Number of both kinds in the whole picture.
-    populations: Populations,
-}
-
-/// Pixels beside an outline, where another object or none is next to them, and any others, in turn,
-/// so that of both kinds there are some.
+/// The pixels to compare with the truth: those beside an outline, where another object or none is next to them, and any others, in turn,
+/// so that of both kinds, which are the strata, there are some.
 fn sample(object: &[u32], width: usize) -> Sample {
     let is_outline = |index: &usize| {
         let (row, column) = (index / width, index % width);

@@ -30,20 +30,25 @@ pub(super) enum Subject {
 pub(super) struct Picture {
     pub(super) scene: Arc<Scene>,
     pub(super) camera: ResolvedCamera,
-    pub(super) of_reference: reference::Camera,
-    pub(super) objects: Vec<Object>,
+    of_reference: reference::Camera,
+    objects: Vec<Object>,
     /// All that the rays share, in exact numbers; none for a scene of many objects, which are
     /// looked through for each pixel first.
     view: Option<View>,
-    pub(super) raster: Raster,
+    raster: Raster,
+    sample: Sample,
+    /// What is traced for the time.
+    timed: (ResolvedCamera, Raster),
+}
+
+/// The pixels of a picture that are compared with the truth.
+pub(super) struct Sample {
     /// Rows and columns of the raster.
     pub(super) pixels: Vec<(usize, usize)>,
     /// Which stratum each of them is of; empty where all are of the first.
     pub(super) strata: Vec<usize>,
     /// Number of pixels of each stratum in the whole raster.
     pub(super) populations: Populations,
-    /// What is traced for the time.
-    timed: (ResolvedCamera, Raster),
 }
 
 /// The rays of a case fall into two strata, of which more or fewer may be compared with the truth:
@@ -74,16 +79,18 @@ impl Subject {
     pub(super) fn len(&self) -> usize {
         match self {
             Subject::Rays(cases) => cases.len(),
-            Subject::Frames(pictures) => pictures.iter().map(|picture| picture.pixels.len()).sum(),
+            Subject::Frames(pictures) => {
+                pictures.iter().map(|picture| picture.sample.pixels.len()).sum()
+            }
         }
     }
 
     fn locate(pictures: &[Picture], mut index: usize) -> Option<(usize, &Picture, usize)> {
         for (number, picture) in pictures.iter().enumerate() {
-            if index < picture.pixels.len() {
+            if index < picture.sample.pixels.len() {
                 return Some((number, picture, index));
             }
-            index -= picture.pixels.len();
+            index -= picture.sample.pixels.len();
         }
         None
     }
@@ -93,7 +100,7 @@ impl Subject {
         match self {
             Subject::Rays(cases) => [cases.len(), 0],
             Subject::Frames(pictures) => pictures.iter().fold([0, 0], |[a, b], picture| {
-                [a + picture.populations[0], b + picture.populations[1]]
+                [a + picture.sample.populations[0], b + picture.sample.populations[1]]
             }),
         }
     }
@@ -102,7 +109,9 @@ impl Subject {
     pub(super) fn stratum(&self, index: usize) -> usize {
         let Subject::Frames(pictures) = self else { return 0 };
         let located = Subject::locate(pictures, index);
-        located.and_then(|(_, picture, pixel)| picture.strata.get(pixel).copied()).unwrap_or(0)
+        located
+            .and_then(|(_, picture, pixel)| picture.sample.strata.get(pixel).copied())
+            .unwrap_or(0)
     }
 
     /// The true first hit of the ray of this number.
@@ -163,7 +172,7 @@ impl Subject {
         match (self, kernel) {
             (Subject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
                 let (number, picture, pixel) = Subject::locate(pictures, index)?;
-                let (row, column) = picture.pixels[pixel];
+                let (row, column) = picture.sample.pixels[pixel];
                 of_pixels[number].hit(row, column)
             }
             (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
@@ -217,36 +226,25 @@ impl Kernel {
 }
 
 impl Picture {
-    /// Pixels of `raster` are compared with the truth; `timed` is traced for the time.
+    /// The sample's pixels of `raster` are compared with the truth; `timed` is traced for the time.
     pub(super) fn new(
-        scene: &Arc<Scene>,
+        scene: Arc<Scene>,
         given: &Camera,
         camera: &ResolvedCamera,
         raster: Raster,
+        sample: Sample,
         timed: (ResolvedCamera, Raster),
     ) -> Picture {
-        let objects = objects_of(scene);
+        let objects = objects_of(&scene);
         let of_reference = reference_camera(given);
         let view =
             if objects.len() < MANY_OBJECTS { of_reference.prepare(&objects).ok() } else { None };
-        let scene = Arc::clone(scene);
-        Picture {
-            scene,
-            camera: *camera,
-            of_reference,
-            objects,
-            view,
-            raster,
-            pixels: Vec::new(),
-            strata: Vec::new(),
-            populations: [0, 0],
-            timed,
-        }
+        Picture { scene, camera: *camera, of_reference, objects, view, raster, sample, timed }
     }
 
     /// The pixel of this number.
     fn pixel(&self, pixel: usize) -> Pixel {
-        let (row, column) = self.pixels[pixel];
+        let (row, column) = self.sample.pixels[pixel];
         Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
     }
 
