@@ -1,9 +1,11 @@
 //! The command line: commands and their arguments.
 
-use std::path::PathBuf;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::error::ContextKind;
+use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
 use crate::figures::Subject;
@@ -12,6 +14,7 @@ use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::view::overlay::Style;
 use pinhole_exchange::format::{Conventions, Format};
+use pinhole_exchange::scenes::SceneSource;
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -328,9 +331,6 @@ pub struct ReportArguments {
     /// Write one JSON object; without a path to standard output, in place of the table
     #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
     pub json: Option<PathBuf>,
-    /// Write a row a case and method
-    #[arg(long, value_name = "OUT.csv")]
-    pub csv: Option<PathBuf>,
     /// Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and
     /// of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on
     #[arg(long, value_name = "OUT.svg|OUT.png")]
@@ -417,4 +417,17 @@ impl std::fmt::Display for Renderer {
             Self::Cpu => "cpu",
         })
     }
+}
+
+/// Returns the error of a first argument that is neither a command nor a scene, but nearly a command's
+/// name. As a scene may stand there, too, clap does not tell it by itself.
+pub fn mistyped(first: &OsStr) -> Option<clap::Error> {
+    if SceneSource::from_argument(Path::new(first)).is_ok() {
+        return None;
+    }
+    let definition = Arguments::command();
+    let commands = definition.get_subcommands().cloned();
+    let alone = clap::Command::new("pinhole").subcommands(commands);
+    let error = alone.try_get_matches_from([OsStr::new("pinhole"), first]).err()?;
+    error.get(ContextKind::SuggestedSubcommand).is_some().then_some(error)
 }

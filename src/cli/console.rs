@@ -7,7 +7,11 @@ use pinhole_exchange::{FileError, legible, limits};
 use serde::Serialize;
 
 use super::error::CommandError;
-use super::standard::is_standard;
+
+/// Returns true for `-`, which stands for standard input or output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
 
 /// Reads a file of at most so many bytes, or standard input for `-`. Returns the name of the file in
 /// messages, too.

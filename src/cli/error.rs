@@ -1,5 +1,6 @@
 //! The errors of commands, and the exit status that tells them.
 
+use super::console::is_standard;
 use std::fmt;
 use std::io::Write as _;
 use std::path::Path;
@@ -7,8 +8,6 @@ use std::process::ExitCode;
 
 use clap::builder::Styles;
 use pinhole_exchange::{FileError, legible};
-
-use super::standard::is_standard;
 
 /// The reason why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,10 +5,9 @@ use std::io::Write as _;
 use pinhole_exchange::atomic;
 use pinhole_exchange::format::{ExportScene, Include};
 
-use super::console::{to_stdout, warn};
+use super::console::{is_standard, to_stdout, warn};
 use super::error::{CommandError, scene_fault};
 use super::load::{apart, files_of, load, pose};
-use super::standard::is_standard;
 use crate::cli::arguments::ExportArguments;
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {

@@ -7,12 +7,10 @@ use pinhole_core::{DVec2, ImageSize, Selection};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
-use super::console::to_stdout;
+use super::console::{is_standard, to_stdout};
 use super::error::{CommandError, scene_fault, unmade};
-use super::load::{apart, files_of, load, pose, selection_of};
+use super::load::{apart, files_of, follow, load, pose, selection_of, size};
 use super::progress::Progress;
-use super::size::{follow, size};
-use super::standard::is_standard;
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, Reel, Subject};
 use crate::model::observer::{Observer, ViewSize};

@@ -8,10 +8,9 @@ use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::{Importer, file_text};
 use pinhole_exchange::{atomic, limits, scene_file};
 
-use super::console::{read, to_stdout, warn};
+use super::console::{is_standard, read, to_stdout, warn};
 use super::error::CommandError;
 use super::load::apart;
-use super::standard::is_standard;
 use crate::cli::arguments::ImportArguments;
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {

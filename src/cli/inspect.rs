@@ -1,16 +1,20 @@
 //! `pinhole inspect`: one ray, its camera, and everything it meets.
 
-mod json;
-mod text;
+use std::fmt::Write as _;
 
-use pinhole_core::{ResolvedCamera, UpAngle};
+use pinhole_core::{
+    DVec2, DVec3, Orientation, Pixel, Ray, ResolvedCamera, Root, UpAngle, shortest, triple,
+};
 use pinhole_exchange::document::Document;
+use serde::Serialize;
 
 use super::console::{to_json, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
+use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
+use crate::model::readings::{Reading, ReadingValue, of_basis};
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {
@@ -32,4 +36,230 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let readout = Readout { document: &document, camera, up_angle, inspection };
     let text = if arguments.json { to_json(&readout.json())? } else { readout.to_text() };
     to_stdout(|out| out.write_all(text.as_bytes()))
+}
+
+impl Readout<'_> {
+    /// `sphere` or `plane`.
+    fn kind_of(&self, object: u32) -> &'static str {
+        if (object as usize) < self.document.sphere_count() { "sphere" } else { "plane" }
+    }
+
+    fn to_text(&self) -> String {
+        let mut text = String::new();
+        for (title, lines) in
+            [("camera", self.camera_lines()), ("ray", self.ray_lines()), ("hits", self.hit_lines())]
+        {
+            text.push_str(title);
+            text.push('\n');
+            for line in lines {
+                let _ = writeln!(text, "  {}", line.trim_end());
+            }
+        }
+        text
+    }
+
+    fn camera_lines(&self) -> Vec<String> {
+        let camera = &self.document.camera;
+        let viewport = self.camera.viewport();
+        let mut lines = vec![row("eye", triple(camera.eye))];
+        match camera.orientation {
+            Orientation::At { at, up } => {
+                lines.extend([row("at", triple(at)), row("up", triple(up))]);
+            }
+            Orientation::View { view, up } => {
+                lines.extend([row("view", triple(view)), row("up", triple(up))]);
+            }
+            Orientation::Basis(_) => {}
+        }
+        let has_up = !matches!(camera.orientation, Orientation::Basis(_));
+        let readings = of_basis(&self.camera, has_up.then_some(self.up_angle));
+        lines.extend(readings.iter().map(|reading| self.row_of(reading)));
+        lines.push(row(
+            "viewport",
+            format!(
+                "{} x {} at distance {}, field of view {:.2} x {:.2} degrees",
+                shortest(viewport.width),
+                shortest(viewport.height),
+                shortest(viewport.distance),
+                viewport.horizontal_fov().to_degrees(),
+                viewport.vertical_fov().to_degrees()
+            ),
+        ));
+        let image = self.camera.image();
+        let size = format!("{} x {} pixels", image.width(), image.height());
+        lines.push(row("image", size));
+        lines
+    }
+
+    fn ray_lines(&self) -> Vec<String> {
+        let mut readings = self.inspection.ray_readings(self.camera.image());
+        readings.swap(0, 1);
+        readings.iter().map(|reading| self.row_of(reading)).collect()
+    }
+
+    fn row_of(&self, reading: &Reading) -> String {
+        let value = match &reading.value {
+            ReadingValue::Number(x) if reading.concept == Some(Concept::Up) => {
+                let roll = "(degrees of roll for each degree that up is tipped sideways)";
+                format!("{} {roll}", shortest(*x))
+            }
+            ReadingValue::Number(x) => shortest(*x),
+            ReadingValue::Uv(uv) => format!("({}, {})", shortest(uv.x), shortest(uv.y)),
+            ReadingValue::Vector(v) => triple(*v),
+            ReadingValue::Angle(angle) => format!("{} degrees", shortest(angle.angle.to_degrees())),
+            ReadingValue::Pixel(..) => self.pixel_text(),
+            ReadingValue::Text(text) => text.clone(),
+        };
+        row(reading.long_name, value)
+    }
+
+    fn pixel_text(&self) -> String {
+        let Some(position) = self.inspection.image_position else {
+            return "none: outside the viewport".to_owned();
+        };
+        if let Some(Pixel { row, column }) = position.only_pixel() {
+            return format!("row {row}, column {column} (counted from 0)");
+        }
+        let what = match (position.column_edge, position.row_edge) {
+            (Some(_), Some(_)) => "the corner of",
+            _ => "on the edge of",
+        };
+        let pixels = position.touching(self.camera.image());
+        let names: Vec<String> = pixels.iter().map(|p| format!("{},{}", p.row, p.column)).collect();
+        format!("none: {what} row,column {}", names.join("  "))
+    }
+
+    fn hit_lines(&self) -> Vec<String> {
+        let roots = &self.inspection.roots;
+        let mut table = vec![["object", "t", "distance", "point", "normal"].map(str::to_owned)];
+        table.extend(roots.iter().zip(&self.inspection.distances).map(|(root, distance)| {
+            [
+                self.object_text(root.object),
+                told(root.t),
+                told(*distance),
+                format!("({})", root.point.to_array().map(told).join(", ")),
+                triple(root.normal),
+            ]
+        }));
+        let mut lines = if roots.is_empty() { Vec::new() } else { columns(&table) };
+        lines.push(match self.inspection.first_hit() {
+            Some(first) => format!(
+                "first: {} at t = {}, the smallest t above 0{}",
+                self.object_text(first.object),
+                told(first.t),
+                self.inspection.why_first().map(|why| format!(" ({why})")).unwrap_or_default()
+            ),
+            None if roots.is_empty() => "first: none, the ray's line meets nothing".to_owned(),
+            None => "first: none, no t is above 0".to_owned(),
+        });
+        lines
+    }
+
+    fn object_text(&self, object: u32) -> String {
+        let kind = self.kind_of(object);
+        match self.document.name_of(object) {
+            Some(name) => format!("{kind} {object} {name:?}"),
+            None => format!("{kind} {object}"),
+        }
+    }
+}
+
+/// Returns a number; of one beyond the range of `f64`, in whose place the last one may stand, that it is.
+fn told(x: f64) -> String {
+    match x {
+        f64::MAX.. => "beyond f64".to_owned(),
+        ..=f64::MIN => "-beyond f64".to_owned(),
+        _ => shortest(x),
+    }
+}
+
+fn row(name: &str, value: impl std::fmt::Display) -> String {
+    format!("{name:22}{value}")
+}
+
+fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
+    let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let line = |row: &[String; N]| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        cells.collect::<Vec<_>>().join("  ")
+    };
+    table.iter().map(line).collect()
+}
+
+/// Numbers read back to the same `f64`. One beyond its range, such as the distance between two
+/// points at its ends, is `null`: JSON has no infinity. The conditioning never is, as the core caps
+/// it at the largest `f64`.
+#[derive(Serialize)]
+struct Inspect<'a> {
+    camera: Camera,
+    pixel: Option<Pixel>,
+    uv: DVec2,
+    ray: Ray,
+    hits: Vec<Hit<'a>>,
+    first: Option<usize>,
+}
+
+#[derive(Serialize)]
+struct Camera {
+    eye: DVec3,
+    u: DVec3,
+    v: DVec3,
+    w: DVec3,
+    up_view_angle_deg: f64,
+    conditioning: f64,
+}
+
+#[derive(Serialize)]
+struct Hit<'a> {
+    object: &'static str,
+    index: u32,
+    name: Option<&'a str>,
+    t: f64,
+    distance: f64,
+    point: DVec3,
+    normal: DVec3,
+}
+
+impl Readout<'_> {
+    fn json(&self) -> Inspect<'_> {
+        let Readout { camera, up_angle, inspection, .. } = self;
+        let basis = camera.basis();
+        let hits = inspection.roots.iter().zip(&inspection.distances);
+        Inspect {
+            camera: Camera {
+                eye: plain(camera.eye()),
+                u: plain(basis.u),
+                v: plain(basis.v),
+                w: plain(basis.w),
+                up_view_angle_deg: up_angle.angle.to_degrees(),
+                conditioning: up_angle.conditioning,
+            },
+            pixel: inspection.pixel(),
+            uv: inspection.uv,
+            ray: Ray {
+                origin: plain(inspection.ray.origin),
+                direction: plain(inspection.ray.direction),
+            },
+            hits: hits.map(|(root, distance)| self.hit(root, *distance)).collect(),
+            first: inspection.first,
+        }
+    }
+
+    fn hit(&self, root: &Root, distance: f64) -> Hit<'_> {
+        Hit {
+            object: self.kind_of(root.object),
+            index: root.object,
+            name: self.document.name_of(root.object),
+            t: root.t,
+            distance,
+            point: plain(root.point),
+            normal: plain(root.normal),
+        }
+    }
+}
+
+/// Readers expect no negative zero.
+fn plain(v: DVec3) -> DVec3 {
+    v + DVec3::ZERO
 }

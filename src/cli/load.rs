@@ -8,9 +8,8 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, limits, scene_file};
 
-use super::console::read;
+use super::console::{is_standard, read};
 use super::error::{CommandError, scene_fault};
-use super::standard::is_standard;
 
 /// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
@@ -113,4 +112,31 @@ fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
         height - 1,
         width - 1
     ))
+}
+
+/// Returns the size of a picture; a width or height alone takes the other along, in the ratio of the
+/// `usual` size.
+///
+/// # Errors
+/// Returns an error if no image has this size.
+pub(super) fn size(
+    width: Option<u32>,
+    height: Option<u32>,
+    usual: [u32; 2],
+) -> Result<ImageSize, CommandError> {
+    let ratio = f64::from(usual[0]) / f64::from(usual[1]);
+    let [width, height] = match (width, height) {
+        (None, None) => usual,
+        (Some(width), Some(height)) => [width, height],
+        (Some(width), None) => [width, follow(width, 1.0 / ratio)],
+        (None, Some(height)) => [follow(height, ratio), height],
+    };
+    ImageSize::new(width, height).map_err(|error| {
+        CommandError::Arguments(format!("{error}; give both --width and --height"))
+    })
+}
+
+/// Returns the other side of a picture, in pixels.
+pub(super) fn follow(pixels: u32, ratio: f64) -> u32 {
+    (f64::from(pixels) * ratio).round().max(1.0) as u32
 }

@@ -1,10 +1,9 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 //!
-//! `error`, `load`, `console`, `standard`, `size` and `progress` are what they share.
+//! `error`, `load`, `console` and `progress` are what they share.
 
 pub mod arguments;
 mod check;
-mod completions;
 mod console;
 mod error;
 mod export;
@@ -12,21 +11,18 @@ mod figure;
 mod import;
 mod inspect;
 mod load;
-mod mistyped;
 mod progress;
-mod render;
-pub mod render_view;
+pub mod render;
 #[cfg(feature = "report")]
 mod report;
 mod scenes;
-mod size;
-mod standard;
 mod trace;
 
+pub use self::arguments::mistyped;
 pub use self::console::print;
+use self::console::to_stdout;
 pub use self::error::{CommandError, exit_code};
-pub use self::mistyped::mistyped;
-use crate::cli::arguments::Command;
+use crate::cli::arguments::{Command, Shell};
 
 /// Runs a command.
 ///
@@ -46,6 +42,16 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Import(arguments) => import::run(arguments),
-        Command::Completions(arguments) => completions::run(arguments),
+        Command::Completions(arguments) => complete(arguments.shell),
     }
+}
+
+/// `pinhole completions`: what a shell reads to complete commands, options and scenes.
+fn complete(shell: Shell) -> Result<(), CommandError> {
+    let script = match shell {
+        Shell::Bash => include_str!("../../assets/completions/pinhole.bash"),
+        Shell::Zsh => include_str!("../../assets/completions/_pinhole"),
+        Shell::Fish => include_str!("../../assets/completions/pinhole.fish"),
+    };
+    to_stdout(|out| out.write_all(script.as_bytes()))
 }

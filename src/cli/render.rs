@@ -2,17 +2,24 @@
 
 use std::io::{BufWriter, Write};
 
+use pinhole_core::{
+    Certificate, Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level,
+};
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
+use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png;
 
-use super::console::{named, to_stdout};
+use super::console::{is_standard, named, to_stdout};
 use super::error::{CommandError, not_built, scene_fault};
-use super::load::{apart, files_of, load, pose};
+use super::load::{apart, files_of, load, pose, size};
 use super::progress::Progress;
-use super::render_view::{RenderOptions, render_view};
-use super::size::size;
-use super::standard::is_standard;
 use crate::cli::arguments::{RenderArguments, View};
+use crate::figures::{self, Look};
+use crate::model::fault::Fault;
+use crate::model::observer::{Observer, ViewSize};
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::{Session, Settings};
+use crate::view::overlay::Style;
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {
@@ -77,4 +84,108 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     }
     batch.finish()?;
     if output.is_none() { to_stdout(encode) } else { Ok(()) }
+}
+
+/// Options of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderOptions {
+    /// Size of the picture.
+    pub size: ImageSize,
+    /// The view, of the two.
+    pub view: View,
+    /// Draws the basis, the viewport and the rays over it.
+    pub overlay: bool,
+    /// The shading: how a hit becomes a colour.
+    pub shade: Shade,
+    /// Computes what the camera's rays meet, with normals and certificates, even if the picture does
+    /// not need it.
+    pub aov: bool,
+}
+
+/// A finished picture.
+#[derive(Clone, Debug)]
+pub struct Rendering {
+    /// Opaque sRGB pixels with alpha 255, row by row from the top.
+    pub pixels: Vec<[u8; 4]>,
+    /// Hits of the camera's rays, pixel by pixel, where they were asked for or needed anyway.
+    pub frame: Option<Frame<f32>>,
+    /// How surely each pixel of the frame is decided, where that was asked for.
+    pub certificates: Vec<Certificate>,
+}
+
+/// Draws a view of the document, `options.size` large. `done` hears of finished rows.
+///
+/// A camera view of another size than the document's image is that of a camera with as many
+/// pixels; the world view keeps the camera's pixels and draws them on its viewport.
+///
+/// # Errors
+/// Returns an error if the camera sees nothing, or an object is invalid.
+pub fn render_view(
+    document: &Document,
+    options: RenderOptions,
+    done: impl Fn(usize) + Sync,
+) -> Result<Rendering, CommandError> {
+    let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
+    let mut document = document.clone();
+    if options.view == View::Camera {
+        document.camera.image = options.size;
+    }
+    let camera = document.camera.resolve().map_err(|error| input(&error))?;
+    let scene = document.scene().map_err(|error| input(&error))?;
+    let trace = || {
+        let outputs = Outputs { normal: options.aov, ..Outputs::default() };
+        let raster = Raster::full(camera.image());
+        trace_at_level(Level::new(), &scene, &camera, &raster, outputs, &done)
+    };
+    let certificates = || {
+        let [rows, columns] = [options.size.height(), options.size.width()];
+        let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
+        if options.aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
+    };
+    if options.view == View::Camera && !options.overlay {
+        let frame = trace();
+        let color_of = |object| document.color_of(object);
+        let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
+        return Ok(Rendering { pixels, frame: Some(frame), certificates: certificates() });
+    }
+    let pixels = with_overlay(&document, &scene, options).map_err(|fault| input(&fault))?;
+    if !options.aov {
+        done(options.size.height() as usize);
+        return Ok(Rendering { pixels, frame: None, certificates: Vec::new() });
+    }
+    Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
+}
+
+/// The view as the window shows it, labels included. No ray is selected, so none is drawn.
+fn with_overlay(
+    document: &Document,
+    scene: &Scene,
+    options: RenderOptions,
+) -> Result<Vec<[u8; 4]>, Fault> {
+    let RenderOptions { view, size, .. } = options;
+    let items = if options.overlay {
+        let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
+        // Nobody can take hold of a picture in a file.
+        items.with(Item::Handles, false)
+    } else {
+        // A plane has no end: the world view draws a patch of it.
+        OverlayItems::NONE.with(Item::Planes, true)
+    };
+    let session = Session {
+        observer: Some(Observer::frame_all(
+            &document.camera,
+            scene,
+            ViewSize::of_aspect(size.aspect()),
+        )),
+        settings: Settings { shade: options.shade, items, ..Settings::default() },
+        ..Session::default()
+    };
+    // Strokes and text stay in proportion on large pictures.
+    let look = Look {
+        scale: figures::scale_of([size.width(), size.height()]),
+        style: Style::Light,
+        transparent: false,
+    };
+    let figure = figures::of_view(document, &session, view, size, look)?;
+    Ok(figure.to_pixels().into_iter().map(|pixel| pixel.to_array()).collect())
 }

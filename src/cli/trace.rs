@@ -7,10 +7,9 @@ use pinhole_exchange::csv;
 use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
-use super::console::{read, to_stdout};
+use super::console::{is_standard, read, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{apart, files_of, load, once};
-use super::standard::is_standard;
 use crate::cli::arguments::TraceArguments;
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use pinhole::cli::arguments::View;
-use pinhole::cli::render_view::{RenderOptions, render_view};
+use pinhole::cli::render::{RenderOptions, render_view};
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::builtin;
