@@ -297,17 +297,13 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__report)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --json --csv --plot --seed --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --json --plot --seed --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
             fi
             case "${prev}" in
                 --json)
-                    COMPREPLY=($(compgen -f "${cur}"))
-                    return 0
-                    ;;
-                --csv)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -73,7 +73,6 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'A
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l csv -d 'Write a row a case and method' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Which random rays the stress families hold' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
