@@ -4,6 +4,7 @@
 //! `None`, which is `null` in JSON. No number is NaN or infinite: a method that answers so for a ray
 //! that hits has decided wrong, and is counted there.
 
+use pinhole_core::Steps;
 use serde::Serialize;
 
 /// Error against run time, of every method in every case.
@@ -136,17 +137,6 @@ pub struct Times {
     pub lower_quartile: Option<f64>,
     /// Three quarters of them are at most this.
     pub upper_quartile: Option<f64>,
-}
-
-/// Decisions by each step of the ladder.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Steps {
-    /// Decided in `f64`.
-    pub f64: u64,
-    /// Decided in double-double.
-    pub double_double: u64,
-    /// Decided exactly.
-    pub exact: u64,
 }
 
 /// A precision, the one with the fewest digits first.

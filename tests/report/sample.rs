@@ -1,6 +1,7 @@
 //! A report as it may come out of a run: a scene, and a family with a knob.
 
-use pinhole::report::model::{Case, Condition, MethodRow, Report, SINGLE, Steps, Times, Ulps};
+use pinhole::report::model::{Case, Condition, MethodRow, Report, SINGLE, Times, Ulps};
+use pinhole_core::Steps;
 
 /// Name, ns a pixel, and what it is like at its best and its worst.
 const METHODS: [(&str, f64, f64); 17] = [
@@ -47,6 +48,12 @@ pub(crate) fn report() -> Report {
     }
 }
 
+fn steps(f64: u64, double_double: u64, exact: u64) -> Steps {
+    let mut steps = Steps::default();
+    (steps.f64, steps.double_double, steps.exact) = (f64, double_double, exact);
+    steps
+}
+
 fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
     let row = |&(method, time, error): &(&str, f64, f64)| {
         let growth = if error < 1.0 { 1.0 } else { (1.0 + 0.3 * error).powf(0.35 * hardness) };
@@ -75,16 +82,11 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
                 lower_quartile: Some(0.95 * time),
                 upper_quartile: Some(1.1 * time),
             },
-            steps: method.starts_with("ladder").then(|| Steps {
-                f64: 4096 - 10 * hardness as u64,
-                double_double: 9 * hardness as u64,
-                exact: hardness as u64,
-            }),
-            steps_of_t: (method == "ladder").then(|| Steps {
-                f64: 0,
-                double_double: 800 - 7 * hardness as u64,
-                exact: 7 * hardness as u64,
-            }),
+            steps: method
+                .starts_with("ladder")
+                .then(|| steps(4096 - 10 * hardness as u64, 9 * hardness as u64, hardness as u64)),
+            steps_of_t: (method == "ladder")
+                .then(|| steps(0, 800 - 7 * hardness as u64, 7 * hardness as u64)),
             pixels_timed: 4096,
             t_out_of_range: 0,
         }

@@ -9,6 +9,7 @@ use std::ops::Add;
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
 /// knows a bound of its own error and hands over what lies within it to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Steps {
     /// Decided in `f64`.

@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
+use pinhole_core::Steps;
 use pinhole_core::methods::{Method, MethodHit, Precision};
 use pinhole_reference::{Hit, angle_between};
 
 use super::condition::Problem;
 use super::subject::Populations;
-use crate::report::model::{MethodRow, SINGLE, Steps, Times, Ulps};
+use crate::report::model::{MethodRow, SINGLE, Times, Ulps};
 
 /// Results of one method in one case so far.
 #[derive(Default)]
@@ -91,13 +92,8 @@ impl Tally {
     }
 
     /// Keeps how far up the ladder the last round had to go.
-    pub(super) fn climb(&mut self, steps: Option<[pinhole_core::Steps; 2]>) {
-        let plain = |steps: pinhole_core::Steps| Steps {
-            f64: steps.f64,
-            double_double: steps.double_double,
-            exact: steps.exact,
-        };
-        self.steps = steps.map(|steps| steps.map(plain));
+    pub(super) fn climb(&mut self, steps: Option<[Steps; 2]>) {
+        self.steps = steps;
     }
 
     /// Number of rays that a decision of each stratum stands for.
