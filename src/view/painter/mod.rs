@@ -139,13 +139,6 @@ impl Band<'_> {
         let start = (row - self.top) * self.width;
         &mut self.pixels[start + first..start + end]
     }
-
-    /// Copies a run from one row to another.
-    fn repeat(&mut self, from: usize, to: usize, first: usize, end: usize) {
-        let start = (from - self.top) * self.width;
-        let target = (to - self.top) * self.width;
-        self.pixels.copy_within(start + first..start + end, target + first);
-    }
 }
 
 /// The meshes to draw, with the data that is computed once for all pieces of the picture.

@@ -7,7 +7,7 @@ use egui::{Color32, Rect, TextureFilter, pos2};
 
 use super::Band;
 use super::blend::{self, Rgba, modulate, over, unpack};
-use super::geometry::{STEPS, first_centre, limit, snap};
+use super::geometry::{PixelRect, STEPS, first_centre, limit, snap};
 use super::texture::{Coordinate, Texture};
 use super::triangle::{Plane, Reading};
 
@@ -61,18 +61,18 @@ impl Rectangle {
         let (left, right) = (snap(rect.min.x), snap(rect.max.x));
         let (top, bottom) = (snap(rect.min.y), snap(rect.max.y));
         let clip = band.clip;
-        let columns = limit(first_centre(left), first_centre(right), clip.left, clip.right);
-        let rows = limit(first_centre(top), first_centre(bottom), clip.top, clip.bottom);
-        if columns.0 >= columns.1 || rows.0 >= rows.1 {
+        let (first, end) = limit(first_centre(left), first_centre(right), clip.left, clip.right);
+        let (from, to) = limit(first_centre(top), first_centre(bottom), clip.top, clip.bottom);
+        let area = PixelRect { left: first, top: from, right: end, bottom: to };
+        if area.is_empty() {
             return;
         }
-        let area = Area { columns, rows };
         let color = unpack(self.color);
         if self.uv.min == self.uv.max {
             let texel = texture.sample_at(self.uv.min, texture.filter(0.0));
             let source = modulate(color, texel);
-            for row in rows.0..rows.1 {
-                blend::fill(band.run(row, columns.0, columns.1), source);
+            for row in from..to {
+                blend::fill(band.run(row, first, end), source);
             }
             return;
         }
@@ -80,7 +80,7 @@ impl Rectangle {
         let u = along(left, right, self.uv.min.x, self.uv.max.x, width);
         let v = along(top, bottom, self.uv.min.y, self.uv.max.y, height);
         let v = Plane { across: 0.0, down: v.across, ..v };
-        area.textured(band, &Reading::new(texture, u, v), color);
+        draw_textured(band, area, &Reading::new(texture, u, v), color);
     }
 }
 
@@ -115,73 +115,29 @@ fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> Plane {
     Plane { origin, across: step * STEPS as f64, down: 0.0 }
 }
 
-/// The pixels of a rectangle, ends exclusive.
-struct Area {
-    columns: (usize, usize),
-    rows: (usize, usize),
-}
-
-impl Area {
-    fn textured(&self, band: &mut Band<'_>, reading: &Reading<'_>, color: Rgba) {
-        let (first, end) = self.columns;
-        let (u, u_step) = reading.u.stepped(0);
-        let texture = reading.texture;
-        // The plane of v has one value for each row.
-        let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
-        let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
-        let across = one_to_one(&u, self.columns, texture.size[0], reading.filter);
-        let down = one_to_one(&v, self.rows, texture.size[1], reading.filter);
-        if let (Some(across), Some(down)) = (across, down) {
-            for row in self.rows.0..self.rows.1 {
-                let start = (down + row - self.rows.0) * texture.size[0] + across;
-                let texels = &texture.texels()[start..start + end - first];
-                blit(band.run(row, first, end), texels, texture.opaque, color);
-            }
-        } else if reading.filter == TextureFilter::Nearest {
-            let texel_columns: Vec<usize> =
-                (first..end).map(|column| texture.wrap(u(column).nearest(), 0)).collect();
-            self.nearest(band, reading, color, &texel_columns, v);
+/// Draws an area of a texture in one vertex colour: copied or tinted where the area shows texel for
+/// pixel, as pictures and glyphs do, and else sampled.
+fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Reading<'_>, color: Rgba) {
+    let PixelRect { left, top, right, bottom } = area;
+    let texture = reading.texture;
+    let (u, u_step) = reading.u.stepped(0);
+    let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
+    // The plane of v has one value for each row.
+    let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
+    let across = one_to_one(&u, (left, right), texture.size[0], reading.filter);
+    let down = one_to_one(&v, (top, bottom), texture.size[1], reading.filter);
+    for row in top..bottom {
+        let pixels = band.run(row, left, right);
+        let (Some(across), Some(down)) = (across, down) else {
+            reading.draw(pixels, row, left, |_| color);
+            continue;
+        };
+        let start = (down + row - top) * texture.size[0] + across;
+        let texels = &texture.texels()[start..start + right - left];
+        if texture.opaque && color == [255.0; 4] {
+            pixels.copy_from_slice(texels);
         } else {
-            for row in self.rows.0..self.rows.1 {
-                reading.draw(band.run(row, first, end), row, first, |_| color);
-            }
-        }
-    }
-
-    fn nearest(
-        &self,
-        band: &mut Band<'_>,
-        reading: &Reading<'_>,
-        color: Rgba,
-        texel_columns: &[usize],
-        v: impl Fn(usize) -> Coordinate,
-    ) {
-        let texture = reading.texture;
-        let (first, end) = self.columns;
-        let copies = texture.opaque && color == [255.0; 4];
-        let mut drawn: Option<(usize, usize)> = None;
-        for row in self.rows.0..self.rows.1 {
-            let texel_row = texture.wrap(v(row).nearest(), 1);
-            match drawn {
-                // A magnified picture repeats its rows.
-                Some((same, source)) if copies && same == texel_row => {
-                    band.repeat(source, row, first, end);
-                    continue;
-                }
-                _ => drawn = Some((texel_row, row)),
-            }
-            let start = texel_row * texture.size[0];
-            let texels = &texture.texels()[start..start + texture.size[0]];
-            let pixels = band.run(row, first, end);
-            if copies {
-                for (pixel, &column) in pixels.iter_mut().zip(texel_columns) {
-                    *pixel = texels[column];
-                }
-            } else {
-                for (pixel, &column) in pixels.iter_mut().zip(texel_columns) {
-                    tint(pixel, texels[column], color);
-                }
-            }
+            pixels.iter_mut().zip(texels).for_each(|(pixel, texel)| tint(pixel, *texel, color));
         }
     }
 }
@@ -206,16 +162,6 @@ fn one_to_one(
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)
-}
-
-fn blit(pixels: &mut [Color32], texels: &[Color32], opaque: bool, color: Rgba) {
-    if opaque && color == [255.0; 4] {
-        pixels.copy_from_slice(texels);
-    } else {
-        for (pixel, &texel) in pixels.iter_mut().zip(texels) {
-            tint(pixel, texel, color);
-        }
-    }
 }
 
 #[inline(always)]

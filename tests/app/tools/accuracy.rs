@@ -311,7 +311,6 @@ fn the_window_says_what_its_picture_left_out() {
         counts.rows_untouched
     };
     let untouched = rows(&window);
-    assert!((1..199).contains(&untouched), "{untouched}");
     assert_says(&window, &format!("Left out: 0 of 2 spheres, {untouched} of 200 rows"));
     type_into(&mut window, "at z", "1");
     assert_says(&window, "Left out: 2 of 2 spheres, 200 of 200 rows");
