@@ -153,7 +153,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__figure)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --view --output --width --height --transparent --theme --play --frames --per-second --numbered --pixel --uv --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --view --output --width --height --transparent --theme --play --frames --per-second --pixel --uv --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

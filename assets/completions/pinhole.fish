@@ -89,17 +89,16 @@ colour-blind\t''
 colour-blind-dark\t''
 grey\t''
 grey-dark\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view: an animated PNG or GIF, like the window\'s Play' -r -f -a "swing-up\t''
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view, as the window\'s Play shows it: a GIF' -r -f -a "swing-up\t''
 orbit\t''
 over-the-top\t''
 walk\t''
 scan\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'How many frames it has; else as many as it has time for' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'The number of frames; else as many as it has time for' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d 'Frames per second' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l numbered -d 'Write OUT-0001.png, OUT-0002.png and so on in place of one animated file'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l to -d 'The other program, form or language' -r -f -a "gltf\t'glTF 2.0; its camera\'s x, y, z are u, v, w'
 three\t'three.js; its camera\'s x, y, z are u, v, w'

@@ -8,8 +8,7 @@ use clap::error::ContextKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::figures::Subject;
-pub use crate::figures::View;
+use crate::figures::{Frames, Subject};
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::view::overlay::Style;
@@ -149,8 +148,8 @@ pub struct RenderArguments {
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// What the camera sees, or the scene with the camera in it
-    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([View::Camera, View::World], |view| view.name().into()))]
-    pub view: View,
+    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([Subject::Camera, Subject::World], |view| view.name().into()))]
+    pub view: Subject,
     /// Draw the camera over the world view, and the image's marks over the camera's
     #[arg(long)]
     pub overlay: bool,
@@ -209,20 +208,22 @@ pub struct FigureArguments {
         value_parser = one_of(Style::ALL, |style| style.name().into())
     )]
     pub style: Style,
-    /// Write an animation of the world or the camera view: an animated PNG or GIF, like the window's
-    /// Play
-    #[arg(long, value_name = "KIND")]
+    /// Write an animation of the world or the camera view, as the window's Play shows it: a GIF
+    #[arg(long, value_name = "KIND", conflicts_with = "transparent")]
     #[arg(value_parser = one_of(Kind::ALL, |kind| kind.name().into()))]
     pub play: Option<Kind>,
-    /// How many frames it has; else as many as it has time for
+    /// The number of frames; else as many as it has time for
     #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
     pub frames: Option<u32>,
     /// Frames per second
-    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u16).range(1..=120))]
-    pub per_second: Option<u16>,
-    /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated file
-    #[arg(long, requires = "play")]
-    pub numbered: bool,
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "play",
+        default_value_t = Frames::PER_SECOND,
+        value_parser = clap::value_parser!(u16).range(1..=Frames::MOST_PER_SECOND.into())
+    )]
+    pub per_second: u16,
     /// The ray that is shown.
     #[command(flatten)]
     pub ray: MaybeRayArguments,

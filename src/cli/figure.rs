@@ -12,7 +12,7 @@ use super::error::{CommandError, scene_fault, unmade};
 use super::load::{apart, files_of, follow, load, pose, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, Reel, Subject};
+use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, Subject};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
@@ -73,12 +73,11 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         return refused("--play shows a view: --view world or --view camera");
     }
     let output = &arguments.output;
-    let frames = frames_of(arguments, kind);
-    let checked = frames.check(output, arguments.transparent);
-    checked.map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
-    if !arguments.numbered {
-        atomic::check(output)?;
-    }
+    let whole = Frames::new(kind, arguments.per_second);
+    let frames = Frames { count: arguments.frames.unwrap_or(whole.count), ..whole };
+    figures::check_animation_path(output)
+        .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
+    atomic::check(output)?;
     let document = load(&arguments.scene)?;
     apart(&files_of(&arguments.scene, &document), [("-o", arguments.output.as_path())])?;
     let order = order_of(arguments, document.camera.image)?;
@@ -108,15 +107,6 @@ fn start_of(document: &Document, session: &Session) -> Start {
     // The ray is asked about wherever the derivation is open.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
     Start::new(document, session, derived.inspection.as_deref(), derived.scene.as_deref())
-}
-
-fn frames_of(arguments: &FigureArguments, kind: Kind) -> Frames {
-    let mut frames = arguments.per_second.map_or(Frames::new(kind), |each| Frames::at(kind, each));
-    frames.count = arguments.frames.unwrap_or(frames.count);
-    if arguments.numbered {
-        frames.reel = Reel::Numbered;
-    }
-    frames
 }
 
 /// Refuses what would change nothing.
@@ -159,7 +149,7 @@ fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, Comm
         Subject::Derivation => least / DERIVATION_POINTS,
         Subject::Lines => least / LINES_POINTS,
     };
-    Ok(Order { subject, size, points: size.map(|n| n as f32 / scale), style, transparent })
+    Ok(Order { subject, size, scale, style, transparent })
 }
 
 /// The session that looks at the document: as in a window that has just been opened, but that no ray is drawn

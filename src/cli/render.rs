@@ -13,9 +13,8 @@ use super::console::{is_standard, named, to_stdout};
 use super::error::{CommandError, not_built, scene_fault};
 use super::load::{apart, files_of, load, pose, size};
 use super::progress::Progress;
-use crate::cli::arguments::{RenderArguments, View};
-use crate::figures::{self, Look};
-use crate::model::fault::Fault;
+use crate::cli::arguments::RenderArguments;
+use crate::figures::{Order, Subject, scale_of};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Session, Settings};
@@ -26,7 +25,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         if !cfg!(feature = "exr") {
             return Err(not_built("--aov", "exr"));
         }
-        if arguments.view == View::World {
+        if arguments.view == Subject::World {
             let problem = "--aov writes what the camera's rays meet: leave out --view world";
             return Err(CommandError::Arguments(problem.to_owned()));
         }
@@ -60,7 +59,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         shade: arguments.shade,
         aov: arguments.aov.is_some(),
     };
-    let progress = if arguments.overlay || arguments.view == View::World {
+    let progress = if arguments.overlay || arguments.view == Subject::World {
         Progress::during("drawing")
     } else {
         // Each row is traced, and for the other file asked how surely.
@@ -91,8 +90,8 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
 pub struct RenderOptions {
     /// Size of the picture.
     pub size: ImageSize,
-    /// The view, of the two.
-    pub view: View,
+    /// The view: the world or the camera.
+    pub view: Subject,
     /// Draws the basis, the viewport and the rays over it.
     pub overlay: bool,
     /// The shading: how a hit becomes a colour.
@@ -127,7 +126,7 @@ pub fn render_view(
 ) -> Result<Rendering, CommandError> {
     let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
     let mut document = document.clone();
-    if options.view == View::Camera {
+    if options.view == Subject::Camera {
         document.camera.image = options.size;
     }
     let camera = document.camera.resolve().map_err(|error| input(&error))?;
@@ -142,13 +141,13 @@ pub fn render_view(
         let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
         if options.aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
     };
-    if options.view == View::Camera && !options.overlay {
+    if options.view == Subject::Camera && !options.overlay {
         let frame = trace();
         let color_of = |object| document.color_of(object);
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
         return Ok(Rendering { pixels, frame: Some(frame), certificates: certificates() });
     }
-    let pixels = with_overlay(&document, &scene, options).map_err(|fault| input(&fault))?;
+    let pixels = with_overlay(&document, &scene, options).map_err(CommandError::Input)?;
     if !options.aov {
         done(options.size.height() as usize);
         return Ok(Rendering { pixels, frame: None, certificates: Vec::new() });
@@ -161,8 +160,8 @@ fn with_overlay(
     document: &Document,
     scene: &Scene,
     options: RenderOptions,
-) -> Result<Vec<[u8; 4]>, Fault> {
-    let RenderOptions { view, size, .. } = options;
+) -> Result<Vec<[u8; 4]>, String> {
+    let size = options.size;
     let items = if options.overlay {
         let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
         // Nobody can take hold of a picture in a file.
@@ -180,12 +179,15 @@ fn with_overlay(
         settings: Settings { shade: options.shade, items, ..Settings::default() },
         ..Session::default()
     };
+    let size = [size.width(), size.height()];
     // Strokes and text stay in proportion on large pictures.
-    let look = Look {
-        scale: figures::scale_of([size.width(), size.height()]),
+    let order = Order {
+        subject: options.view,
+        size,
+        scale: scale_of(size),
         style: Style::Light,
         transparent: false,
     };
-    let figure = figures::of_view(document, &session, view, size, look)?;
+    let figure = order.figure(document, &session, |_| false)?;
     Ok(figure.to_pixels().into_iter().map(|pixel| pixel.to_array()).collect())
 }

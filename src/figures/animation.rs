@@ -1,4 +1,4 @@
-//! Animations as files: a figure for each phase, in one animated PNG or GIF, or in numbered PNGs.
+//! Animations as GIF: a figure for each phase.
 
 use std::fs::File;
 use std::io::BufWriter;
@@ -7,69 +7,44 @@ use std::path::{Path, PathBuf};
 use pinhole_exchange::FileError;
 use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::images::{gif, png};
-use pinhole_exchange::temporary::DraftFolder;
+use pinhole_exchange::images::gif;
 
-use super::figure::{Figure, Format};
+use super::figure::{Figure, to_srgba};
 use super::order::Order;
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 
-/// The files that frames become.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reel {
-    /// One animated PNG or GIF, by the ending of its name.
-    Animated,
-    /// `name-0001.png`, `name-0002.png`, ...
-    Numbered,
-}
-
-/// Number of frames, and how fast they follow each other.
+/// The number of frames, and how fast they follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
     /// Number of frames, at least one.
     pub count: u32,
-    /// Frames per second.
+    /// Frames per second, at most [`Frames::MOST_PER_SECOND`].
     pub per_second: u16,
-    /// The files that they become.
-    pub reel: Reel,
 }
 
 impl Frames {
-    /// Returns as many as it has time for, twenty a second.
-    pub fn new(kind: Kind) -> Frames {
-        Frames::at(kind, 20)
-    }
+    /// The usual number of frames per second.
+    pub const PER_SECOND: u16 = 20;
+    /// Maximum number of frames per second.
+    pub const MOST_PER_SECOND: u16 = gif::MOST_PER_SECOND;
 
-    /// Returns as many as it has time for, so many a second.
-    pub fn at(kind: Kind, per_second: u16) -> Frames {
+    /// Returns the frames of a whole animation of this kind.
+    pub fn new(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
-        Frames { count: count.max(1), per_second, reel: Reel::Animated }
+        Frames { count: count.max(1), per_second }
     }
+}
 
-    /// Checks that they can be written to a file of this name, with a background or without.
-    ///
-    /// # Errors
-    /// Returns an error, as a sentence with what would do, if they cannot.
-    pub fn check(&self, path: &Path, transparent: bool) -> Result<(), String> {
-        if has_ending(path, "png") || has_ending(path, "apng") {
-            return Ok(());
-        }
-        if !has_ending(path, "gif") {
-            return Err(
-                "writes animations as PNG or GIF: end the name with .png or .gif".to_owned()
-            );
-        }
-        let fault = match (self.reel, transparent) {
-            (Reel::Numbered, _) => "writes numbered pictures as PNG",
-            (_, true) => "writes what is transparent as PNG, as GIF has no half-transparent dots",
-            _ if self.per_second > gif::MOST_PER_SECOND => {
-                return Err("writes at most 50 frames a second as GIF".to_owned());
-            }
-            _ => return Ok(()),
-        };
-        Err(format!("{fault}: end the name with .png"))
+/// Checks that a file of this name may hold an animation.
+///
+/// # Errors
+/// Returns an error, as a sentence, if the name does not end with `.gif`.
+pub fn check_animation_path(path: &Path) -> Result<(), String> {
+    if path.extension().is_some_and(|own| own.eq_ignore_ascii_case("gif")) {
+        return Ok(());
     }
+    Err("writes animations as GIF: end the name with .gif".to_owned())
 }
 
 /// An animation as a sequence of figures.
@@ -79,143 +54,76 @@ pub struct Animation {
     pub kind: Kind,
     /// The state at the start.
     pub start: Start,
-    /// After the end it begins again.
+    /// True if it begins again after the end.
     pub loops: bool,
     /// The document, and the session that looks at it.
     pub scene: (Document, Session),
     /// The figure of each phase.
     pub order: Order,
-    /// Number and pace of the figures.
+    /// The number and pace of the figures.
     pub frames: Frames,
 }
 
-impl Animation {
-    /// Frame `k`, from 0. It depends on the start and on its number alone.
-    ///
-    /// # Errors
-    /// Returns the reason, as a sentence, if there is no such figure.
-    pub fn figure(&self, k: u32) -> Result<Figure, String> {
-        let phase = self.kind.phase_of_frame(k, self.frames.count);
-        let still = self.start.at(self.kind, phase).map_err(|error| error.to_string())?;
-        let (mut document, mut session) = self.scene.clone();
-        still.show(self.kind, &mut document, &mut session);
-        self.order.figure(&document, &session, |_| false)
-    }
-}
-
-/// An animation that is being written. Dropped before it is finished, it leaves nothing.
+/// An animation that is being written. Dropped before it is finished, it leaves no file.
 pub struct Recorder {
     animation: Animation,
     done: u32,
     path: PathBuf,
-    sink: Sink,
-}
-
-/// The unfinished files, in the folder where they will be.
-enum Sink {
-    Png(Box<png::Animated<BufWriter<File>>>, Draft),
-    Gif(Box<gif::Animated<BufWriter<File>>>, Draft),
-    Numbered(DraftFolder),
+    gif: gif::Animated<BufWriter<File>>,
+    /// The unfinished file, in the folder where it will be.
+    draft: Draft,
 }
 
 impl Recorder {
-    /// Begins.
+    /// Begins to write an animation.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if nothing can be written there.
+    /// Returns an error, as a sentence, if the file cannot be written.
     pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
-        let Frames { count, per_second, reel } = animation.frames;
-        let sink = match reel {
-            Reel::Animated => {
-                let draft = Draft::create(&path).map_err(|error| error.to_string())?;
-                let out = BufWriter::new(draft.file().map_err(|error| error.to_string())?);
-                let Order { size, transparent, .. } = animation.order;
-                let loops = animation.loops;
-                let why = |error| FileError::unwritable(&path, &error).to_string();
-                if has_ending(&path, "gif") {
-                    let animated = gif::Animated::new(out, size, per_second, loops);
-                    Sink::Gif(Box::new(animated.map_err(why)?), draft)
-                } else {
-                    let frames = (count, per_second);
-                    let animated = png::Animated::new(out, size, frames, loops, transparent);
-                    Sink::Png(Box::new(animated.map_err(why)?), draft)
-                }
-            }
-            Reel::Numbered => {
-                let taken = (0..count).map(|k| numbered(&path, k)).find(|path| path.exists());
-                if let Some(taken) = taken {
-                    return Err(format!("{} exists: choose another name", taken.display()));
-                }
-                Sink::Numbered(
-                    DraftFolder::create_beside(&path).map_err(|error| error.to_string())?,
-                )
-            }
-        };
-        Ok(Recorder { animation, done: 0, path, sink })
+        let draft = Draft::create(&path).map_err(|error| error.to_string())?;
+        let out = BufWriter::new(draft.file().map_err(|error| error.to_string())?);
+        let per_second = animation.frames.per_second;
+        let gif = gif::Animated::new(out, animation.order.size, per_second, animation.loops)
+            .map_err(|error| FileError::unwritable(&path, &error).to_string())?;
+        Ok(Recorder { animation, done: 0, path, gif, draft })
     }
 
-    /// Returns how many frames are done, and how many there are.
+    /// Returns how many frames are written, and how many there are.
     pub fn progress(&self) -> (u32, u32) {
         (self.done, self.animation.frames.count)
     }
 
-    /// Makes the next frame.
+    /// Returns the next frame's figure. It depends on the animation's start and the frame's number
+    /// alone.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if there is no such figure or it cannot be written.
-    pub fn step(&mut self) -> Result<(), String> {
-        let figure = self.figure()?;
-        self.push(&figure)
-    }
-
-    /// Returns the next frame's figure.
-    ///
-    /// # Errors
-    /// Returns the reason, as a sentence, if there is none.
+    /// Returns the reason, as a sentence, if there is no such figure.
     pub fn figure(&self) -> Result<Figure, String> {
-        self.animation.figure(self.done)
+        let Animation { kind, start, scene, order, frames, .. } = &self.animation;
+        let phase = kind.phase_of_frame(self.done, frames.count);
+        let still = start.at(*kind, phase).map_err(|error| error.to_string())?;
+        let (mut document, mut session) = scene.clone();
+        still.show(*kind, &mut document, &mut session);
+        order.figure(&document, &session, |_| false)
     }
 
     /// Writes the next frame.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if it cannot be written.
+    /// Returns an error, as a sentence, if it cannot be written.
     pub fn push(&mut self, figure: &Figure) -> Result<(), String> {
-        let written = match &mut self.sink {
-            Sink::Png(animated, _) => animated.push(&figure.to_srgba()),
-            Sink::Gif(animated, _) => animated.push(&figure.to_srgba()),
-            Sink::Numbered(folder) => {
-                folder.write(self.done as usize, &figure.to_file(Format::Png)?)
-            }
-        };
         self.done += 1;
-        written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())
+        self.gif
+            .push(&to_srgba(&figure.to_pixels()))
+            .map_err(|error| FileError::unwritable(&self.path, &error).to_string())
     }
 
-    /// Puts everything in its place, after the last frame.
+    /// Puts the file in its place after the last frame.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if it cannot be written; no file is left then.
+    /// Returns an error, as a sentence, if it cannot be written; no file is left then.
     pub fn finish(self) -> Result<(), String> {
-        let (written, draft) = match self.sink {
-            Sink::Png(animated, draft) => (animated.finish(), draft),
-            Sink::Gif(animated, draft) => (animated.finish(), draft),
-            Sink::Numbered(folder) => {
-                let names: Vec<_> = (0..self.done).map(|k| numbered(&self.path, k)).collect();
-                return folder.rename_all(&names).map_err(|error| error.to_string());
-            }
-        };
-        written.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
-        draft.finish().map_err(|error| error.to_string())
+        self.gif.finish().map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
+        self.draft.finish().map_err(|error| error.to_string())
     }
-}
-
-fn has_ending(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
-}
-
-/// Path of frame `k`, counted from 1.
-fn numbered(path: &Path, k: u32) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}-{:04}.png", k + 1))
 }

@@ -1,13 +1,13 @@
 //! A figure: what it looks like, and the files that it can be written to.
 
 use egui::{Color32, ColorImage, Context, Painter, Vec2};
+use pinhole_exchange::images::png;
 
 #[cfg(feature = "figures")]
-use super::vector::{self, Page, Picture, Primitive};
+use super::vector;
 use crate::view::headless::UiPass;
-use crate::view::overlay::{Path, Style, paint_paths};
+use crate::view::overlay::{Path, paint_paths};
 use crate::view::typesetting::fonts;
-use pinhole_exchange::images::png;
 
 /// The formats of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ impl Format {
     /// All of them.
     pub const ALL: [Format; 3] = [Format::Svg, Format::Pdf, Format::Png];
 
-    /// The ending of its files' names.
+    /// Returns the ending of its files' names.
     pub fn ending(self) -> &'static str {
         match self {
             Format::Svg => "svg",
@@ -32,20 +32,6 @@ impl Format {
             Format::Png => "png",
         }
     }
-}
-
-#[cfg(not(feature = "figures"))]
-const NO_VECTORS: &str = "this build writes figures as PNG alone: it has no feature `figures`";
-
-/// Scale and colours of a figure.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// Dots per point: how large strokes and letters are.
-    pub scale: f32,
-    /// The colours.
-    pub style: Style,
-    /// Leaves the background out.
-    pub transparent: bool,
 }
 
 /// A figure to export.
@@ -76,17 +62,12 @@ impl Figure {
         Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
     }
 
-    /// The title: what it shows, in words.
-    pub fn title(&self) -> &str {
-        &self.title
-    }
-
-    /// Width and height in dots.
+    /// Returns width and height in dots.
     pub fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// The pixels, premultiplied, row by row from the top: painted as the window is.
+    /// Returns the pixels, premultiplied, row by row from the top: painted as the window is.
     pub fn to_pixels(&self) -> Vec<Color32> {
         let [width, height] = self.size;
         let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
@@ -98,47 +79,40 @@ impl Figure {
         pixels
     }
 
-    /// The pixels, not premultiplied.
-    pub(super) fn to_srgba(&self) -> Vec<[u8; 4]> {
-        self.to_pixels().iter().map(Color32::to_srgba_unmultiplied).collect()
-    }
-
-    /// The figure as what vector formats are written from.
-    #[cfg(feature = "figures")]
-    fn page(&self) -> Page<'_> {
-        let mut primitives: Vec<Primitive> =
-            self.picture.iter().map(|picture| Primitive::Picture(Picture::new(picture))).collect();
-        primitives.extend(self.paths.iter().cloned().map(Primitive::Path));
-        primitives.extend(vector::primitives(self.drawn.shapes(), self.drawn.pixels_per_point()));
-        Page { title: &self.title, size: self.size, ground: self.ground, primitives }
-    }
-
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the format cannot hold the figure.
     pub fn to_file(&self, format: Format) -> Result<Vec<u8>, String> {
         match format {
             #[cfg(feature = "figures")]
-            Format::Svg => vector::svg(&self.page()).map(String::into_bytes),
+            Format::Svg => vector::svg(self).map(String::into_bytes),
             #[cfg(feature = "figures")]
-            Format::Pdf => vector::pdf(&self.page()),
+            Format::Pdf => vector::pdf(self),
             #[cfg(not(feature = "figures"))]
-            Format::Svg | Format::Pdf => Err(NO_VECTORS.to_owned()),
-            Format::Png => self.to_png(),
+            Format::Svg | Format::Pdf => {
+                Err("this build writes figures as PNG alone: it has no feature `figures`"
+                    .to_owned())
+            }
+            Format::Png => to_png(self.size, &self.to_pixels(), self.ground.is_none()),
         }
     }
+}
 
-    fn to_png(&self) -> Result<Vec<u8>, String> {
-        let mut bytes = Vec::new();
-        let [width, height] = self.size.map(|n| n as u32);
-        let pixels = self.to_srgba();
-        let written = if self.ground.is_none() {
-            png::encode_transparent(&mut bytes, width, height, &pixels)
-        } else {
-            png::encode(&mut bytes, width, height, &pixels)
-        };
-        written.map_err(|error| error.to_string())?;
-        Ok(bytes)
-    }
+/// Returns a PNG of premultiplied pixels, with their opacity or without.
+pub(super) fn to_png(
+    size: [usize; 2],
+    pixels: &[Color32],
+    transparent: bool,
+) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let [width, height] = size.map(|n| n as u32);
+    let encode = if transparent { png::encode_transparent } else { png::encode };
+    encode(&mut bytes, width, height, &to_srgba(pixels)).map_err(|error| error.to_string())?;
+    Ok(bytes)
+}
+
+/// Returns pixels that are not premultiplied.
+pub(super) fn to_srgba(pixels: &[Color32]) -> Vec<[u8; 4]> {
+    pixels.iter().map(Color32::to_srgba_unmultiplied).collect()
 }

@@ -1,23 +1,32 @@
-//! A figure as it is ordered, by the command or in the window's dialog: what it shows, how large it is,
+//! A figure as it is ordered, by a command or in the window's dialog: what it shows, how large it is,
 //! and what the file holds.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use pinhole_core::ImageSize;
+use egui::{Color32, ColorImage, Context, Pos2, Rect, Theme, vec2};
 use pinhole_exchange::document::Document;
 
-use super::figure::{Figure, Format, Look};
-use super::panes;
-use super::views::{View, of_view};
+use super::figure::{Figure, Format};
+use crate::model::fault::Fault;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Derivation, Markup, Section};
-use crate::view::derive::{Deriver, ViewSizes};
-use crate::view::overlay::Style;
+use crate::view::derive::{Deriver, Purpose, ViewSizes};
+use crate::view::headless::UiPass;
+use crate::view::lines;
+use crate::view::overlay::{Drawing, Style};
+use crate::view::typesetting::{derivation, label_text, theme};
+
+/// Left and right of the derivation, and above and below it, in points.
+pub const MARGIN: f32 = 12.0;
+
+/// Height that nothing set on a page reaches, in points.
+const HIGHEST: f32 = 1e6;
 
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// The scene with the camera in it.
+    /// The scene with the camera in it, as the observer sees it.
     World,
     /// The camera's picture.
     Camera,
@@ -63,7 +72,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// The content that the ending of a file's name asks for.
+    /// Returns the content that the ending of a file's name asks for.
     ///
     /// # Errors
     /// Returns an error, as a sentence with the known endings, if the ending is unknown.
@@ -98,9 +107,8 @@ pub struct Order {
     pub subject: Subject,
     /// Width and height in dots; a derivation is as high as its lines.
     pub size: [u32; 2],
-    /// Width and height in points: how much of the plane there is room for, where lines are broken, and how
-    /// large letters are.
-    pub points: [f32; 2],
+    /// Dots per point: how large strokes and letters are.
+    pub scale: f32,
     /// The colours.
     pub style: Style,
     /// Leaves the background out.
@@ -108,47 +116,124 @@ pub struct Order {
 }
 
 impl Order {
-    /// Dots per point: as many as have room for all points.
-    fn scale(&self) -> f32 {
-        let [across, down] = [0, 1].map(|k| self.size[k] as f32 / self.points[k].max(1.0));
-        if self.subject == Subject::Derivation { across } else { across.min(down) }
-    }
-
-    /// The figure, of the document as the session looks at it.
+    /// Returns the figure of the document as the session looks at it: its ray, items and observer. Of
+    /// a section of the derivation that `is_folded` only the title is shown.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if there is no such figure.
+    /// Returns the reason, as a sentence, if there is nothing to see.
     pub fn figure(
         &self,
         document: &Document,
         session: &Session,
         is_folded: impl Fn(&Section) -> bool,
     ) -> Result<Figure, String> {
-        let scale = self.scale();
-        let look = Look { scale, style: self.style, transparent: self.transparent };
-        let of_view = |view| {
-            let [width, height] = self.size;
-            let size = ImageSize::new(width, height).map_err(|error| error.to_string())?;
-            of_view(document, session, view, size, look).map_err(|fault| fault.to_string())
-        };
         match self.subject {
-            Subject::World => of_view(View::World),
-            Subject::Camera => of_view(View::Camera),
-            Subject::Derivation => Ok(panes::derivation(
-                &derivation_of(document, session),
-                self.points[0],
-                look,
-                is_folded,
-            )),
-            Subject::Lines => {
-                let points = self.size.map(|dots| dots as f32 / scale);
-                Ok(panes::lines(&session.lines, session.settings.digits, points, look))
+            Subject::World | Subject::Camera => {
+                self.view(document, session).map_err(|fault| fault.to_string())
             }
+            Subject::Derivation => {
+                Ok(self.derivation(&derivation_of(document, session), is_folded))
+            }
+            Subject::Lines => {
+                let points = self.size.map(|dots| dots as f32 / self.scale);
+                let page = Rect::from_min_size(Pos2::ZERO, points.into());
+                let drawn = UiPass::draw(&self.context(), self.dots(), self.scale, |ui| {
+                    lines::draw(ui, page, &session.lines, session.settings.digits);
+                });
+                Ok(self.drawn(self.dots(), self.style.colors().background, drawn))
+            }
+        }
+    }
+
+    fn view(&self, document: &Document, session: &Session) -> Result<Figure, Fault> {
+        let Order { scale, style, .. } = *self;
+        let is_world = self.subject == Subject::World;
+        let sizes = ViewSizes {
+            world: is_world.then_some(self.size),
+            camera: (!is_world).then_some(self.size),
+            scale,
+            style,
+            purpose: Purpose::Figure { clear: self.transparent },
+            ..ViewSizes::default()
+        };
+        let derived = Deriver::default().derive(document, session, &sizes);
+        // A camera without a basis still stands in the world.
+        if let Some(fault) = derived.fault.filter(|f| !is_world || matches!(f, Fault::Scene(_))) {
+            return Err(fault);
+        }
+        let shown = if is_world { derived.world_view } else { derived.camera_view };
+        let drawing = shown.as_ref().map_or_else(Drawing::default, |shown| Drawing {
+            scale,
+            marks: shown.marks.to_vec(),
+            labels: shown.labels.to_vec(),
+        });
+        let ctx = Context::default();
+        theme::install_base(&ctx);
+        let drawn = UiPass::draw(&ctx, self.dots(), scale, |ui| {
+            for label in &drawing.labels {
+                label_text::write(ui.painter(), Pos2::ZERO, scale, label);
+            }
+        });
+        let has_dots =
+            |image: &ColorImage| image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT);
+        Ok(Figure {
+            picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
+            paths: drawing.paths().map(|path| path.scaled(1.0)).collect(),
+            ..self.drawn(self.dots(), style.colors().background, drawn)
+        })
+    }
+
+    fn derivation(&self, shown: &Derivation, is_folded: impl Fn(&Section) -> bool) -> Figure {
+        let width = self.size[0] as f32 / self.scale;
+        let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
+        let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
+        let draw = |ctx: &Context, size| {
+            let mut height = 0.0;
+            let drawn = UiPass::draw(ctx, size, self.scale, |ui| {
+                height = derivation::draw(ui, shown, column, &is_folded);
+            });
+            (drawn, height + 2.0 * MARGIN)
+        };
+        // The first pass tells the height.
+        let (_, height) = draw(&self.context(), [1, 1]);
+        let size = [self.dots()[0], (height * self.scale).round().max(1.0) as usize];
+        let ctx = self.context();
+        let (drawn, _) = draw(&ctx, size);
+        self.drawn(size, ctx.global_style().visuals.panel_fill, drawn)
+    }
+
+    fn dots(&self) -> [usize; 2] {
+        self.size.map(|n| n as usize)
+    }
+
+    /// A context in which text looks as in the window.
+    fn context(&self) -> Context {
+        let ctx = Context::default();
+        theme::install_base(&ctx);
+        theme::install(&ctx, theme::Look::in_scheme(self.style.scheme()));
+        ctx.set_theme(if self.style.is_dark() { Theme::Dark } else { Theme::Light });
+        ctx
+    }
+
+    /// A figure of shapes and text over the background.
+    fn drawn(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
+        Figure {
+            title: self.subject.title().to_owned(),
+            size,
+            ground: (!self.transparent).then_some(background),
+            picture: None,
+            paths: Vec::new(),
+            drawn,
         }
     }
 }
 
-/// The derivation of the document, whatever the layout shows.
+/// Returns the dots per point where no window says: as in a window of 720 points, and at least one.
+pub fn scale_of([width, height]: [u32; 2]) -> f32 {
+    (width.min(height) as f32 / 720.0).max(1.0)
+}
+
+/// Returns the derivation of the document, whatever the layout shows.
 pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
     session.settings.layout = ViewLayout::Derivation;

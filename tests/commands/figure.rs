@@ -266,7 +266,7 @@ fn what_does_not_fit_is_refused() {
     at("canonical --view derivation -o a.png --play orbit")
         .failed(2, "--play shows a view: --view world or --view camera");
     at("canonical --view world -o a.svg --play orbit")
-        .failed(2, "-o writes animations as PNG or GIF: end the name with .png or .gif");
+        .failed(2, "-o writes animations as GIF: end the name with .gif");
     at("canonical --view world -o a.svg --width 0")
         .refused("it must be a whole number of pixels, 1 to 16384");
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");

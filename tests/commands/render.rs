@@ -5,8 +5,8 @@ use std::io::BufReader;
 use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
-use pinhole::cli::arguments::View;
 use pinhole::cli::render::{RenderOptions, render_view};
+use pinhole::figures::Subject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::builtin;
@@ -68,7 +68,7 @@ fn progress_hears_of_every_row_once_a_pass() {
         let rows = AtomicUsize::new(0);
         let options = RenderOptions {
             size: document.camera.image,
-            view: View::Camera,
+            view: Subject::Camera,
             overlay,
             shade: Shade::Lambert,
             aov,

@@ -3,6 +3,10 @@
 pub(crate) mod naive;
 pub(crate) mod whole_window;
 
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
 use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};
 use egui_kittest::{HarnessBuilder, SnapshotOptions, TestRenderer};
@@ -52,4 +56,42 @@ pub(crate) fn harness<State>() -> HarnessBuilder<State> {
 pub(crate) fn image(pixels: &[Color32], size: [usize; 2]) -> Option<RgbaImage> {
     let bytes = pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
     RgbaImage::from_raw(size[0] as u32, size[1] as u32, bytes)
+}
+
+/// An animation as it is shown.
+pub(crate) struct Gif {
+    pub(crate) size: [usize; 2],
+    pub(crate) frames: Vec<Vec<[u8; 3]>>,
+    /// How long each frame is shown, in hundredths of a second.
+    pub(crate) delays: Vec<u16>,
+    pub(crate) repeats: gif::Repeat,
+}
+
+impl Gif {
+    pub(crate) fn read(path: &Path) -> Gif {
+        let mut options = gif::DecodeOptions::new();
+        options.set_color_output(gif::ColorOutput::RGBA);
+        let mut decoder = options.read_info(BufReader::new(File::open(path).unwrap())).unwrap();
+        let size = [decoder.width(), decoder.height()].map(usize::from);
+        let mut screen = vec![[0; 3]; size[0] * size[1]];
+        let (mut frames, mut delays) = (Vec::new(), Vec::new());
+        while let Some(frame) = decoder.read_next_frame().unwrap() {
+            for (shown, pixel) in screen.iter_mut().zip(frame.buffer.chunks_exact(4)) {
+                if pixel[3] == 255 {
+                    *shown = [pixel[0], pixel[1], pixel[2]];
+                }
+            }
+            frames.push(screen.clone());
+            delays.push(frame.delay);
+        }
+        Gif { size, frames, delays, repeats: decoder.repeat() }
+    }
+
+    /// Mean difference of two frames' channels.
+    pub(crate) fn difference(a: &[[u8; 3]], b: &[[u8; 3]]) -> f64 {
+        assert_eq!(a.len(), b.len());
+        let channels = a.as_flattened().iter().zip(b.as_flattened());
+        let sum: u64 = channels.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+        sum as f64 / (3 * a.len()) as f64
+    }
 }

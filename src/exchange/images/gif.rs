@@ -1,4 +1,4 @@
-//! Animations as GIF, for slide programs that take no animated PNG.
+//! Animations as GIF, which every slide program takes.
 
 use std::collections::HashMap;
 use std::io::{self, Write};

@@ -6,7 +6,7 @@ use std::path::Path;
 use pinhole_core::{ImageSize, Rgb};
 use png::{
     BitDepth, ColorType, Decoder, DecodingError, Encoder, EncodingError, SrgbRenderingIntent,
-    Transformations, Writer,
+    Transformations,
 };
 
 use crate::{FileError, atomic};
@@ -48,71 +48,19 @@ fn encode_as(
     pixels: &[[u8; 4]],
     transparent: bool,
 ) -> io::Result<()> {
-    let encoder = encoder(out, [width, height], transparent);
-    let mut writer = encoder.write_header().map_err(to_io)?;
-    let mut stream = writer.stream_writer().map_err(to_io)?;
-    for row in pixels.chunks(width as usize) {
-        stream.write_all(&bytes_of(row, transparent))?;
-    }
-    stream.finish().map_err(to_io)?;
-    writer.finish().map_err(to_io)
-}
-
-fn encoder<W: Write>(out: W, [width, height]: [u32; 2], transparent: bool) -> Encoder<'static, W> {
     let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-    encoder
-}
-
-fn bytes_of(pixels: &[[u8; 4]], transparent: bool) -> Vec<u8> {
+    let mut writer = encoder.write_header().map_err(to_io)?;
+    let mut stream = writer.stream_writer().map_err(to_io)?;
     let channels = if transparent { 4 } else { 3 };
-    pixels.iter().flat_map(|pixel| &pixel[..channels]).copied().collect()
-}
-
-/// An animated PNG (APNG, of the PNG specification's third edition) in the making.
-pub struct Animated<W: Write> {
-    writer: Writer<W>,
-    transparent: bool,
-}
-
-impl<W: Write> Animated<W> {
-    /// Begins an animation of so many frames of this size in sRGB pixels, so many a second; shown over and over, or
-    /// once.
-    ///
-    /// # Errors
-    /// Returns an error if there are no frames, or writing the header to `out` fails.
-    pub fn new(
-        out: W,
-        size: [u32; 2],
-        (frames, per_second): (u32, u16),
-        repeats: bool,
-        transparent: bool,
-    ) -> io::Result<Self> {
-        let mut encoder = encoder(out, size, transparent);
-        // Zero times is for ever.
-        encoder.set_animated(frames, u32::from(!repeats)).map_err(to_io)?;
-        encoder.set_frame_delay(1, per_second).map_err(to_io)?;
-        Ok(Animated { writer: encoder.write_header().map_err(to_io)?, transparent })
+    for row in pixels.chunks(width as usize) {
+        let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+        stream.write_all(&bytes)?;
     }
-
-    /// The next frame, its colours not premultiplied.
-    ///
-    /// # Errors
-    /// Returns an error if the frame is not as large as the header says, is one too many, or writing
-    /// it fails.
-    pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
-        self.writer.write_image_data(&bytes_of(pixels, self.transparent)).map_err(to_io)
-    }
-
-    /// The end, after the last frame.
-    ///
-    /// # Errors
-    /// Returns an error if frames are missing, or writing fails.
-    pub fn finish(self) -> io::Result<()> {
-        self.writer.finish().map_err(to_io)
-    }
+    stream.finish().map_err(to_io)?;
+    writer.finish().map_err(to_io)
 }
 
 /// A picture that was read.

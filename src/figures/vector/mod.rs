@@ -1,19 +1,286 @@
 //! Figures as vectors: SVG and PDF, with strokes as strokes and text as text.
 //!
-//! - `primitive`: paths, texts and pictures, whatever drew them;
-//! - `shapes`: what egui was told to draw, as parts; `text`: its text, glyph by glyph;
-//! - `typeface`: the fonts that the letters come from; `subset`: those letters alone, as a font;
-//! - `svg`, `pdf`: parts as files.
+//! - here: a figure as paths and texts, whatever drew them;
+//! - `text`: egui's text, letter by letter; `typeface`: the fonts that the letters come from;
+//! - `svg`, `pdf`: the files.
 
 mod pdf;
-mod primitive;
-mod shapes;
-mod subset;
 mod svg;
 mod text;
 mod typeface;
 
+use egui::epaint::tessellator::path::rounded_rectangle;
+use egui::epaint::{CircleShape, ColorMode, PathShape, RectShape, RoundedRect, TextShape};
+use egui::{Color32, ColorImage, Pos2, Shape, Stroke, StrokeKind};
+
 pub(super) use self::pdf::write as pdf;
-pub(super) use self::primitive::{Page, Picture, Primitive};
-pub(super) use self::shapes::primitives;
 pub(super) use self::svg::write as svg;
+use self::text::Text;
+use super::figure::Figure;
+use crate::view::overlay::{Ink, Outline, Path};
+use crate::view::typesetting::label_text::HaloText;
+
+/// A part of a figure, in dots from the upper left corner.
+#[derive(Clone, Debug)]
+enum Primitive {
+    /// A fill or a stroke.
+    Path(Path<'static>),
+    /// Text.
+    Text(Text),
+}
+
+/// Returns all that lies over a figure's picture, from the back to the front.
+fn primitives(figure: &Figure) -> Vec<Primitive> {
+    let primitives = figure.paths.iter().cloned().map(Primitive::Path).collect();
+    let mut maker = Maker { scale: figure.drawn.pixels_per_point(), primitives };
+    figure.drawn.shapes().iter().for_each(|clipped| maker.shape(&clipped.shape));
+    maker.primitives
+}
+
+/// Makes primitives of egui's shapes, which are in points.
+struct Maker {
+    /// Dots per point.
+    scale: f32,
+    primitives: Vec<Primitive>,
+}
+
+impl Maker {
+    fn shape(&mut self, shape: &Shape) {
+        if let Some(HaloText { text, halo }) = HaloText::from_shape(shape) {
+            return self.text(&text, Some(halo));
+        }
+        match shape {
+            Shape::Noop => {}
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| self.shape(shape)),
+            Shape::Text(text) => self.text(text, None),
+            Shape::LineSegment { points, stroke } => self.stroke(self.chain(points, false), stroke),
+            Shape::Path(PathShape { points, closed, fill, stroke }) => {
+                let outline = self.chain(points, *closed);
+                self.fill(outline.clone(), *fill);
+                if let ColorMode::Solid(color) = stroke.color {
+                    self.stroke(outline, &Stroke::new(stroke.width, color));
+                }
+            }
+            Shape::Circle(CircleShape { center, radius, fill, stroke }) => {
+                let circle = |radius: f32| Outline::Circle {
+                    center: [center.x * self.scale, center.y * self.scale],
+                    radius: radius * self.scale,
+                };
+                // egui draws a circle's stroke around it.
+                let (inner, outer) = (circle(*radius), circle(radius + 0.5 * stroke.width));
+                self.fill(inner, *fill);
+                self.stroke(outer, stroke);
+            }
+            Shape::Rect(rect) => self.rectangle(rect),
+            other => debug_assert!(false, "figures have no {other:?}"),
+        }
+    }
+
+    fn text(&mut self, shape: &TextShape, halo: Option<Color32>) {
+        let halo = halo.map(|halo| (halo, HaloText::REACH * self.scale));
+        let text = Text { runs: text::runs(shape, self.scale), halo };
+        if !text.runs.is_empty() {
+            self.primitives.push(Primitive::Text(text));
+        }
+    }
+
+    fn rectangle(&mut self, shape: &RectShape) {
+        let whole = RoundedRect::new(shape.rect, shape.corner_radius);
+        let out = match shape.stroke_kind {
+            StrokeKind::Inside => -0.5,
+            StrokeKind::Middle => 0.0,
+            StrokeKind::Outside => 0.5,
+        };
+        let outline = |rect: RoundedRect| {
+            let mut corners = Vec::new();
+            rounded_rectangle(&mut corners, rect);
+            self.chain(&corners, true)
+        };
+        let (inner, edge) = (outline(whole), outline(whole.expand(out * shape.stroke.width)));
+        self.fill(inner, shape.fill);
+        self.stroke(edge, &shape.stroke);
+    }
+
+    fn fill(&mut self, outline: Outline<'static>, color: Color32) {
+        if color.a() > 0 {
+            self.primitives.push(Primitive::Path(Path { outline, color, ink: Ink::Fill }));
+        }
+    }
+
+    fn stroke(&mut self, outline: Outline<'static>, &Stroke { width, color }: &Stroke) {
+        if width > 0.0 && color.a() > 0 {
+            let ink = Ink::Stroke { width: width * self.scale, round: false, dash: None };
+            self.primitives.push(Primitive::Path(Path { outline, color, ink }));
+        }
+    }
+
+    fn chain(&self, points: &[Pos2], closed: bool) -> Outline<'static> {
+        let points = points.iter().map(|at| [at.x * self.scale, at.y * self.scale]).collect();
+        Outline::Chain { points, closed }
+    }
+}
+
+/// Programs that smooth what they enlarge get each pixel as several, so that the smaller side of a
+/// picture has at least so many.
+const LEAST_SIDE: usize = 600;
+
+/// Returns a picture with as few pixels as show the same: large ones need not be stored dot by dot.
+fn compacted(image: &ColorImage) -> ColorImage {
+    let [width, height] = image.size;
+    let dot = |row: usize, column: usize| image.pixels[row * width + column];
+    // The side of the equal squares that the picture consists of.
+    let side = |count: usize, differs: &dyn Fn(usize) -> bool| {
+        (1..count).filter(|k| differs(*k)).fold(count, gcd)
+    };
+    let row = side(height, &|k| (0..width).any(|column| dot(k, column) != dot(k - 1, column)));
+    let column = side(width, &|k| (0..height).any(|row| dot(row, k) != dot(row, k - 1)));
+    // So many pixels for one, across and down.
+    let times = LEAST_SIDE.div_ceil((width / column).min(height / row));
+    if times >= column.min(row) {
+        return image.clone();
+    }
+    let size = [width / column * times, height / row * times];
+    let pixel = |k: usize| dot(k / size[0] / times * row, k % size[0] / times * column);
+    ColorImage::new(size, (0..size[0] * size[1]).map(pixel).collect())
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{Align2, Context, FontFamily, FontId, Painter, Rect, Vec2, pos2};
+
+    use super::*;
+    use crate::view::headless::UiPass;
+    use crate::view::typesetting::{fonts, theme};
+
+    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Primitive> {
+        let ctx = Context::default();
+        theme::install_base(&ctx);
+        let drawn = UiPass::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
+        let mut maker = Maker { scale, primitives: Vec::new() };
+        drawn.shapes().iter().for_each(|clipped| maker.shape(&clipped.shape));
+        maker.primitives
+    }
+
+    fn text(primitive: &Primitive) -> Option<(String, Option<(Color32, f32)>)> {
+        let Primitive::Text(text) = primitive else { return None };
+        Some((text.runs.iter().map(|run| run.text.as_str()).collect(), text.halo))
+    }
+
+    #[test]
+    fn letters_are_where_egui_put_them() {
+        let font = FontId::proportional(20.0);
+        // With a kerned pair, two fonts, and what some fonts have ligatures for.
+        let written = "AV floor 𝑡 = ffi";
+        let primitives = drawn(2.0, |painter| {
+            painter.text(pos2(10.0, 5.0), Align2::LEFT_TOP, written, font.clone(), Color32::RED);
+        });
+        let [Primitive::Text(text)] = primitives.as_slice() else { panic!("{primitives:?}") };
+        assert_eq!(text.runs.iter().map(|run| run.text.as_str()).collect::<String>(), written);
+        assert!(text.runs.len() > 1 && text.halo.is_none());
+        assert_eq!(text.runs[0].at[0], 20.0);
+        let ctx = Context::default();
+        theme::install_base(&ctx);
+        let mut width = 0.0;
+        UiPass::draw(&ctx, [400, 300], 2.0, |ui| {
+            let galley =
+                ui.painter().layout_no_wrap(written.to_owned(), font.clone(), Color32::RED);
+            width = 2.0 * galley.size().x;
+        });
+        let last = text.runs.last().expect("a run");
+        assert!((last.at[0] + last.width() - 20.0 - width).abs() < 1.0, "{text:?} {width}");
+        for run in &text.runs {
+            assert_eq!((run.size, run.color), (40.0, Color32::RED));
+            let own = run.text.chars().map(|c| run.size * run.face.advance(c));
+            let near = |(laid, own): (&f32, f32)| (laid - own).abs() < 0.15 * own + 1.0;
+            assert!(run.advances.iter().zip(own).all(near), "{run:?}");
+        }
+    }
+
+    #[test]
+    fn text_with_a_halo_is_one_text() {
+        let primitives = drawn(1.5, |painter| {
+            let font = FontId::new(14.0, fonts::bold());
+            let galley = painter.layout_no_wrap("cased".to_owned(), font, Color32::BLACK);
+            let text = HaloText::new(pos2(20.0, 20.0), galley, Color32::BLACK, Color32::WHITE);
+            painter.add(text.into_shape());
+            let font = FontId::new(14.0, FontFamily::Proportional);
+            let galley =
+                painter.layout_no_wrap("in another colour".to_owned(), font, Color32::BLACK);
+            painter.galley_with_override_text_color(pos2(9.0, 9.0), galley, Color32::BLUE);
+        });
+        let texts: Vec<_> = primitives.iter().filter_map(text).collect();
+        let [(cased, Some((color, reach))), (other, None)] = texts.as_slice() else {
+            panic!("{texts:?}")
+        };
+        assert_eq!((cased.as_str(), *color), ("cased", Color32::WHITE));
+        assert!((reach - 1.95).abs() < 0.01);
+        assert_eq!(other, "in another colour");
+        let Some(Primitive::Text(last)) = primitives.last() else { panic!("{primitives:?}") };
+        assert_eq!(last.runs[0].color, Color32::BLUE);
+    }
+
+    #[test]
+    fn shapes_are_fills_and_strokes_in_dots() {
+        let stroke = Stroke::new(2.0, Color32::GREEN);
+        let primitives = drawn(2.0, |painter| {
+            painter.circle(pos2(10.0, 20.0), 5.0, Color32::RED, stroke);
+            painter.line_segment([pos2(0.0, 0.0), pos2(3.0, 4.0)], stroke);
+            let square = Rect::from_min_size(pos2(1.0, 1.0), Vec2::splat(4.0));
+            painter.rect_filled(square, 0.0, Color32::BLUE);
+        });
+        let path = |outline, color, ink| Path { outline, color, ink };
+        let circle = |radius| Outline::Circle { center: [20.0, 40.0], radius };
+        let chain =
+            |points: &[[f32; 2]], closed| Outline::Chain { points: points.to_vec().into(), closed };
+        let pen = Ink::Stroke { width: 4.0, round: false, dash: None };
+        let corners = [[2.0, 2.0], [10.0, 2.0], [10.0, 10.0], [2.0, 10.0]];
+        let paths: Vec<Path> = primitives
+            .into_iter()
+            .map(|primitive| match primitive {
+                Primitive::Path(path) => path,
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(
+            paths,
+            [
+                path(circle(10.0), Color32::RED, Ink::Fill),
+                path(circle(12.0), Color32::GREEN, pen),
+                path(chain(&[[0.0, 0.0], [6.0, 8.0]], false), Color32::GREEN, pen),
+                path(chain(&corners, true), Color32::BLUE, Ink::Fill),
+            ]
+        );
+    }
+
+    /// A picture of `w` x `h` different pixels, each so many dots wide and high.
+    fn enlarged([w, h]: [usize; 2], [across, down]: [usize; 2]) -> ColorImage {
+        let dots = (0..h * down).flat_map(|k| (0..w * across).map(move |l| (k / down, l / across)));
+        let color = |(k, l): (usize, usize)| Color32::from_rgb(k as u8, l as u8, 9);
+        ColorImage::new([w * across, h * down], dots.map(color).collect())
+    }
+
+    #[test]
+    fn large_pixels_are_stored_once_each_where_they_are_many() {
+        let picture = compacted(&enlarged([700, 650], [3, 2]));
+        assert_eq!(picture.size, [700, 650]);
+        assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
+        // Where they are few, as several, so that smoothing does not blur them.
+        let few = compacted(&enlarged([4, 3], [300, 400]));
+        assert_eq!(few.size, [800, 600]);
+        assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);
+    }
+
+    #[test]
+    fn what_is_no_enlarged_picture_is_stored_dot_by_dot() {
+        for image in
+            [enlarged([40, 30], [1, 1]), enlarged([40, 30], [1, 5]), enlarged([4, 3], [5, 5])]
+        {
+            let picture = compacted(&image);
+            assert_eq!((picture.size, picture.pixels), (image.size, image.pixels));
+        }
+    }
+}

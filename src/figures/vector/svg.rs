@@ -1,85 +1,74 @@
 //! A figure as SVG: strokes as strokes, text as text, with the letters that it needs as fonts in it.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use egui::Color32;
-use pinhole_exchange::images::png;
+use egui::{Color32, ColorImage};
+use pinhole_exchange::images::color;
 use pinhole_exchange::is_hidden;
 
-use super::primitive::{Page, Picture, Primitive, Run, Text};
-use super::subset::subset;
+use super::text::{Run, Text};
 use super::typeface::{Face, SANS};
+use super::{Primitive, compacted, primitives};
+use crate::figures::figure::{Figure, to_png};
 use crate::view::overlay::{Ink, Outline, Path};
 
-/// The whole file.
-pub(in crate::figures) fn write(page: &Page) -> Result<String, String> {
-    let ([width, height], title) = (page.size, escaped(page.title));
+/// Returns the whole file.
+pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
+    let ([width, height], title) = (figure.size, escaped(&figure.title));
+    let primitives = primitives(figure);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
          width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" fill=\"none\" \
-         stroke-linejoin=\"round\" font-family=\"{SANS}\">\n<title>{title}</title>\n"
+         stroke-linejoin=\"round\" font-family=\"{SANS}\">\n<title>{title}</title>\n{}",
+        style(&primitives)?
     );
-    out.push_str(&style(&page.primitives)?);
-    if let Some(ground) = page.ground {
-        // Writing to a string cannot fail.
-        let _ =
-            writeln!(out, "<rect width=\"{width}\" height=\"{height}\"{}/>", paint("fill", ground));
+    if let Some(ground) = figure.ground {
+        let fill = paint("fill", ground);
+        out += &format!("<rect width=\"{width}\" height=\"{height}\"{fill}/>\n");
     }
-    for (k, primitive) in page.primitives.iter().enumerate() {
-        match primitive {
-            Primitive::Picture(picture) => out.push_str(&image(picture, page.size)?),
-            Primitive::Path(path) => out.push_str(&element(path)),
-            Primitive::Text(text) => out.push_str(&written(text, k)),
-        }
-        out.push('\n');
+    if let Some(picture) = &figure.picture {
+        out += &image(&compacted(picture), figure.size)?;
     }
-    out.push_str("</svg>\n");
-    Ok(out)
+    for (k, primitive) in primitives.iter().enumerate() {
+        out += &match primitive {
+            Primitive::Path(path) => element(path),
+            Primitive::Text(text) => written(text, k),
+        };
+    }
+    Ok(out + "</svg>\n")
 }
 
-/// The fonts, each with the letters that are there.
+/// Returns the fonts, each with the letters that are there.
 fn style(primitives: &[Primitive]) -> Result<String, String> {
     let mut letters: BTreeMap<Face, BTreeSet<char>> = BTreeMap::new();
-    let texts = primitives.iter().filter_map(|primitive| match primitive {
-        Primitive::Text(text) => Some(&text.runs),
-        _ => None,
-    });
-    for run in texts.flatten() {
-        letters.entry(run.face).or_default().extend(run.text.chars());
+    for primitive in primitives {
+        let Primitive::Text(text) = primitive else { continue };
+        for run in &text.runs {
+            letters.entry(run.face).or_default().extend(run.text.chars());
+        }
     }
-    if letters.is_empty() {
-        return Ok(String::new());
-    }
-    let mut out = "<style>\n".to_owned();
-    for (face, letters) in letters {
-        let font = STANDARD.encode(subset(face, &letters)?);
+    let rule = |(face, letters): (Face, BTreeSet<char>)| {
+        let font = STANDARD.encode(face.subset(&letters)?);
         let (family, weight) = (face.family(), if face.is_bold() { "bold" } else { "normal" });
-        let _ = writeln!(
-            out,
+        Ok(format!(
             "@font-face{{font-family:\"{family}\";font-weight:{weight};\
-             src:url(data:font/ttf;base64,{font}) format(\"truetype\")}}"
-        );
-    }
-    out.push_str("</style>\n");
-    Ok(out)
+             src:url(data:font/ttf;base64,{font}) format(\"truetype\")}}\n"
+        ))
+    };
+    let rules = letters.into_iter().map(rule).collect::<Result<String, String>>()?;
+    Ok(if rules.is_empty() { rules } else { format!("<style>\n{rules}</style>\n") })
 }
 
-/// The picture's own pixels, which nobody is to smooth.
-fn image(picture: &Picture, [width, height]: [usize; 2]) -> Result<String, String> {
-    let pixels: Vec<[u8; 4]> = picture.pixels.iter().map(Color32::to_srgba_unmultiplied).collect();
-    let [columns, rows] = picture.size.map(|n| n as u32);
-    let mut bytes = Vec::new();
-    let is_opaque = pixels.iter().all(|pixel| pixel[3] == 255);
-    let encode = if is_opaque { png::encode } else { png::encode_transparent };
-    encode(&mut bytes, columns, rows, &pixels).map_err(|error| error.to_string())?;
-    let bytes = STANDARD.encode(bytes);
+/// Returns the picture's own pixels, which nobody is to smooth.
+fn image(picture: &ColorImage, [width, height]: [usize; 2]) -> Result<String, String> {
+    let transparent = picture.pixels.iter().any(|pixel| pixel.a() < 255);
+    let bytes = STANDARD.encode(to_png(picture.size, &picture.pixels, transparent)?);
     Ok(format!(
         "<image width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
          image-rendering=\"optimizeSpeed\" style=\"image-rendering:pixelated\" \
-         xlink:href=\"data:image/png;base64,{bytes}\"/>"
+         xlink:href=\"data:image/png;base64,{bytes}\"/>\n"
     ))
 }
 
@@ -97,97 +86,71 @@ fn element(Path { outline, color, ink }: &Path) -> String {
     match outline {
         Outline::Chain { points, closed } => {
             let name = if *closed { "polygon" } else { "polyline" };
-            format!("<{name} points=\"{}\"{ink}/>", chain(points))
+            let points: Vec<String> =
+                points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
+            format!("<{name} points=\"{}\"{ink}/>\n", points.join(" "))
         }
         Outline::Circle { center: [x, y], radius } => {
             let (x, y, radius) = (short(*x), short(*y), short(*radius));
-            format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"{ink}/>")
+            format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"{ink}/>\n")
         }
     }
 }
 
-/// Text once, and before it, where it has a casing, the same strokes of it in the casing's colour: not
-/// every program knows how to stroke text before it fills it.
+/// Returns text once, and before it, where it has a casing, the same strokes of it in the casing's
+/// colour: not every program knows how to stroke text before it fills it.
 fn written(text: &Text, number: usize) -> String {
     let color = text.runs.first().map_or(Color32::BLACK, |run| run.color);
     let own = |run: &Run| if run.color == color { String::new() } else { paint("fill", run.color) };
     let spans: String = text.runs.iter().map(|run| span(run, &own(run))).collect();
     let fill = paint("fill", color);
     match text.halo {
-        None => format!("<text xml:space=\"preserve\"{fill}>{spans}</text>"),
+        None => format!("<text xml:space=\"preserve\"{fill}>{spans}</text>\n"),
         Some((halo, reach)) => {
             let (fill_halo, stroke) = (paint("fill", halo), paint("stroke", halo));
             let width = short(2.0 * reach);
             format!(
                 "<use xlink:href=\"#text{number}\"{fill_halo}{stroke} stroke-width=\"{width}\"/>\n\
-                 <g{fill}><text id=\"text{number}\" xml:space=\"preserve\">{spans}</text></g>"
+                 <g{fill}><text id=\"text{number}\" xml:space=\"preserve\">{spans}</text></g>\n"
             )
         }
     }
 }
 
 fn span(run: &Run, fill: &str) -> String {
-    let Run { face, size, at: [x, y], slant, .. } = run;
-    let weight = if face.is_bold() { " font-weight=\"bold\"" } else { "" };
-    let slant = if *slant == 0.0 { "" } else { " font-style=\"oblique\"" };
-    let families = face.families();
+    let weight = if run.face.is_bold() { " font-weight=\"bold\"" } else { "" };
+    let slant = if run.slant == 0.0 { "" } else { " font-style=\"oblique\"" };
+    let families = run.face.families();
     let families =
         if families == SANS { String::new() } else { format!(" font-family=\"{families}\"") };
+    let ([x, y], size) = (run.at.map(short), short(run.size));
+    let text = escaped(&run.text);
     format!(
-        "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{families}{weight}{slant}{fill}>{}</tspan>",
-        short(*x),
-        short(*y),
-        short(*size),
-        escaped(&run.text)
+        "<tspan x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{families}{weight}{slant}{fill}>{text}</tspan>"
     )
 }
 
-/// A colour as an attribute.
+/// Returns a colour as an attribute.
 fn paint(name: &str, color: Color32) -> String {
     let [r, g, b, a] = color.to_srgba_unmultiplied();
     let opacity = match a {
         255 => String::new(),
         a => format!(" {name}-opacity=\"{}\"", short(f32::from(a) / 255.0)),
     };
-    format!(" {name}=\"{}\"{opacity}", hex([r, g, b]))
+    format!(" {name}=\"{}\"{opacity}", color::to_text([r, g, b]))
 }
 
-/// A number with three decimals at most.
+/// Rounds a number to three decimals.
 fn short(x: f32) -> f64 {
     (f64::from(x) * 1000.0).round() / 1000.0 + 0.0
 }
 
-/// An opaque colour.
-fn hex([r, g, b]: [u8; 3]) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// Points with two decimals.
-fn chain(points: &[[f32; 2]]) -> String {
-    let mut out = String::new();
-    for [x, y] in points {
-        let before = if out.is_empty() { "" } else { " " };
-        // Writing to a string cannot fail.
-        let _ = write!(out, "{before}{x:.2},{y:.2}");
-    }
-    out
-}
-
-/// Text that XML may hold: what marks it up is spelled out, and what is hidden, which it may mostly not
-/// hold at all, is left out.
+/// Returns text that XML may hold: what marks it up is spelled out, and what is hidden, which it may
+/// mostly not hold at all, is left out.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if is_hidden(c) => {}
-            c => out.push(c),
-        }
-    }
-    out
+    let shown: String = text.chars().filter(|c| !is_hidden(*c)).collect();
+    let shown = shown.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    shown.replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -1,94 +1,118 @@
 //! Text as egui has laid it out: letters with places, in runs of one font and colour.
 
+use egui::Color32;
 use egui::epaint::TextShape;
-use egui::text::{LayoutJob, LayoutSection};
-use egui::{Color32, Galley};
+use egui::text::ByteIndex;
 
-use super::primitive::Run;
 use super::typeface::Face;
 
 /// Lean of egui's slanted letters to the right, for each unit of height.
 const SLANT: f32 = 0.25;
 
-/// The runs of a text, lengths multiplied by `scale`.
+/// Text that is written in one go.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Text {
+    pub(super) runs: Vec<Run>,
+    /// A casing around all letters: its colour, and how far it reaches.
+    pub(super) halo: Option<(Color32, f32)>,
+}
+
+/// Letters on one baseline, all of one font and colour.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Run {
+    pub(super) text: String,
+    pub(super) face: Face,
+    /// The font's em.
+    pub(super) size: f32,
+    /// Start of the baseline.
+    pub(super) at: [f32; 2],
+    /// Distance of each letter from the next.
+    pub(super) advances: Vec<f32>,
+    pub(super) color: Color32,
+    /// Lean of a letter to the right, for each unit of height.
+    pub(super) slant: f32,
+}
+
+/// Returns the runs of a text, lengths multiplied by `scale`.
 pub(super) fn runs(shape: &TextShape, scale: f32) -> Vec<Run> {
-    let galley: &Galley = &shape.galley;
-    let mut letters = galley.job.text.char_indices();
+    let job = &shape.galley.job;
+    let mut letters = job.text.char_indices();
     let mut runs: Vec<Run> = Vec::new();
-    for placed in &galley.rows {
-        let mut last: Option<f32> = None;
+    for placed in &shape.galley.rows {
+        let row = runs.len();
         for glyph in &placed.row.glyphs {
             let Some((byte, letter)) = letters.next() else { break };
-            let Some(section) = section(&galley.job, byte) else { continue };
-            let format = &section.format;
-            let face = Face::for_letter(&format.font_id.family, letter);
+            let is_of = |range: &std::ops::Range<ByteIndex>| range.contains(&ByteIndex(byte));
+            let section = job.sections.iter().find(|section| is_of(&section.byte_range));
+            let Some(format) = section.map(|section| &section.format) else { continue };
             let color = match shape.override_text_color.unwrap_or(format.color) {
                 Color32::PLACEHOLDER => shape.fallback_color,
                 color => color,
             };
             let offset = placed.pos + glyph.pos.to_vec2();
-            let at = [shape.pos.x + offset.x, shape.pos.y + offset.y].map(|x| x * scale);
-            let advance = glyph.advance_width * scale;
-            let run = Run {
+            let next = Run {
                 text: letter.to_string(),
-                face,
+                face: Face::for_letter(&format.font_id.family, letter),
                 size: format.font_id.size * scale,
-                at,
-                advances: vec![advance],
+                at: [shape.pos.x + offset.x, shape.pos.y + offset.y].map(|x| x * scale),
+                advances: vec![glyph.advance_width * scale],
                 color: color.gamma_multiply(shape.opacity_factor),
                 slant: if format.italics { SLANT } else { 0.0 },
             };
-            match runs.last_mut() {
-                Some(open) if last.is_some() && goes_on(open, &run) => {
-                    // What kerning moved is part of the letter before.
-                    let begin = open.at[0] + open.width();
-                    if let Some(before) = open.advances.last_mut() {
-                        *before += run.at[0] - begin;
-                    }
-                    open.text.push(letter);
-                    open.advances.push(advance);
-                }
-                _ => runs.push(run),
+            match runs[row..].last_mut() {
+                Some(open) if open.goes_on(&next) => open.append(&next),
+                _ => runs.push(next),
             }
-            last = Some(at[0]);
         }
         if placed.ends_with_newline {
             letters.next();
         }
     }
-    runs.iter_mut().for_each(spread);
+    runs.iter_mut().for_each(Run::spread);
     runs.retain(|run| !run.text.trim().is_empty());
     runs
 }
 
-fn section(job: &LayoutJob, byte: usize) -> Option<&LayoutSection> {
-    job.sections.iter().find(|section| section.byte_range.contains(&egui::text::ByteIndex(byte)))
-}
+impl Run {
+    pub(super) fn width(&self) -> f32 {
+        self.advances.iter().sum()
+    }
 
-/// Returns whether a letter belongs to the same run.
-fn goes_on(open: &Run, next: &Run) -> bool {
-    open.face == next.face
-        && open.size == next.size
-        && open.color == next.color
-        && open.slant == next.slant
-        && (open.at[1] - next.at[1]).abs() < 1e-3
-}
+    /// Returns true if another run belongs to the same.
+    fn goes_on(&self, next: &Run) -> bool {
+        self.face == next.face
+            && self.size == next.size
+            && self.color == next.color
+            && self.slant == next.slant
+            && (self.at[1] - next.at[1]).abs() < 1e-3
+    }
 
-/// A ligature is laid out as its first letter, with all of its width, and the others with none but for
-/// rounding; each letter gets its own.
-fn spread(run: &mut Run) {
-    let own: Vec<f32> = run.text.chars().map(|c| run.size * run.face.advance(c)).collect();
-    let mut first = 0;
-    while first < own.len() {
-        let others = own[first + 1..].iter().zip(&run.advances[first + 1..]);
-        let end = first + 1 + others.take_while(|(own, laid)| **laid < 0.2 * **own).count();
-        let whole: f32 = own[first..end].iter().sum();
-        if end > first + 1 && whole > 0.0 {
-            let share = run.advances[first..end].iter().sum::<f32>() / whole;
-            for (laid, own) in run.advances[first..end].iter_mut().zip(&own[first..end]) {
-                *laid = share * own;
-            }
+    fn append(&mut self, next: &Run) {
+        // What kerning moved is part of the letter before.
+        let moved = next.at[0] - (self.at[0] + self.width());
+        if let Some(before) = self.advances.last_mut() {
+            *before += moved;
         }
-        first = end;
+        self.text.push_str(&next.text);
+        self.advances.extend(&next.advances);
+    }
+
+    /// Gives each letter of a ligature its share of the width. egui lays a ligature out as its first
+    /// letter, with all of the width, and the others with none but for rounding.
+    fn spread(&mut self) {
+        let own: Vec<f32> = self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
+        let mut first = 0;
+        for end in 1..=own.len() {
+            if end < own.len() && self.advances[end] < 0.2 * own[end] {
+                continue;
+            }
+            let whole: f32 = own[first..end].iter().sum();
+            if end > first + 1 && whole > 0.0 {
+                let share = self.advances[first..end].iter().sum::<f32>() / whole;
+                let laid = self.advances[first..end].iter_mut();
+                laid.zip(&own[first..end]).for_each(|(laid, own)| *laid = share * own);
+            }
+            first = end;
+        }
     }
 }

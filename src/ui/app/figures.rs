@@ -53,13 +53,10 @@ impl Screen<'_> {
     /// there is to tell if that fails.
     pub(super) fn copy(&self) -> Option<Dialog> {
         let shown = self.on_screen(self.layout_subject());
-        let (size, style) = (shown.dots(), self.style());
-        let OnScreen { subject, points, .. } = shown;
-        let order = Order { subject, size, points, style, transparent: false };
+        let order = shown.order(shown.dots(), self.style(), false);
         match self.figure(&order) {
             Ok(figure) => {
-                let size = size.map(|dots| dots as usize);
-                self.ctx.copy_image(ColorImage::new(size, figure.to_pixels()));
+                self.ctx.copy_image(ColorImage::new(figure.size(), figure.to_pixels()));
                 None
             }
             Err(problem) => Some(Dialog::message("The figure was not copied", problem)),

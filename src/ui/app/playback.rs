@@ -198,7 +198,7 @@ impl Playback {
             self.recorder = None;
             return;
         };
-        let stepped = recorder.step();
+        let stepped = recorder.figure().and_then(|figure| recorder.push(&figure));
         (*done, *frames) = recorder.progress();
         ctx.request_repaint();
         let ended = match stepped {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 
-use crate::figures::{Content, Frames, Order, Reel, Subject};
+use crate::figures::{Content, Frames, Order, Subject, check_animation_path};
 use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
@@ -33,6 +33,13 @@ impl OnScreen {
     pub(crate) fn dots(self) -> [u32; 2] {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
+
+    /// Returns a figure of this size: with as many dots per point as leave room for all points.
+    pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
+        let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
+        let scale = if self.subject == Subject::Derivation { across } else { across.min(down) };
+        Order { subject: self.subject, size, scale, style, transparent }
+    }
 }
 
 /// The fields of the dialog.
@@ -53,12 +60,17 @@ pub(crate) struct ExportForm {
 const FIGURE: FileQuestion = FileQuestion {
     title: "Export a figure",
     verb: "Export",
-    endings: &["svg", "pdf", "png", "gif", "tex", "md"],
+    endings: &["svg", "pdf", "png", "tex", "md"],
     hint: "path of an .svg, .pdf or .png file",
     writes: Some("svg"),
 };
-const ANIMATION: FileQuestion =
-    FileQuestion { title: "Export the animation", writes: Some("png"), ..FIGURE };
+const ANIMATION: FileQuestion = FileQuestion {
+    title: "Export the animation",
+    endings: &["gif"],
+    hint: "path of a .gif file",
+    writes: Some("gif"),
+    ..FIGURE
+};
 
 impl ExportForm {
     /// Creates the form with a path near the scene's file. The first subject is chosen.
@@ -79,10 +91,10 @@ impl ExportForm {
 
     /// Returns the same form for an animation, with all the frames of its duration.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
-        self.animation = Some((kind, Frames::new(kind)));
+        self.animation = Some((kind, Frames::new(kind, Frames::PER_SECOND)));
         self.field.question = ANIMATION;
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
-            self.field.text = format!("{folder}{}.png", kind.name());
+            self.field.text = format!("{folder}{}.gif", kind.name());
         }
         self
     }
@@ -110,14 +122,12 @@ impl ExportForm {
         }
         if let Some(path) = path {
             let content = match self.animation {
-                Some((_, frames)) => frames.check(&path, self.transparent),
+                Some(_) => check_animation_path(&path),
                 None => Content::for_path(shown.subject, &path).map(drop),
             };
             match content {
                 Ok(()) => {
-                    let OnScreen { subject, points, .. } = shown;
-                    let ExportForm { size, style, transparent, .. } = *self;
-                    let order = Order { subject, size, points, style, transparent };
+                    let order = shown.order(self.size, self.style, self.transparent);
                     export = Some(match self.animation {
                         Some((_, frames)) => FigureAction::ExportAnimation { order, frames, path },
                         None => FigureAction::Export { order, path },
@@ -188,9 +198,12 @@ impl ExportForm {
             }
         });
         ui.end_row();
-        ui.label("background");
-        ui.add(Checkbox::new(&mut self.transparent, "transparent"));
-        ui.end_row();
+        // GIF has no half-transparent dots.
+        if self.animation.is_none() {
+            ui.label("background");
+            ui.add(Checkbox::new(&mut self.transparent, "transparent"));
+            ui.end_row();
+        }
     }
 }
 
@@ -202,16 +215,10 @@ fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
     response.changed()
 }
 
-/// Shows the number of frames, their rate, and the file format.
+/// Shows the number of frames and their rate.
 fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
     let count = DragValue::new(&mut frames.count).range(1..=MOST_FRAMES);
     number(ui, "frames", "frames", count);
-    let rate = DragValue::new(&mut frames.per_second).range(1..=120);
+    let rate = DragValue::new(&mut frames.per_second).range(1..=Frames::MOST_PER_SECOND);
     number(ui, "per second", "frames per second", rate);
-    ui.label("as");
-    ui.horizontal(|ui| {
-        ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG or GIF");
-        ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
-    });
-    ui.end_row();
 }

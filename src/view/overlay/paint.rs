@@ -4,12 +4,10 @@ use std::borrow::Borrow;
 
 use egui::Color32;
 use rayon::prelude::*;
-use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, PathBuilder, PixmapMut, Stroke, StrokeDash, Transform,
-};
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDash, Transform};
 
 use crate::view::overlay::drawing::Drawing;
-use crate::view::overlay::path::{Ink, Outline, Path};
+use crate::view::overlay::path::{Ink, Path};
 
 /// Rows of dots that are painted at a time: what a band is painted with stays in the cache.
 const BAND: usize = 32;
@@ -82,7 +80,7 @@ pub fn paint_paths<'a>(
 
 /// Returns the outline to fill: a path's own, or that of its stroke.
 fn outlined(path: &Path) -> Option<tiny_skia::Path> {
-    let outline = built(&path.outline)?;
+    let outline = path.outline.to_path()?;
     let Ink::Stroke { width, round, dash } = path.ink else { return Some(outline) };
     let outline = match dash.and_then(|dash| StrokeDash::new(dash.to_vec(), 0.0)) {
         Some(dash) => outline.dash(&dash, 1.0)?,
@@ -97,28 +95,10 @@ fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     outline.stroke(&stroke, 1.0)
 }
 
-fn built(outline: &Outline) -> Option<tiny_skia::Path> {
-    let (points, closed) = match outline {
-        Outline::Circle { center: [x, y], radius } => {
-            return PathBuilder::from_circle(*x, *y, *radius);
-        }
-        Outline::Chain { points, closed } => (points, *closed),
-    };
-    let mut path = PathBuilder::new();
-    let (first, rest) = points.split_first()?;
-    path.move_to(first[0], first[1]);
-    for [x, y] in rest {
-        path.line_to(*x, *y);
-    }
-    if closed {
-        path.close();
-    }
-    path.finish()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::overlay::path::Outline;
 
     const WIDTH: usize = 40;
 

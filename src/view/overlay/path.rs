@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use egui::Color32;
+use tiny_skia::PathBuilder;
 
 use crate::view::overlay::drawing::{Drawing, Mark, Shape};
 
@@ -57,6 +58,28 @@ pub enum Ink {
         /// Dash and gap, if the stroke is dashed.
         dash: Option<[f32; 2]>,
     },
+}
+
+impl Outline<'_> {
+    /// Returns the outline as the rasteriser and PDF take it; `None` if there is nothing of it.
+    pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
+        let (points, closed) = match self {
+            Outline::Circle { center: [x, y], radius } => {
+                return PathBuilder::from_circle(*x, *y, *radius);
+            }
+            Outline::Chain { points, closed } => (points, *closed),
+        };
+        let mut path = PathBuilder::new();
+        let (first, rest) = points.split_first()?;
+        path.move_to(first[0], first[1]);
+        for [x, y] in rest {
+            path.line_to(*x, *y);
+        }
+        if closed {
+            path.close();
+        }
+        path.finish()
+    }
 }
 
 impl Path<'_> {

@@ -7,11 +7,10 @@ use egui::accesskit::Role;
 use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{Format, Look, View, of_view};
+use pinhole::figures::{Format, Order, Subject};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
-use pinhole_core::ImageSize;
 
 use crate::harness::{
     assert_says, copied_text, export_to, says, show, texts_with, type_into, window,
@@ -35,10 +34,10 @@ fn the_world_view_as_it_is_on_the_screen() {
     assert!(!says(&window, "Export a figure"), "the dialog is closed");
     let (app, scale) = (window.state(), window.ctx.pixels_per_point());
     let shown = app.derived().world_view.clone().unwrap();
-    let size = ImageSize::new(shown.image.size[0] as u32, shown.image.size[1] as u32).unwrap();
+    let size = shown.image.size.map(|n| n as u32);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };
-    let look = Look { scale, style, transparent: false };
-    let figure = of_view(app.document(), app.session(), View::World, size, look).unwrap();
+    let order = Order { subject: Subject::World, size, scale, style, transparent: false };
+    let figure = order.figure(app.document(), app.session(), |_| false).unwrap();
     assert!(figure.to_file(Format::Png).unwrap() == fs::read(&path).unwrap());
     // But for the letters, which are painted over it, the dots are the window's.
     let pixels = figure.to_pixels();
