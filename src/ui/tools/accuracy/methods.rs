@@ -4,7 +4,7 @@
 use egui::accesskit::Role;
 use egui::epaint::shape_transform::adjust_colors;
 use egui::layers::ShapeIdx;
-use egui::{Color32, Grid, Painter, Pos2, RichText, Sense, Ui, vec2};
+use egui::{Color32, Grid, Painter, PopupAnchor, Pos2, RichText, Sense, Tooltip, Ui, vec2};
 use pinhole_core::methods::Method;
 
 use crate::report::model::{Case, MethodRow};
@@ -44,7 +44,9 @@ pub(super) fn plot(ui: &mut Ui, case: &Case) {
     let nearest = marks.iter().min_by(|a, b| distance(a.center).total_cmp(&distance(b.center)));
     let name = nearest.filter(|mark| distance(mark.center) < NEAR).map(|mark| mark.method.name);
     if let Some(row) = case.methods.iter().find(|row| Some(row.name.as_str()) == name) {
-        response.on_hover_text_at_pointer(description(row));
+        let (layer, pointer) = (response.layer_id, PopupAnchor::Pointer);
+        let tooltip = Tooltip::always_open(ui.ctx().clone(), layer, response.id, pointer);
+        tooltip.show(|ui| ui.label(description(row)));
     }
 }
 

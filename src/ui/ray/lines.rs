@@ -1,0 +1,213 @@
+//! The lab of lines: the drawing, in which everything can be dragged, and beside it the numbers and
+//! the substitution.
+
+use egui::accesskit::Role;
+use egui::{
+    Context, CursorIcon, Grid, Id, Key, Rect, Response, ScrollArea, Sense, Slider, Ui, UiBuilder,
+    Vec2,
+};
+use pinhole_core::DVec2;
+use pinhole_lecture::numbers::written as number;
+
+use crate::model::lines::{Handle, LARGEST, LinesLab};
+use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
+use crate::view::lines::drawing::{GRASP, Plane, draw_question};
+use crate::view::lines::{TEXT, parts, substitution, text};
+
+/// Range of the slider of t.
+const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
+
+fn lab_id() -> Id {
+    Id::unique("the lab's area")
+}
+
+/// Returns the width and height of the lab when it was last shown, in points.
+pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
+    ctx.data(|data| data.get_temp::<Vec2>(lab_id())).map(Into::into)
+}
+
+/// Shows the lab.
+pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let area = ui.available_rect_before_wrap();
+    let (left, right) = parts(area);
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::vertical().id_salt("lines words scrolled").auto_shrink(false).show(ui, |ui| {
+            examples(ui, lab);
+            fields(ui, lab);
+            time(ui, lab);
+            ui.separator();
+            substitution(ui, lab, digits);
+        });
+    });
+    ui.data_mut(|data| data.insert_temp(lab_id(), area.size()));
+    plane(ui, left, lab, digits);
+}
+
+/// Shows both lines while the class is asked where they meet.
+pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
+    let mut lab = lab.clone();
+    lab.set_t(0.0);
+    draw_question(ui, ui.available_rect_before_wrap(), &lab);
+}
+
+fn examples(ui: &mut Ui, lab: &mut LinesLab) {
+    ui.horizontal_wrapped(|ui| {
+        for (name, mut next) in LinesLab::examples() {
+            if ui.button(name).clicked() {
+                (next.snap, next.trail.step) = (lab.snap, lab.trail.step);
+                *lab = next;
+            }
+        }
+    });
+}
+
+fn field(ui: &mut Ui, name: &str, value: &mut f64) -> bool {
+    NumberField::new(name, value).width(70.0).within(-LARGEST..=LARGEST).show(ui).changed()
+}
+
+fn fields(ui: &mut Ui, lab: &mut LinesLab) {
+    let mut line = lab.line();
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        let mut changed = false;
+        for (name, value, behind) in
+            [("a", &mut line.a, "x +"), ("b", &mut line.b, "y +"), ("c", &mut line.c, "= 0")]
+        {
+            changed |= field(ui, name, value);
+            text(ui, behind);
+        }
+        if changed {
+            lab.set_line(line);
+        }
+    });
+    let form = match (line.check(), line.slope_form()) {
+        (Err(_), _) => "no line".to_owned(),
+        (Ok(()), None) => "vertical: there is no y = m x + q".to_owned(),
+        (Ok(()), Some((m, q))) => {
+            let sign = if q < 0.0 { '−' } else { '+' };
+            format!("y = {} x {sign} {}", number(m, 5), number(q.abs(), 5))
+        }
+    };
+    text(ui, &format!("the same as  {form}"));
+    ui.add_space(4.0);
+    Grid::new("parametric").num_columns(3).spacing([6.0, 4.0]).show(ui, |ui| {
+        let ray = &mut lab.ray;
+        for (name, vector) in [("p", &mut ray.p), ("d", &mut ray.d)] {
+            text(ui, &format!("{name} ="));
+            field(ui, &format!("{name} x"), &mut vector.x);
+            field(ui, &format!("{name} y"), &mut vector.y);
+            ui.end_row();
+        }
+    });
+}
+
+/// Shows t as a slider that generates points, and the options of the trail.
+fn time(ui: &mut Ui, lab: &mut LinesLab) {
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        text(ui, "t =");
+        let mut t = lab.t;
+        let mut changed = field(ui, "t", &mut t);
+        ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(80.0);
+        let slider = Slider::new(&mut t, SLIDER).show_value(false).step_by(0.01);
+        let response = ui.add(slider.clamping(egui::SliderClamping::Never)).named("slide t along");
+        changed |= response.changed();
+        if changed {
+            lab.set_t(t);
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("points at steps of");
+        for step in [1.0, 0.5, 0.25, 0.1] {
+            ui.selectable_value(&mut lab.trail.step, step, number(step, 5));
+        }
+        if ui.button("Clear").on_hover_text("Remove the points left behind").clicked() {
+            lab.clear_trail();
+        }
+        ui.checkbox(&mut lab.snap, "drag in steps of 0.5");
+    });
+}
+
+/// Shows the drawing and handles drags in it.
+fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
+    look_around(ui, rect, lab);
+    let before = Plane::new(ui, rect, lab.window);
+    let inputs = Handle::ALL.into_iter();
+    let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
+    let grabbed: Vec<(Handle, Response)> = inputs.collect();
+    let plane = Plane::new(ui, rect, lab.window);
+    plane.background();
+    let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
+    if let Some(seen) = plane.paint(lab, is_held, digits) {
+        let id = ui.scope_id().with("plane");
+        ui.ctx().accesskit_node_builder(id, |node| node.set_description(seen));
+    }
+    for (handle, response) in grabbed {
+        response.on_hover_text(handle.name());
+    }
+}
+
+/// Pans by dragging beside all handles, and zooms about the pointer by the wheel.
+fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
+    let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
+    let response = response.with_role(Role::Image).named("Plane with both lines");
+    let per_point = 2.0 * lab.window.half_extent / f64::from(rect.size().min_elem());
+    let delta = response.drag_delta();
+    lab.window.center -= per_point * DVec2::new(delta.x.into(), (-delta.y).into());
+    if response.contains_pointer()
+        && let Some(pointer) = ui.input(|i| i.pointer.hover_pos())
+    {
+        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        let half = (lab.window.half_extent / factor).clamp(0.05, 1e4);
+        let away = pointer - rect.center();
+        let away = DVec2::new(away.x.into(), (-away.y).into());
+        let kept = lab.window.half_extent - half;
+        lab.window.center += 2.0 * kept / f64::from(rect.size().min_elem()) * away;
+        lab.window.half_extent = half;
+    }
+}
+
+/// Handles the drags of a handle. Returns the response of its area, if it is visible.
+fn input(ui: &Ui, plane: &Plane, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
+    let at = plane.in_sight(lab, handle)?;
+    let id = ui.scope_id().with(handle.name());
+    let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
+    let response = ui.interact(around, id, Sense::click_and_drag());
+    let response = response.on_hover_cursor(CursorIcon::Grab);
+    keep_arrows(&response, true, true);
+    // Round to hundredths, or finer if a pixel is finer.
+    let dots = plane.unit() * f64::from(ui.ctx().pixels_per_point());
+    let fineness = 10_f64.powf(dots.log10().ceil());
+    if response.drag_started() {
+        response.request_focus();
+        // A handle that was grabbed beside its middle keeps this offset from the pointer.
+        let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
+        ui.data_mut(|data| data.insert_temp(id, at - pressed));
+    }
+    if response.dragged()
+        && let Some(pointer) = response.interact_pointer_pos()
+    {
+        let beside: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+        lab.drag(handle, plane.to_plane(pointer + beside), fineness);
+    }
+    if response.has_focus() {
+        let presses = |key| ui.input(|i| i.num_presses(key) as f64);
+        let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
+        let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
+        if (right, up) != (0.0, 0.0) {
+            lab.nudge(handle, DVec2::new(right, up), fineness);
+        }
+    }
+    let position = lab.position_of(handle)?;
+    let value = format!("({}, {})", number(position.x, 5), number(position.y, 5));
+    Some(response.with_role(Role::Slider).named(handle.name()).described(value))
+}
+
+/// Returns true if the pointer or the keyboard focus is on a handle.
+fn is_held(response: &Response) -> bool {
+    response.hovered() || response.dragged() || response.has_focus()
+}
