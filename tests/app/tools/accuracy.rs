@@ -1,7 +1,6 @@
 //! The accuracy view: the error map, who draws the picture, and measuring in slices.
 
 use egui::accesskit::Role;
-use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::{Settings, Split, Splits, ViewLayout};
@@ -216,26 +215,6 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     assert_says(&window, &format!("Nothing is measured: {why}"));
 }
 
-/// Asserts that the ladder's mark in the plot, a star, shows its numbers under the pointer.
-fn assert_the_star_is_described(window: &mut Harness<'_, App>) {
-    let plot =
-        window.get_by_role_and_label(Role::Image, "Every method's error against its time").rect();
-    let star = |shape: &Shape| match shape {
-        Shape::Path(path) if path.closed && path.points.len() == 10 => {
-            Some(path.visual_bounding_rect().center()).filter(|center| plot.contains(*center))
-        }
-        _ => None,
-    };
-    let stars = window.output().shapes.iter().filter_map(|clipped| star(&clipped.shape));
-    let star = stars.last().expect("the ladder's mark");
-    window.hover_at(star);
-    window.run();
-    let texts = texts_with(window, " decisions wrong");
-    assert!(texts.iter().any(|text| text.starts_with("ladder")), "{texts:?}");
-    window.remove_cursor();
-    window.run();
-}
-
 #[test]
 fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     let mut window = window("canonical");
@@ -257,7 +236,6 @@ fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     assert_says(&window, "error map of lagrange-f64");
     // At rest, nothing is asked for.
     window.run();
-    assert_the_star_is_described(&mut window);
     window.get_by_role_and_label(Role::SpinButton, "eye z").click();
     window.run_steps(2);
     window.get_by_role_and_label(Role::SpinButton, "eye z").type_text("1");

@@ -35,7 +35,7 @@ const NEAR: f32 = 14.0;
 /// Shows the plot of a case; at the mark under the pointer, the numbers of its method.
 pub(super) fn plot(ui: &mut Ui, case: &Case) {
     let rect = ui.available_rect_before_wrap();
-    let response = ui.allocate_rect(rect, Sense::hover()).with_role(Role::Image);
+    let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
     let response = response.named("Every method's error against its time");
     let summary = Summary::new(vec![case]);
     let marks = in_window_colors(ui, |painter| panels(painter, rect, &summary));
