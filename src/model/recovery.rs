@@ -57,24 +57,61 @@ struct Source {
     argument: Option<PathBuf>,
     /// The state of its file when the changes began.
     stamp: Option<Stamp>,
+    /// Numbers of the document that no scene file may have.
+    faults: Faults,
 }
 
-/// Replaces the numbers that no scene file may have: somebody is about to type over them, or is shown
-/// why there is no picture.
-fn mend(document: &mut Document) {
-    let viewport = &mut document.camera.viewport;
-    if [viewport.width, viewport.height, viewport.distance].iter().any(|number| *number <= 0.0) {
-        (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
-    }
-    for index in 0..document.spheres.len() {
-        // Only what is at fault is written to: the list is shared.
-        if document.spheres[index].shape.radius <= 0.0 {
-            document.spheres[index].shape.radius = 1.0;
+/// Numbers at fault that somebody is about to type over, or is shown the reason for.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Faults {
+    /// Width, height and distance of the viewport.
+    viewport: Option<[f64; 3]>,
+    /// Indices of spheres, and their radii.
+    radii: Vec<(usize, f64)>,
+    /// Indices of planes whose normal is zero.
+    normals: Vec<usize>,
+}
+
+impl Faults {
+    /// Takes them out of a document; others are there instead.
+    fn take(document: &mut Document) -> Faults {
+        let mut faults = Faults::default();
+        let viewport = &mut document.camera.viewport;
+        let numbers = [viewport.width, viewport.height, viewport.distance];
+        if numbers.iter().any(|number| *number <= 0.0) {
+            faults.viewport = Some(numbers);
+            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
         }
+        let spheres = document.spheres.iter().enumerate();
+        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
+        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
+        for (index, _) in &faults.radii {
+            document.spheres[*index].shape.radius = 1.0;
+        }
+        let planes = document.planes.iter().enumerate();
+        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
+        faults.normals = normals.map(|(index, _)| index).collect();
+        for index in &faults.normals {
+            document.planes[*index].shape.normal = DVec3::Y;
+        }
+        faults
     }
-    for index in 0..document.planes.len() {
-        if document.planes[index].shape.normal == DVec3::ZERO {
-            document.planes[index].shape.normal = DVec3::Y;
+
+    /// Puts them back.
+    fn put_into(&self, document: &mut Document) {
+        if let Some([width, height, distance]) = self.viewport {
+            let viewport = &mut document.camera.viewport;
+            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
+        }
+        for (index, radius) in &self.radii {
+            if let Some(sphere) = document.spheres.get_mut(*index) {
+                sphere.shape.radius = *radius;
+            }
+        }
+        for index in &self.normals {
+            if let Some(plane) = document.planes.get_mut(*index) {
+                plane.shape.normal = DVec3::ZERO;
+            }
         }
     }
 }
@@ -84,11 +121,11 @@ impl Unsaved {
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
         let mut document = open.document.clone();
-        mend(&mut document);
         let source = Source {
             title: title_of(origin),
             argument: argument_of(origin).filter(|path| is_text(path)),
             stamp: open.stamp(),
+            faults: Faults::take(&mut document),
         };
         Unsaved { document, source }
     }
@@ -181,8 +218,9 @@ impl Found {
     pub fn restore(self, beside: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
-        let document = document.map_err(|error| error.to_string())?;
-        let Source { title, argument, stamp } = self.source;
+        let mut document = document.map_err(|error| error.to_string())?;
+        let Source { title, argument, stamp, faults } = self.source;
+        faults.put_into(&mut document);
         let open = if beside {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {

@@ -17,6 +17,7 @@
 mod cpu;
 mod display;
 mod file_dialog;
+mod frames;
 #[cfg(feature = "wgpu")]
 mod gpu;
 mod open;

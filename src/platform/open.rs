@@ -19,11 +19,10 @@ use crate::platform::cpu::Cpu;
 use crate::platform::display::PresentError;
 use crate::platform::display::{UserEvent, without_panic};
 use crate::platform::file_dialog::{self, FileDialog};
+use crate::platform::frames::{FirstPass, FrameLog, FrameTimes};
 use crate::platform::start::{Drawn, pace};
 use crate::platform::surface::Textures;
 use crate::platform::surface::{Frame, PaintTimes, Surface};
-use crate::platform::window::FirstPass;
-use crate::platform::window::{FrameLog, FrameTimes};
 use crate::ui::app::{App, complain};
 use crate::ui::dialogs::path_field::FileAnswer;
 

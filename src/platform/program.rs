@@ -7,8 +7,8 @@ use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::{SceneSource, builtin};
 
+use super::frames::FrameLog;
 use super::window;
-use super::window::FrameLog;
 use crate::cli::CommandError;
 use crate::cli::arguments::WindowArguments;
 use crate::model::files::OpenDocument;

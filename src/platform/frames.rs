@@ -1,0 +1,179 @@
+//! The window's first pass and the log of its frame times.
+//!
+//! The app's first pass runs while the window opens: it reads the fonts, draws the glyphs and traces the
+//! pictures, which is most of what a first frame costs. If the window gets the size that it was closed
+//! with, its first frame only has to show them.
+//!
+//! `PINHOLE_FRAME_TIMES=times.csv pinhole` writes the time of each frame, input to presented, in
+//! milliseconds, when the window is closed. The first frame is without the pass that ran while the
+//! window opened. `tests/drag-latency.sh` takes the medians.
+
+use std::fmt::Write as _;
+use std::panic::resume_unwind;
+use std::path::PathBuf;
+use std::thread::{JoinHandle, sleep, spawn};
+use std::time::Duration;
+
+use egui::{Context, FullOutput, RawInput, Rect, Vec2, ViewportId, ViewportInfo};
+
+use crate::model::window_geometry::WindowGeometry;
+use crate::platform::surface::MAX_TEXTURE_SIDE;
+use crate::ui::app::App;
+use crate::ui::frame_times::WorkTimes;
+
+/// A first pass that may still be running.
+pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);
+
+impl FirstPass {
+    /// Starts the first pass for a window as the last run left it.
+    pub(super) fn start(ctx: Context, mut app: App, geometry: WindowGeometry) -> FirstPass {
+        App::set_up(&ctx, &app.session().settings);
+        let input = input(geometry, ctx.zoom_factor());
+        FirstPass(spawn(move || {
+            let output = ctx.run_ui(input, |ui| app.ui(ui));
+            (app, output)
+        }))
+    }
+
+    /// Waits for the end of the pass, and does its parallel work meanwhile: this thread is one of those
+    /// who share it, and on one processor the only one. Returns the app and what it wants of the window.
+    pub(super) fn end(self) -> (App, FullOutput) {
+        while !self.0.is_finished() {
+            if rayon::yield_now() != Some(rayon::Yield::Executed) {
+                sleep(Duration::from_micros(100));
+            }
+        }
+        self.0.join().unwrap_or_else(|panic| resume_unwind(panic))
+    }
+
+    /// Ends the app where no window opens.
+    pub(super) fn discard(self) {
+        let (_, output) = self.end();
+        output.drop_without_applying_deltas();
+    }
+}
+
+/// Returns the input of a window that nobody has touched yet.
+fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
+    let info = ViewportInfo {
+        native_pixels_per_point: Some(geometry.screen_scale()),
+        maximized: Some(geometry.maximized),
+        ..ViewportInfo::default()
+    };
+    let size = Vec2::from(geometry.inner_size).clamp(Vec2::splat(64.0), Vec2::splat(4096.0)) / zoom;
+    RawInput {
+        screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, size)),
+        max_texture_side: Some(MAX_TEXTURE_SIDE),
+        time: Some(0.0),
+        viewports: [(ViewportId::ROOT, info)].into_iter().collect(),
+        ..RawInput::default()
+    }
+}
+
+/// The environment variable that names the file: a CSV with one row per frame, in milliseconds.
+const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
+
+/// The times of a frame.
+pub(super) struct FrameTimes {
+    /// Time from the first input event that the frame answers until it was presented; `None` for a
+    /// frame without input, such as one of an animation.
+    pub(super) since_input: Option<Duration>,
+    /// Time from the start of the app's pass until the frame was presented. The others are parts of
+    /// it.
+    pub(super) frame: Duration,
+    /// The app's pass with egui's work around it.
+    pub(super) ui: Duration,
+    /// Uploading new pictures and glyphs.
+    pub(super) upload: Duration,
+    /// Tessellating and drawing; for wgpu, issuing the draw commands.
+    pub(super) paint: Duration,
+    /// Waiting until the display accepts another frame.
+    pub(super) wait: Duration,
+}
+
+/// The frames presented so far.
+pub(super) struct FrameLog {
+    pub(super) path: PathBuf,
+    frames: Vec<(FrameTimes, Option<WorkTimes>)>,
+}
+
+impl FrameLog {
+    /// Creates the log that the environment asks for, if it asks for one.
+    pub(super) fn from_environment() -> Option<FrameLog> {
+        let path = std::env::var_os(FRAME_TIMES)?.into();
+        Some(FrameLog { path, frames: Vec::new() })
+    }
+
+    /// Records a presented frame, with the work for it if it showed a new picture.
+    pub(super) fn push(&mut self, times: FrameTimes, work: Option<WorkTimes>) {
+        self.frames.push((times, work));
+    }
+
+    /// Writes the file. `since_input` is empty for a frame that answers no input. The columns of
+    /// the work, of which `own` is the sum, are part of `ui` and empty for a frame without a new
+    /// picture.
+    pub(super) fn save(&self) -> std::io::Result<()> {
+        let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
+        let mut text =
+            "since_input,frame,ui,upload,paint,wait,trace,overlay,readouts,own\n".to_owned();
+        for (FrameTimes { since_input, frame, ui, upload, paint, wait }, work) in &self.frames {
+            let since = since_input.map(ms).unwrap_or_default();
+            let times = [*frame, *ui, *upload, *paint, *wait].map(ms).join(",");
+            let work = work.map_or(",,,".to_owned(), |work| {
+                let own = work.trace + work.overlay + work.readouts;
+                [work.trace, work.overlay, work.readouts, own].map(ms).join(",")
+            });
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{since},{times},{work}");
+        }
+        std::fs::write(&self.path, text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_exchange::document::Document;
+    use pinhole_exchange::scenes::SceneSource;
+
+    use super::*;
+    use crate::model::files::OpenDocument;
+    use crate::model::session::Settings;
+    use crate::model::store::Remembered;
+
+    /// Returns the window's context and the app, as they are when the window has opened.
+    fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
+        let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
+        let settings = Settings { zoom, ..Settings::default() };
+        let app = App::new(open, Remembered { settings, ..Remembered::default() }, None);
+        let ctx = crate::platform::start::context();
+        let (app, output) = FirstPass::start(ctx.clone(), app, geometry).end();
+        assert!(!output.textures_delta.set.is_empty(), "glyphs and pictures are to be uploaded");
+        output.drop_without_applying_deltas();
+        (ctx, app)
+    }
+
+    #[test]
+    fn a_window_of_the_same_size_has_nothing_to_trace_or_draw_in_its_first_frame() {
+        for zoom in [1.0, 1.3, 0.8] {
+            let geometry = WindowGeometry { scale: 1.5, ..WindowGeometry::default() };
+            let (ctx, mut app) = opened(geometry, zoom);
+            assert_eq!(ctx.zoom_factor(), zoom);
+            let traced = app.pictures_traced();
+            assert!(traced > 0);
+            let input = RawInput { time: Some(0.1), ..input(geometry, zoom) };
+            let output = ctx.run_ui(input, |ui| app.ui(ui));
+            assert_eq!(app.pictures_traced(), traced);
+            assert!(output.textures_delta.set.is_empty(), "{:?}", output.textures_delta);
+        }
+    }
+
+    #[test]
+    fn a_remembered_geometry_that_no_screen_has_opens_a_window() {
+        for inner_size in [[0.0; 2], [-5.0, 1e30], [f32::INFINITY; 2]] {
+            for scale in [0.0, -1.0, 1e30] {
+                let geometry = WindowGeometry { inner_size, scale, ..WindowGeometry::default() };
+                opened(geometry, 1.0);
+            }
+        }
+    }
+}
