@@ -12,7 +12,7 @@ use super::error::{CommandError, scene_fault, unmade};
 use super::load::{apart, files_of, follow, load, pose, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Animation, Content, Format, Frames, Order, Recorder, Subject};
+use crate::figures::{self, Animation, Content, FigureFormat, Frames, Order, Recorder, Subject};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         Some(output) => Content::for_path(arguments.view, output)
             .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?,
         // Without an ending that says otherwise.
-        None => Content::Figure(Format::Svg),
+        None => Content::Figure(FigureFormat::Svg),
     };
     check_idle(arguments, content)?;
     if let Some(output) = output {

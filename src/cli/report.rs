@@ -11,7 +11,7 @@ use super::error::{CommandError, scene_fault, unmade};
 use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
-use crate::figures::Format;
+use crate::figures::FigureFormat;
 use crate::report::measure::Run;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
@@ -99,7 +99,7 @@ fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandEr
     }
     if let Some(path) = &arguments.plot {
         let format = format_of(path)?;
-        let scale = if format == Format::Png { PNG_SCALE } else { 1.0 };
+        let scale = if format == FigureFormat::Png { PNG_SCALE } else { 1.0 };
         for (page, figure) in (1..).zip(plot::pages(report, scale)) {
             let path = page_path(path, page);
             let bytes = figure.to_file(format).map_err(|error| unmade(&path, &error))?;
@@ -140,11 +140,11 @@ fn is_scene(path: &Path) -> bool {
 }
 
 /// The format of a plot's file, by the ending of its name.
-fn format_of(plot: &Path) -> Result<Format, CommandError> {
-    let is = |format: &Format| {
+fn format_of(plot: &Path) -> Result<FigureFormat, CommandError> {
+    let is = |format: &FigureFormat| {
         plot.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(format.ending()))
     };
-    [Format::Svg, Format::Png].into_iter().find(is).ok_or_else(|| {
+    [FigureFormat::Svg, FigureFormat::Png].into_iter().find(is).ok_or_else(|| {
         let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
         CommandError::Arguments(format!(
             "--plot writes SVG or PNG: not {} but {} or {}",

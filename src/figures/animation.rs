@@ -1,4 +1,4 @@
-//! Animations as GIF: a figure for each phase.
+//! Animations as GIF, with a figure for each phase.
 
 use std::fs::File;
 use std::io::BufWriter;
@@ -9,8 +9,8 @@ use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::gif;
 
-use super::figure::{Figure, to_srgba};
 use super::order::Order;
+use super::{Figure, to_srgba};
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 

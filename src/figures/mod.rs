@@ -1,21 +1,130 @@
 //! Figures for slides: what the window shows, as SVG, PDF and PNG.
 //!
-//! All of it is drawn by the window's own code. The overlay's marks come from its
-//! [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the lab of lines are drawn into an
-//! egui pass without a window. PNG is painted from both as the window is, dot for dot. For SVG and PDF,
-//! both become the same primitives: paths and texts. So what is on the screen is what is in the file.
+//! The window's own code draws all of it. The overlay's marks come from its
+//! [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the lab of lines are drawn
+//! into an egui pass without a window. A PNG is painted from both exactly as the window is. For SVG
+//! and PDF, both become the same primitives: paths and texts. So a file shows what the screen shows.
 //!
-//! - `order`: what is asked for, and the figure that it becomes;
-//! - `figure`: a figure and its formats;
-//! - `animation`: a GIF with a figure for each phase of what plays;
+//! - this file: a figure and its formats;
+//! - `order`: the request for a figure, and the figure made from it;
+//! - `animation`: a GIF with a figure for each phase of an animation;
 //! - `vector`: SVG and PDF, behind the feature `figures`.
 
+use egui::{Color32, ColorImage, Context, Painter, Vec2};
+use pinhole_exchange::images::png;
+
+use crate::view::headless::UiPass;
+use crate::view::overlay::{Path, paint_paths};
+use crate::view::typesetting::theme;
+
+pub use crate::figures::animation::{Animation, Frames, Recorder, check_animation_path};
+pub use crate::figures::order::{Content, MARGIN, Order, Subject, derivation_of, scale_of};
+#[cfg(feature = "figures")]
 mod animation;
-mod figure;
 mod order;
 #[cfg(feature = "figures")]
 mod vector;
 
-pub use self::animation::{Animation, Frames, Recorder, check_animation_path};
-pub use self::figure::{Figure, Format};
-pub use self::order::{Content, MARGIN, Order, Subject, derivation_of, scale_of};
+/// The formats of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FigureFormat {
+    /// Strokes as strokes, text as text.
+    Svg,
+    /// Strokes as strokes, text as text, in points.
+    Pdf,
+    /// Pixels.
+    Png,
+}
+
+impl FigureFormat {
+    /// All of them.
+    pub const ALL: [FigureFormat; 3] = [FigureFormat::Svg, FigureFormat::Pdf, FigureFormat::Png];
+
+    /// Returns the ending of its files' names.
+    pub fn ending(self) -> &'static str {
+        match self {
+            FigureFormat::Svg => "svg",
+            FigureFormat::Pdf => "pdf",
+            FigureFormat::Png => "png",
+        }
+    }
+}
+
+/// A figure to export.
+#[derive(Debug)]
+pub struct Figure {
+    /// The title: what it shows, in words.
+    title: String,
+    /// Width and height in dots.
+    size: [usize; 2],
+    /// The background, unless it is transparent.
+    ground: Option<Color32>,
+    /// A picture as large as the figure.
+    picture: Option<ColorImage>,
+    /// Paths over the picture, in dots.
+    paths: Vec<Path<'static>>,
+    /// Shapes and text over the paths.
+    drawn: UiPass,
+}
+
+impl Figure {
+    /// Creates a figure of what is drawn on a white page, `size` points large.
+    pub(crate) fn drawn(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
+        let ctx = Context::default();
+        theme::install_fonts(&ctx);
+        let size = [size.x, size.y].map(|points| (points * scale).ceil() as usize);
+        let drawn = UiPass::draw(&ctx, size, scale, |ui| draw(ui.painter()));
+        let (title, ground) = (title.to_owned(), Some(Color32::WHITE));
+        Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
+    }
+
+    /// Returns width and height in dots.
+    pub fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// Returns the pixels, premultiplied, row by row from the top: painted as the window is.
+    pub fn to_pixels(&self) -> Vec<Color32> {
+        let [width, height] = self.size;
+        let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
+        if let Some(picture) = &self.picture {
+            pixels.copy_from_slice(&picture.pixels);
+        }
+        paint_paths(self.paths.iter(), width, &mut pixels);
+        self.drawn.paint(&mut pixels, self.size);
+        pixels
+    }
+
+    /// Returns the bytes of a file.
+    ///
+    /// # Errors
+    /// Returns an error, as a sentence, if the format cannot hold the figure.
+    pub fn to_file(&self, format: FigureFormat) -> Result<Vec<u8>, String> {
+        match format {
+            #[cfg(feature = "figures")]
+            FigureFormat::Svg => vector::svg(self).map(String::into_bytes),
+            #[cfg(feature = "figures")]
+            FigureFormat::Pdf => vector::pdf(self),
+            #[cfg(not(feature = "figures"))]
+            FigureFormat::Svg | FigureFormat::Pdf => {
+                Err("this build writes figures as PNG alone: it has no feature `figures`"
+                    .to_owned())
+            }
+            FigureFormat::Png => to_png(self.size, &self.to_pixels(), self.ground.is_none()),
+        }
+    }
+}
+
+/// Returns a PNG of premultiplied pixels, with their opacity or without.
+fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let [width, height] = size.map(|n| n as u32);
+    let encode = if transparent { png::encode_transparent } else { png::encode };
+    encode(&mut bytes, width, height, &to_srgba(pixels)).map_err(|error| error.to_string())?;
+    Ok(bytes)
+}
+
+/// Returns pixels that are not premultiplied.
+fn to_srgba(pixels: &[Color32]) -> Vec<[u8; 4]> {
+    pixels.iter().map(Color32::to_srgba_unmultiplied).collect()
+}

@@ -1,5 +1,5 @@
-//! A figure as it is ordered, by a command or in the window's dialog: what it shows, how large it is,
-//! and what the file holds.
+//! The request for a figure, by a command or in the window's dialog: its subject, its size, and the
+//! content of the file.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage, Context, Pos2, Rect, Theme, vec2};
 use pinhole_exchange::document::Document;
 
-use super::figure::{Figure, Format};
+use super::{Figure, FigureFormat};
 use crate::model::fault::Fault;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Derivation, Markup, Section};
@@ -15,7 +15,7 @@ use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::lines;
 use crate::view::overlay::{Drawing, Style};
-use crate::view::typesetting::{derivation, label_text, theme};
+use crate::view::typesetting::{derivation, labels, theme};
 
 /// Left and right of the derivation, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;
@@ -66,7 +66,7 @@ impl Subject {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A figure.
-    Figure(Format),
+    Figure(FigureFormat),
     /// The derivation as text.
     Text(Markup),
 }
@@ -78,7 +78,7 @@ impl Content {
     /// Returns an error, as a sentence with the known endings, if the ending is unknown.
     pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
         let mut known: Vec<(&str, Content)> =
-            Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
+            FigureFormat::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
         let mut formats = "SVG, PDF or PNG";
         if subject == Subject::Derivation {
             known.extend([
@@ -171,7 +171,7 @@ impl Order {
         theme::install_base(&ctx);
         let drawn = UiPass::draw(&ctx, self.dots(), scale, |ui| {
             for label in &drawing.labels {
-                label_text::write(ui.painter(), Pos2::ZERO, scale, label);
+                labels::write_label(ui.painter(), Pos2::ZERO, scale, label);
             }
         });
         let has_dots =

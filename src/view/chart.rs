@@ -1,5 +1,5 @@
 //! Charts: a scale along each side, grid lines with their numbers, and strokes that end at the edge.
-//! Everything goes to an egui painter, so that the window paints it and figures are written from it.
+//! Everything goes to an egui painter: the window paints it, and figures write it to files.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 

@@ -1,4 +1,4 @@
-//! The plot of f(p + t d): its objects, the range of t, each curve's unit, and the description of
+//! The plot of f(p + t d): its objects, the range of t, each curve's unit, and a description of
 //! each curve. This module is pure; the arithmetic is in [`pinhole_lecture`].
 
 use std::ops::RangeInclusive;

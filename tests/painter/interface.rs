@@ -3,14 +3,14 @@
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
 use pinhole::view::headless::UiPass;
 use pinhole::view::painter::Painter;
-use pinhole::view::typesetting::fonts;
+use pinhole::view::typesetting::theme;
 
 use crate::support;
 
 /// A bit of everything that a panel of the program has.
 fn panel(ui: &mut egui::Ui) {
     ui.heading("Camera");
-    ui.label(RichText::new("u ⟂ v, ‖w‖ = 1, θ = 45°, t = −1/√2").family(fonts::bold()));
+    ui.label(RichText::new("u ⟂ v, ‖w‖ = 1, θ = 45°, t = −1/√2").family(theme::bold()));
     ui.label("eye → at ← up · ∥ ⟨u, v⟩ × ½ p₁² ∞");
     ui.code("w = -normalize(view)");
     let mut on = true;
@@ -57,7 +57,7 @@ fn snapshot(name: &str, theme: egui::Theme, pixels_per_point: f32) {
         .with_size(vec2(320.0, 340.0))
         .with_pixels_per_point(pixels_per_point)
         .with_theme(theme)
-        .with_context_setup(fonts::install)
+        .with_context_setup(theme::install_fonts)
         .build_ui(panel);
     harness.run();
     harness.snapshot(name);
@@ -76,7 +76,7 @@ fn panel_light_at_another_scale() {
 #[test]
 fn the_fast_paths_give_the_same_interface() {
     let ctx = egui::Context::default();
-    fonts::install(&ctx);
+    theme::install_fonts(&ctx);
     let size = [400, 400];
     let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, vec2(400.0, 400.0));
     let input = egui::RawInput { screen_rect: Some(screen), ..Default::default() };
@@ -102,7 +102,7 @@ fn text_is_drawn_over_a_picture() {
     let ground = Color32::from_rgb(20, 40, 80);
     let mut pixels = vec![ground; size[0] * size[1]];
     let ctx = egui::Context::default();
-    fonts::install(&ctx);
+    theme::install_fonts(&ctx);
     let pass = UiPass::draw(&ctx, size, 2.0, |ui| {
         let font = egui::FontId::proportional(12.0);
         let painter = ui.painter();

@@ -1,6 +1,6 @@
 //! The plot.
 
-use pinhole::figures::{Figure, Format};
+use pinhole::figures::{Figure, FigureFormat};
 use pinhole::report::model::Report;
 use pinhole::report::plot;
 
@@ -8,7 +8,7 @@ use super::sample;
 
 /// All pages, one after the other.
 fn svg_of(report: &Report) -> String {
-    let page = |page: Figure| String::from_utf8(page.to_file(Format::Svg).unwrap()).unwrap();
+    let page = |page: Figure| String::from_utf8(page.to_file(FigureFormat::Svg).unwrap()).unwrap();
     plot::pages(report, 1.0).into_iter().map(page).collect()
 }
 

@@ -1,24 +1,34 @@
 //! Figures as vectors: SVG and PDF, with strokes as strokes and text as text.
 //!
-//! - here: a figure as paths and texts, whatever drew them;
-//! - `text`: egui's text, letter by letter; `typeface`: the fonts that the letters come from;
-//! - `svg`, `pdf`: the files.
+//! This file turns a figure into paths and texts, whatever drew them: egui's text becomes runs of
+//! letters with positions, each run in one font and one colour, and each letter in the font that
+//! egui takes it from. `svg` and `pdf` write the files.
 
-mod pdf;
-mod svg;
-mod text;
-mod typeface;
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use egui::epaint::tessellator::path::rounded_rectangle;
 use egui::epaint::{CircleShape, ColorMode, PathShape, RectShape, RoundedRect, TextShape};
-use egui::{Color32, ColorImage, Pos2, Shape, Stroke, StrokeKind};
+use egui::text::ByteIndex;
+use egui::{Color32, ColorImage, FontDefinitions, FontFamily, Pos2, Shape, Stroke, StrokeKind};
+use skrifa::instance::{LocationRef, Size};
+use skrifa::raw::TableProvider as _;
+use skrifa::{FontRef, GlyphId, MetadataProvider as _};
+use subsetter::GlyphRemapper;
+use write_fonts::FontBuilder;
+use write_fonts::tables::cmap::Cmap;
+use write_fonts::types::Tag;
 
-pub(super) use self::pdf::write as pdf;
-pub(super) use self::svg::write as svg;
-use self::text::Text;
-use super::figure::Figure;
+use crate::figures::Figure;
 use crate::view::overlay::{Ink, Outline, Path};
-use crate::view::typesetting::label_text::HaloText;
+use crate::view::typesetting::labels::HaloText;
+use crate::view::typesetting::theme;
+
+pub(super) use crate::figures::vector::pdf::write as pdf;
+pub(super) use crate::figures::vector::svg::write as svg;
+
+mod pdf;
+mod svg;
 
 /// A part of a figure, in dots from the upper left corner.
 #[derive(Clone, Debug)]
@@ -26,7 +36,7 @@ enum Primitive {
     /// A fill or a stroke.
     Path(Path<'static>),
     /// Text.
-    Text(Text),
+    Text(CasedText),
 }
 
 /// Returns all that lies over a figure's picture, from the back to the front.
@@ -78,7 +88,7 @@ impl Maker {
 
     fn text(&mut self, shape: &TextShape, halo: Option<Color32>) {
         let halo = halo.map(|halo| (halo, HaloText::REACH * self.scale));
-        let text = Text { runs: text::runs(shape, self.scale), halo };
+        let text = CasedText { runs: runs(shape, self.scale), halo };
         if !text.runs.is_empty() {
             self.primitives.push(Primitive::Text(text));
         }
@@ -148,13 +158,216 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
+/// Lean of egui's slanted letters to the right, for each unit of height.
+const SLANT: f32 = 0.25;
+
+/// Text that is written in one go.
+#[derive(Clone, Debug, PartialEq)]
+struct CasedText {
+    runs: Vec<LetterRun>,
+    /// A casing around all letters: its colour, and how far it reaches.
+    halo: Option<(Color32, f32)>,
+}
+
+/// Letters on one baseline, all of one font and colour.
+#[derive(Clone, Debug, PartialEq)]
+struct LetterRun {
+    text: String,
+    face: FontName,
+    /// The font's em.
+    size: f32,
+    /// Start of the baseline.
+    at: [f32; 2],
+    /// Distance of each letter from the next.
+    advances: Vec<f32>,
+    color: Color32,
+    /// Lean of a letter to the right, for each unit of height.
+    slant: f32,
+}
+
+/// Returns the runs of a text, lengths multiplied by `scale`.
+fn runs(shape: &TextShape, scale: f32) -> Vec<LetterRun> {
+    let job = &shape.galley.job;
+    let mut letters = job.text.char_indices();
+    let mut runs: Vec<LetterRun> = Vec::new();
+    for placed in &shape.galley.rows {
+        let row = runs.len();
+        for glyph in &placed.row.glyphs {
+            let Some((byte, letter)) = letters.next() else { break };
+            let is_of = |range: &std::ops::Range<ByteIndex>| range.contains(&ByteIndex(byte));
+            let section = job.sections.iter().find(|section| is_of(&section.byte_range));
+            let Some(format) = section.map(|section| &section.format) else { continue };
+            let color = match shape.override_text_color.unwrap_or(format.color) {
+                Color32::PLACEHOLDER => shape.fallback_color,
+                color => color,
+            };
+            let offset = placed.pos + glyph.pos.to_vec2();
+            let next = LetterRun {
+                text: letter.to_string(),
+                face: FontName::for_letter(&format.font_id.family, letter),
+                size: format.font_id.size * scale,
+                at: [shape.pos.x + offset.x, shape.pos.y + offset.y].map(|x| x * scale),
+                advances: vec![glyph.advance_width * scale],
+                color: color.gamma_multiply(shape.opacity_factor),
+                slant: if format.italics { SLANT } else { 0.0 },
+            };
+            match runs[row..].last_mut() {
+                Some(open) if open.goes_on(&next) => open.append(&next),
+                _ => runs.push(next),
+            }
+        }
+        if placed.ends_with_newline {
+            letters.next();
+        }
+    }
+    runs.iter_mut().for_each(LetterRun::spread);
+    runs.retain(|run| !run.text.trim().is_empty());
+    runs
+}
+
+impl LetterRun {
+    fn width(&self) -> f32 {
+        self.advances.iter().sum()
+    }
+
+    /// Returns true if another run belongs to the same.
+    fn goes_on(&self, next: &LetterRun) -> bool {
+        self.face == next.face
+            && self.size == next.size
+            && self.color == next.color
+            && self.slant == next.slant
+            && (self.at[1] - next.at[1]).abs() < 1e-3
+    }
+
+    fn append(&mut self, next: &LetterRun) {
+        // What kerning moved is part of the letter before.
+        let moved = next.at[0] - (self.at[0] + self.width());
+        if let Some(before) = self.advances.last_mut() {
+            *before += moved;
+        }
+        self.text.push_str(&next.text);
+        self.advances.extend(&next.advances);
+    }
+
+    /// Gives each letter of a ligature its share of the width. egui lays a ligature out as its first
+    /// letter, with all of the width, and the others with none but for rounding.
+    fn spread(&mut self) {
+        let own: Vec<f32> = self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
+        let mut first = 0;
+        for end in 1..=own.len() {
+            if end < own.len() && self.advances[end] < 0.2 * own[end] {
+                continue;
+            }
+            let whole: f32 = own[first..end].iter().sum();
+            if end > first + 1 && whole > 0.0 {
+                let share = self.advances[first..end].iter().sum::<f32>() / whole;
+                let laid = self.advances[first..end].iter_mut();
+                laid.zip(&own[first..end]).for_each(|(laid, own)| *laid = share * own);
+            }
+            first = end;
+        }
+    }
+}
+
+/// The fonts of plain text: the program's own, then what looks much the same.
+const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
+
+/// Tables that a font needs outside of PDF, and that the subset of one for PDF lacks. The names have
+/// the licence in them.
+const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
+
+/// The fonts as egui has them.
+static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions);
+
+/// One of the fonts, by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct FontName(&'static str);
+
+impl FontName {
+    /// Returns the font that egui takes a letter of this family from: the first that has it.
+    fn for_letter(family: &FontFamily, letter: char) -> FontName {
+        let chain = FONTS.families.get(family).map(Vec::as_slice).unwrap_or_default();
+        let found = chain.iter().find(|name| FontName(name).glyph(letter).is_some());
+        FontName(found.or(chain.first()).map_or("", String::as_str))
+    }
+
+    /// Returns the font's file.
+    fn data(self) -> &'static [u8] {
+        FONTS.font_data.get(self.0).map_or(&[], |data| (*data.font).as_ref())
+    }
+
+    fn font(self) -> Option<FontRef<'static>> {
+        FontRef::new(self.data()).ok()
+    }
+
+    /// Returns the glyph of a letter, if the font has one.
+    fn glyph(self, letter: char) -> Option<GlyphId> {
+        self.font()?.charmap().map(letter)
+    }
+
+    /// Returns the width of a letter, in ems.
+    fn advance(self, letter: char) -> f32 {
+        let width = || {
+            let metrics = self.font()?.glyph_metrics(Size::new(1.0), LocationRef::default());
+            metrics.advance_width(self.glyph(letter)?)
+        };
+        width().unwrap_or_default()
+    }
+
+    /// Returns the family that style sheets know it by.
+    fn family(self) -> &'static str {
+        self.0.strip_suffix(" Bold").unwrap_or(self.0)
+    }
+
+    /// Returns the family with what may stand in for it.
+    fn families(self) -> String {
+        if SANS.starts_with(&format!("{},", self.family())) {
+            return SANS.to_owned();
+        }
+        format!("{}, {SANS}", self.family())
+    }
+
+    /// Returns true if the font is bold.
+    fn is_bold(self) -> bool {
+        self.0.ends_with(" Bold")
+    }
+
+    /// Returns the font's file with some of its letters alone, as browsers take it.
+    ///
+    /// # Errors
+    /// Returns an error, as a sentence, if the bytes are no font.
+    fn subset(self, letters: &BTreeSet<char>) -> Result<Vec<u8>, String> {
+        let problem = |error: &dyn std::fmt::Display| format!("the font {}: {error}", self.0);
+        let mut glyphs = GlyphRemapper::new();
+        let mappings = letters.iter().filter_map(|letter| {
+            let glyph = u16::try_from(self.glyph(*letter)?.to_u32()).ok()?;
+            Some((*letter, GlyphId::from(glyphs.remap(glyph))))
+        });
+        let cmap = Cmap::from_mappings(mappings).map_err(|error| problem(&error))?;
+        let outlines =
+            subsetter::subset(self.data(), 0, &glyphs).map_err(|error| problem(&error))?;
+        let outlines = FontRef::new(&outlines).map_err(|error| problem(&error))?;
+        let whole = FontRef::new(self.data()).map_err(|error| problem(&error))?;
+        let mut font = FontBuilder::new();
+        font.add_table(&cmap).map_err(|error| problem(&error))?;
+        for tag in KEPT.map(Tag::new) {
+            if let Some(table) = whole.data_for_tag(tag) {
+                font.add_raw(tag, table.as_bytes());
+            }
+        }
+        // Version 3 of the table says that glyphs have no names, and nothing else.
+        font.add_raw(Tag::new(b"post"), [&[0, 3], &[0; 30][..]].concat());
+        Ok(font.copy_missing_tables(outlines).build())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use egui::{Align2, Context, FontFamily, FontId, Painter, Rect, Vec2, pos2};
 
     use super::*;
     use crate::view::headless::UiPass;
-    use crate::view::typesetting::{fonts, theme};
+    use crate::view::typesetting::theme;
 
     fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Primitive> {
         let ctx = Context::default();
@@ -203,7 +416,7 @@ mod tests {
     #[test]
     fn text_with_a_halo_is_one_text() {
         let primitives = drawn(1.5, |painter| {
-            let font = FontId::new(14.0, fonts::bold());
+            let font = FontId::new(14.0, theme::bold());
             let galley = painter.layout_no_wrap("cased".to_owned(), font, Color32::BLACK);
             let text = HaloText::new(pos2(20.0, 20.0), galley, Color32::BLACK, Color32::WHITE);
             painter.add(text.into_shape());

@@ -1,8 +1,8 @@
-//! A figure as a PDF of one page: strokes as strokes, text as text, in fonts that are in the file.
+//! A figure as a PDF of one page: strokes as strokes, text as text, in embedded fonts.
 //!
-//! Written by krilla, which takes glyphs with their places, keeps them text, and embeds only the letters
-//! that are there. A PDF made of the SVG by `krilla-svg` would be laid out anew, letter by letter, would
-//! have each text with a casing twice, and takes 23 crates more.
+//! krilla writes it: krilla takes glyphs with positions, keeps them as text, and embeds only the
+//! letters that occur. Converting the SVG with `krilla-svg` would lay the text out anew, letter by
+//! letter, would write each text with a casing twice, and needs 23 crates more.
 
 use std::collections::HashMap;
 
@@ -19,10 +19,10 @@ use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use tiny_skia::PathSegment;
 
-use super::text::{Run, Text};
-use super::typeface::Face;
+use super::FontName;
+use super::{CasedText, LetterRun};
 use super::{Primitive, compacted, primitives};
-use crate::figures::figure::Figure;
+use crate::figures::Figure;
 use crate::view::overlay::{Ink, Outline, Path};
 
 /// PDF's points, of which an inch has 72, in a dot, of which it has 96 in style sheets.
@@ -64,7 +64,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
 
 struct Writer<'a> {
     surface: Surface<'a>,
-    fonts: HashMap<Face, Option<Font>>,
+    fonts: HashMap<FontName, Option<Font>>,
 }
 
 impl Writer<'_> {
@@ -84,7 +84,7 @@ impl Writer<'_> {
     }
 
     /// Writes a text's casing as outlines, so that the text is there once, and then the text.
-    fn text(&mut self, text: &Text) -> Result<(), String> {
+    fn text(&mut self, text: &CasedText) -> Result<(), String> {
         if let Some((color, reach)) = text.halo {
             self.surface.set_fill(None);
             self.surface.set_stroke(Some(stroke(color, 2.0 * reach)));
@@ -97,8 +97,8 @@ impl Writer<'_> {
         })
     }
 
-    fn run(&mut self, run: &Run, outlined: bool) -> Result<(), String> {
-        let Run { text, face, size, at: [x, y], advances, slant, .. } = run;
+    fn run(&mut self, run: &LetterRun, outlined: bool) -> Result<(), String> {
+        let LetterRun { text, face, size, at: [x, y], advances, slant, .. } = run;
         let font = self.fonts.entry(*face).or_insert_with(|| Font::new(face.data().into(), 0));
         let font = font.clone().ok_or_else(|| format!("the font {} is none", face.family()))?;
         let glyph = |((byte, letter), advance): ((usize, char), &f32)| {

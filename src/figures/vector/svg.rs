@@ -1,4 +1,4 @@
-//! A figure as SVG: strokes as strokes, text as text, with the letters that it needs as fonts in it.
+//! A figure as SVG: strokes as strokes, text as text, with embedded fonts of the letters it needs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,10 +8,10 @@ use egui::{Color32, ColorImage};
 use pinhole_exchange::images::color;
 use pinhole_exchange::is_hidden;
 
-use super::text::{Run, Text};
-use super::typeface::{Face, SANS};
+use super::{CasedText, LetterRun};
+use super::{FontName, SANS};
 use super::{Primitive, compacted, primitives};
-use crate::figures::figure::{Figure, to_png};
+use crate::figures::{Figure, to_png};
 use crate::view::overlay::{Ink, Outline, Path};
 
 /// Returns the whole file.
@@ -42,14 +42,14 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
 
 /// Returns the fonts, each with the letters that are there.
 fn style(primitives: &[Primitive]) -> Result<String, String> {
-    let mut letters: BTreeMap<Face, BTreeSet<char>> = BTreeMap::new();
+    let mut letters: BTreeMap<FontName, BTreeSet<char>> = BTreeMap::new();
     for primitive in primitives {
         let Primitive::Text(text) = primitive else { continue };
         for run in &text.runs {
             letters.entry(run.face).or_default().extend(run.text.chars());
         }
     }
-    let rule = |(face, letters): (Face, BTreeSet<char>)| {
+    let rule = |(face, letters): (FontName, BTreeSet<char>)| {
         let font = STANDARD.encode(face.subset(&letters)?);
         let (family, weight) = (face.family(), if face.is_bold() { "bold" } else { "normal" });
         Ok(format!(
@@ -99,9 +99,10 @@ fn element(Path { outline, color, ink }: &Path) -> String {
 
 /// Returns text once, and before it, where it has a casing, the same strokes of it in the casing's
 /// colour: not every program knows how to stroke text before it fills it.
-fn written(text: &Text, number: usize) -> String {
+fn written(text: &CasedText, number: usize) -> String {
     let color = text.runs.first().map_or(Color32::BLACK, |run| run.color);
-    let own = |run: &Run| if run.color == color { String::new() } else { paint("fill", run.color) };
+    let own =
+        |run: &LetterRun| if run.color == color { String::new() } else { paint("fill", run.color) };
     let spans: String = text.runs.iter().map(|run| span(run, &own(run))).collect();
     let fill = paint("fill", color);
     match text.halo {
@@ -117,7 +118,7 @@ fn written(text: &Text, number: usize) -> String {
     }
 }
 
-fn span(run: &Run, fill: &str) -> String {
+fn span(run: &LetterRun, fill: &str) -> String {
     let weight = if run.face.is_bold() { " font-weight=\"bold\"" } else { "" };
     let slant = if run.slant == 0.0 { "" } else { " font-style=\"oblique\"" };
     let families = run.face.families();

@@ -18,7 +18,7 @@ use super::model::{Digits, Report};
 use super::summary::{self, Summary};
 use crate::figures::Figure;
 use crate::view::chart::GridInk;
-use crate::view::typesetting::fonts;
+use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 
@@ -54,7 +54,7 @@ fn plain(size: f32) -> FontId {
 }
 
 fn bold(size: f32) -> FontId {
-    FontId::new(size, fonts::bold())
+    FontId::new(size, theme::bold())
 }
 
 /// Draws a report, with so many dots to a point: a picture a page.

@@ -20,10 +20,11 @@ use crate::model::session::Session;
 use crate::ui::action::Action;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
+use crate::view::typesetting::derivation::Inks;
 use crate::view::typesetting::derivation::{
-    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_lines, paint,
+    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
+    paint_line,
 };
-use crate::view::typesetting::formula::{self, Inks};
 use crate::view::typesetting::theme;
 
 /// The derivation's layout, and its folded sections.
@@ -329,10 +330,10 @@ fn show(ui: &mut Ui, line: &Line, laid: &LaidLine, inks: Inks, is_lit: bool) -> 
     if is_lit {
         band(ui, rect);
     }
-    paint(ui, rect, line, laid, inks);
+    paint_line(ui, rect, line, laid, inks);
     let hovered = response.hover_pos().filter(|_| response.hovered());
-    let symbol = hovered
-        .and_then(|at| formula::meaning_at(ui.ctx(), &laid.layout, at - baseline_of(rect, laid)));
+    let symbol =
+        hovered.and_then(|at| meaning_at(ui.ctx(), &laid.layout, at - baseline_of(rect, laid)));
     if let Some(words) = symbol {
         Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));

@@ -12,8 +12,7 @@ use pinhole_lecture::numbers::written as number;
 use crate::model::lines::{Handle, LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
-use crate::view::lines::drawing::{GRASP, Plane, draw_question};
-use crate::view::lines::{TEXT, parts, substitution, text};
+use crate::view::lines::{GRASP, PlaneView, TEXT, draw_question, parts, substitution, text};
 
 /// Range of the slider of t.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
@@ -134,11 +133,11 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
 /// Shows the drawing and handles drags in it.
 fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
-    let before = Plane::new(ui, rect, lab.window);
+    let before = PlaneView::new(ui, rect, lab.window);
     let inputs = Handle::ALL.into_iter();
     let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
     let grabbed: Vec<(Handle, Response)> = inputs.collect();
-    let plane = Plane::new(ui, rect, lab.window);
+    let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
     if let Some(seen) = plane.paint(lab, is_held, digits) {
@@ -172,7 +171,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
 }
 
 /// Handles the drags of a handle. Returns the response of its area, if it is visible.
-fn input(ui: &Ui, plane: &Plane, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
+fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
     let at = plane.in_sight(lab, handle)?;
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));

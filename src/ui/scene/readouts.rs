@@ -15,8 +15,8 @@ use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
-use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{self, formula};
+use crate::view::typesetting::theme;
 
 /// Minimum width of the hits, in points.
 const HITS: f32 = 280.0;
@@ -107,7 +107,7 @@ fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
         return formula(reading.name, size, plain);
     }
     let color = vector_color(ui, reading.name).unwrap_or(plain);
-    LayoutJob::simple_singleline(reading.name.to_owned(), FontId::new(size, fonts::bold()), color)
+    LayoutJob::simple_singleline(reading.name.to_owned(), FontId::new(size, theme::bold()), color)
 }
 
 /// Lays out `name = value`.

@@ -28,7 +28,7 @@ use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::notation::unbroken;
-use crate::view::typesetting::{label_text, theme};
+use crate::view::typesetting::{labels, theme};
 
 /// Name of the world view, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";
@@ -406,7 +406,7 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
         let painter = ui.painter_at(rect);
         let per_point = ui.ctx().pixels_per_point();
         for label in shown.labels.iter() {
-            label_text::write(&painter, rect.min, per_point, label);
+            labels::write_label(&painter, rect.min, per_point, label);
         }
     }
 }

@@ -7,8 +7,8 @@ use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 use super::number::vector_color;
 use super::spoken::Spoken as _;
 use crate::model::letters;
-use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::unbroken;
+use crate::view::typesetting::theme;
 
 /// A run of letters with the same style.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
     for run in &runs {
-        let family = if run.is_vector { fonts::bold() } else { FontFamily::Proportional };
+        let family = if run.is_vector { theme::bold() } else { FontFamily::Proportional };
         let own = run.is_vector.then(|| vector_color(ui, &run.text)).flatten();
         let format = TextFormat {
             font_id: FontId::new(size, family),

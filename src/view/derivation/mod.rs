@@ -1,34 +1,36 @@
 //! The derivation of every number of the camera and of the selected ray, line by line in the
-//! lecture's order. Each line has its symbols, the numbers put in, and the result.
+//! lecture's order. Each line has its symbols, the numbers substituted for them, and the result.
+//! The derivation can be exported as LaTeX, and as Markdown with `$formulas$`.
 //!
 //! This module is pure: it turns the document, the view settings and the derived values into
 //! [`Section`]s of [`Line`]s. All arithmetic is in [`pinhole_lecture`].
+//!
+//! - `camera`: the lines of the basis and of the view ray;
+//! - `objects`: the lines of the intersection with one object;
+//! - `numbers`: numbers as formulas, and the names in the lecture's formulas.
 
-mod basis;
-mod export;
-mod names;
-mod numbers;
-mod objects;
-mod ray;
-
-#[cfg(test)]
-mod tests;
-
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_exchange::is_hidden;
 use pinhole_lecture::numbers::Rounding;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
-use self::numbers::{Numbers, related};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
-use crate::view::formula::{Formula, row, word};
-pub use export::Markup;
+use crate::view::derivation::numbers::{NumberFormat, related};
+use crate::view::formula::{Formula, latex, row, word};
+
+mod camera;
+mod numbers;
+mod objects;
+
+#[cfg(test)]
+mod tests;
 
 /// Maximum number of objects that are listed. Of more objects, those that the ray hits first are
 /// listed.
@@ -189,7 +191,7 @@ pub struct DerivationSettings {
 /// Computes the derivation.
 pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     let DerivationSettings { rounding, exact, from_one, .. } = inputs.settings;
-    let numbers = Numbers { rounding, exact, from_one };
+    let numbers = NumberFormat { rounding, exact, from_one };
     let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<Line>| {
@@ -197,7 +199,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
         derivation.sections.push(Section { section, object: None, title, lines });
     };
     if inputs.settings.sections.shows(DerivationSection::Basis) {
-        add(DerivationSection::Basis, basis::lines(camera, numbers));
+        add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
     }
     let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, inputs.settings.selection));
     let derived = exact
@@ -208,11 +210,11 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
             DerivationSection::PixelToRay,
             match derived {
                 Some((resolved, derived, inspection)) => {
-                    ray::lines(camera, resolved, derived, inspection, numbers)
+                    camera::ray_lines(camera, resolved, derived, inspection, numbers)
                 }
                 None => {
                     let selection = inputs.settings.selection.inside(camera.image);
-                    let mut lines = ray::givens(camera, selection, None, numbers);
+                    let mut lines = camera::ray_givens(camera, selection, None, numbers);
                     lines.extend(inputs.settings.fault.as_ref().map(fault_line));
                     lines
                 }
@@ -260,7 +262,11 @@ fn fault_line(fault: &impl fmt::Display) -> Line {
 }
 
 /// Adds the objects' given numbers alone, and the reason why there is no more.
-fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs, numbers: Numbers) {
+fn add_given_objects(
+    derivation: &mut Derivation,
+    inputs: &DerivationInputs,
+    numbers: NumberFormat,
+) {
     let document = inputs.document;
     let faulty = match inputs.settings.fault {
         Some(Fault::Scene(
@@ -293,7 +299,7 @@ fn add_objects(
     inputs: &DerivationInputs,
     (exact, derived): (&ExactRay, &RayDerivation),
     (scene, inspection): (&Scene, &Inspection),
-    numbers: Numbers,
+    numbers: NumberFormat,
 ) {
     let listed = listed(scene, inspection);
     derivation.left_out = scene.len() - listed.len();
@@ -324,4 +330,83 @@ fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
         }
     }
     listed
+}
+
+/// The markup language of an exported derivation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Markup {
+    /// LaTeX with amsmath.
+    Latex,
+    /// Markdown with `$formulas$`.
+    Markdown,
+}
+
+impl Derivation {
+    /// Writes the derivation for slides or notes.
+    pub fn written_in(&self, markup: Markup) -> String {
+        match markup {
+            Markup::Latex => self.to_latex(),
+            Markup::Markdown => self.to_markdown(),
+        }
+    }
+
+    /// Writes LaTeX with amsmath: a heading and an `align*` for each section.
+    fn to_latex(&self) -> String {
+        let mut out = String::from("% needs \\usepackage{amsmath}\n");
+        // Writing to a string cannot fail.
+        for section in &self.sections {
+            let _ = writeln!(out, "\\subsection*{{{}}}", latex::text(&section.title));
+            let lines: Vec<String> = section.lines.iter().map(latex_line).collect();
+            if !lines.is_empty() {
+                let lines = lines.join(" \\\\\n");
+                let _ = writeln!(out, "\\begin{{align*}}\n{lines}\n\\end{{align*}}");
+            }
+        }
+        if self.left_out > 0 {
+            let _ = writeln!(out, "{}", latex::text(&left_out(self.left_out)));
+        }
+        out
+    }
+
+    /// Writes Markdown: a heading and a list for each section.
+    fn to_markdown(&self) -> String {
+        let mut out = String::new();
+        for (k, section) in self.sections.iter().enumerate() {
+            let before = if k == 0 { "" } else { "\n" };
+            let _ = writeln!(out, "{before}### {}\n", markdown(&section.title));
+            for line in &section.lines {
+                let _ = write!(out, "- ${}$", latex::math(&line.formula));
+                if !line.note.is_empty() {
+                    let _ = write!(out, "; {}", markdown(&line.note));
+                }
+                out.push('\n');
+            }
+        }
+        if self.left_out > 0 {
+            let _ = writeln!(out, "\n{}", left_out(self.left_out));
+        }
+        out
+    }
+}
+
+fn latex_line(line: &Line) -> String {
+    let formula = latex::aligned(&line.formula);
+    match line.note.as_str() {
+        "" => format!("  {formula}"),
+        note => format!("  {formula} && \\text{{{}}}", latex::text(note)),
+    }
+}
+
+/// Escapes the characters that Markdown treats as markup.
+fn markdown(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if r"\`*_[]<>#$|~".contains(c) {
+            out.push('\\');
+        }
+        if !is_hidden(c) {
+            out.push(c);
+        }
+    }
+    out
 }

@@ -1,19 +1,23 @@
-//! Numbers and vectors as formulas: exact if that is wanted and their form is recognised and short
-//! ([`NumberForm::is_short`]), otherwise as decimals. One number is written in one form.
+//! Numbers, vectors and the lecture's names as formulas.
 //!
-//! `=` stands only before what is exactly the value: an exact form, a given number with all its
-//! digits, or decimals that the value ends with. All other decimals are rounded and stand behind `≈`.
+//! A number is written in its exact form if the user wants that and the form is recognised and
+//! short ([`NumberForm::is_short`]), otherwise as a decimal.
+//!
+//! `=` stands only before the exact value: an exact form, a given number with all its digits, or a
+//! decimal that ends. All other decimals are rounded and stand behind `≈`.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::numbers::Rounding;
 use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
-use crate::view::formula::{Formula, Operator, fraction, given, number, root, rounded, row, tuple};
+use crate::view::formula::{
+    Formula, Ink, Operator, fraction, given, number, parentheses, root, rounded, row, tuple, word,
+};
 
 /// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Numbers {
+pub(super) struct NumberFormat {
     /// The rounding of decimals.
     pub(super) rounding: Rounding,
     /// True if short exact forms are written in place of decimals.
@@ -26,7 +30,7 @@ pub(super) struct Numbers {
 /// numbers with random digits, one in a thousand has no more than so many.
 const TELLING_DIGITS: usize = 12;
 
-impl Numbers {
+impl NumberFormat {
     /// Returns the rounded number.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = self.rounding.text(x);
@@ -167,4 +171,50 @@ fn exact(form: NumberForm) -> Formula {
         if m == 1 { above } else { fraction(above, number(&m.to_string())) }
     };
     row(sign.into_iter().chain([magnitude]))
+}
+
+pub(super) const U: Formula = Formula::Vector("u", Ink::U);
+pub(super) const V: Formula = Formula::Vector("v", Ink::V);
+pub(super) const W: Formula = Formula::Vector("w", Ink::W);
+pub(super) const EYE: Formula = Formula::Vector("eye", Ink::Text);
+pub(super) const AT: Formula = Formula::Vector("at", Ink::Given);
+pub(super) const VIEW: Formula = Formula::Vector("view", Ink::Given);
+pub(super) const UP: Formula = Formula::Vector("up", Ink::Given);
+pub(super) const P: Formula = Formula::Vector("p", Ink::Ray);
+pub(super) const D: Formula = Formula::Vector("d", Ink::Ray);
+pub(super) const N: Formula = Formula::Vector("n", Ink::Text);
+pub(super) const CENTRE: Formula = Formula::Vector("centre", Ink::Text);
+pub(super) const POINT: Formula = Formula::Vector("point", Ink::Text);
+pub(super) const HIT: Formula = Formula::Vector("hit", Ink::Text);
+pub(super) const T: Formula = Formula::Scalar("t");
+pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
+
+/// Returns `left = right`, or `left ≈ right` if digits are left out on the right.
+pub(super) fn equation(left: Formula, right: Formula) -> Formula {
+    row([left, related(right)])
+}
+
+/// Returns `left sign right`.
+pub(super) fn joined(left: Formula, sign: Operator, right: Formula) -> Formula {
+    row([left, sign.into(), right])
+}
+
+/// Returns `a − b`.
+pub(super) fn minus(a: Formula, b: Formula) -> Formula {
+    joined(a, Operator::Minus, b)
+}
+
+/// Returns `a × b`.
+pub(super) fn times(a: Formula, b: Formula) -> Formula {
+    joined(a, Operator::Times, b)
+}
+
+/// Returns `a · b`.
+pub(super) fn dot(a: Formula, b: Formula) -> Formula {
+    joined(a, Operator::Dot, b)
+}
+
+/// Returns `normalize(x)`.
+pub(super) fn normalize(inner: Formula) -> Formula {
+    row([word("normalize"), parentheses(inner)])
 }

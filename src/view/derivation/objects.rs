@@ -1,4 +1,4 @@
-//! Intersection of the selected ray with one object: the deciding numbers, the roots, the hit, the
+//! Intersection of the selected ray with one object: the coefficients, the roots, the hit, the
 //! normal.
 
 use pinhole_core::{Plane, Ray, Root, Sphere};
@@ -8,9 +8,8 @@ use pinhole_lecture::{
 };
 
 use super::Line;
-use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};
-use super::numbers::Numbers;
-use super::ray::along;
+use super::camera::along;
+use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, minus};
 use crate::model::concept::Concept;
 use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
@@ -29,12 +28,12 @@ struct ObjectLines<'a> {
     object: u32,
     ray: Ray,
     inspection: &'a Inspection,
-    numbers: Numbers,
+    numbers: NumberFormat,
     lines: Vec<Line>,
 }
 
 /// Returns the lines of an object's given numbers. Spheres from a CSV file are changed there.
-pub(super) fn givens(document: &Document, object: u32, numbers: Numbers) -> Vec<Line> {
+pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<Line> {
     let index = object as usize;
     let line = |name, right| Line::new(Concept::Object(object), equation(name, right));
     let own = document.spheres.get(index).map(|item| item.shape);
@@ -65,7 +64,7 @@ pub(super) fn lines(
     derivation: &ObjectDerivation,
     ray: Ray,
     inspection: &Inspection,
-    numbers: Numbers,
+    numbers: NumberFormat,
 ) -> Vec<Line> {
     let lines = givens(document, object, numbers);
     let mut lines = ObjectLines { object, ray, inspection, numbers, lines };

@@ -1,9 +1,19 @@
-//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX,
-//! without its refinements.
+//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX, but
+//! without TeX's refinements; and line breaking.
+//!
+//! [`lines`] aligns formulas at their first relation: the part before it ends at the column's
+//! indent, and every later line begins there with a relation. A line holds at most one form of a
+//! vector. The next form begins a new line even if there is room, so that nothing jumps while
+//! numbers change.
+//!
+//! A formula that is too wide is broken before `=` and other relations. A piece that is still too
+//! wide is broken before `+`, `×` and other operators. A term that is only a little too wide is
+//! then set a little smaller; otherwise its vectors are written as columns; if that is not
+//! enough, its text shrinks until it fits. No line is wider than the column.
 
-use super::{Direction, Formula, Gap, Ink, Operator, gap};
 use crate::model::given::Given;
 use crate::model::letters;
+use crate::view::formula::{Direction, Formula, Gap, Ink, Operator, gap};
 
 /// The font of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,14 +27,14 @@ pub enum Face {
 }
 
 /// A measure of text width.
-pub trait Measure {
+pub trait TextMeasure {
     /// Returns the width of `text` in a font whose em is `size`, in the unit of `size`.
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
 /// A piece of text. Positions have x to the right and y down, from the start of the first baseline.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct TextRun {
     /// The text.
     pub text: String,
     /// The font.
@@ -74,7 +84,7 @@ pub struct Layout {
     /// Extent below the baseline; of several lines, below the first baseline.
     pub descent: f32,
     /// The text.
-    pub runs: Vec<Run>,
+    pub runs: Vec<TextRun>,
     /// The strokes.
     pub rules: Vec<Rule>,
     /// The given numbers in it.
@@ -97,7 +107,7 @@ const FRACTION: f32 = 0.88;
 const TALL: f32 = 1.3;
 
 /// Lays a formula out in one line; the em is `size`.
-pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout {
+pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> Layout {
     match formula {
         Formula::Scalar(name) => {
             // A name of several letters is a word; mathematical italics would read as a product.
@@ -147,13 +157,19 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
     }
 }
 
-fn text_box(text: String, face: Face, ink: Ink, size: f32, measure: &mut dyn Measure) -> Layout {
+fn text_box(
+    text: String,
+    face: Face,
+    ink: Ink,
+    size: f32,
+    measure: &mut dyn TextMeasure,
+) -> Layout {
     let width = measure.width(&text, face, size);
     Layout {
         width,
         ascent: ASCENT * size,
         descent: DESCENT * size,
-        runs: vec![Run { text, face, size, ink, at: [0.0, 0.0] }],
+        runs: vec![TextRun { text, face, size, ink, at: [0.0, 0.0] }],
         ..Layout::default()
     }
 }
@@ -194,7 +210,7 @@ pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
     }
 }
 
-pub(super) fn row(parts: &[Formula], size: f32, measure: &mut dyn Measure) -> Layout {
+pub(super) fn row(parts: &[Formula], size: f32, measure: &mut dyn TextMeasure) -> Layout {
     let mut whole = Layout::default();
     for (k, part) in parts.iter().enumerate() {
         let before = if k == 0 { 0.0 } else { room(&parts[k - 1], part, size) };
@@ -247,7 +263,7 @@ fn script(
     small: &Formula,
     shift: f32,
     size: f32,
-    measure: &mut dyn Measure,
+    measure: &mut dyn TextMeasure,
 ) -> Layout {
     let mut whole = layout(base, size, measure);
     let small = layout(small, SMALL * size, measure);
@@ -280,7 +296,7 @@ enum Fence {
     Parenthesis,
 }
 
-fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
+fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn TextMeasure) -> Layout {
     if inner.height() > TALL * size {
         return fenced(inner, Fence::Parenthesis, size);
     }
@@ -323,4 +339,186 @@ fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
     whole.ascent = whole.ascent.max(-top);
     whole.descent = whole.descent.max(bottom);
     whole
+}
+
+/// The column in which lines are set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// Size of the em.
+    pub size: f32,
+    /// Width of the column.
+    pub width: f32,
+    /// Position of the first relation, and of the start of every later line. What is too wide for
+    /// the room before it moves its own first relation to the right.
+    pub indent: f32,
+}
+
+/// Distance between two lines, in ems.
+const LEADING: f32 = 0.42;
+
+/// Returns the width of what stands before a formula's first relation, with the gap behind it; 0 for
+/// a formula without one.
+pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> f32 {
+    let parts = formula.parts();
+    match parts.iter().position(Formula::is_relation) {
+        Some(at) if at > 0 => {
+            row(&parts[..at], size, measure).width + room(&parts[at - 1], &parts[at], size)
+        }
+        _ => 0.0,
+    }
+}
+
+/// Sets a formula in as many lines as it needs.
+pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -> Layout {
+    let Column { size, width, indent } = column;
+    let left = left_width(formula, size, measure);
+    let start = if left > 0.0 { (indent - left).max(0.0) } else { 0.0 };
+    let mut set = LineBuilder { column, start, done: Vec::new(), open: None };
+    let mut before: Vec<&[Formula]> = Vec::new();
+    for piece in pieces(formula.parts(), Formula::is_relation) {
+        if piece.first().is_some_and(Formula::is_relation) {
+            if before.iter().any(|before| are_apart(before, piece)) {
+                set.end_line();
+                before.clear();
+            }
+            before.push(piece);
+        }
+        let lines_before = set.done.len();
+        let single = row(piece, size, measure);
+        if single.width <= width - indent {
+            set.add(piece, single);
+        } else {
+            set.add_in_terms(piece, measure);
+        }
+        if set.done.len() > lines_before {
+            before = vec![piece];
+        }
+    }
+    set.stacked()
+}
+
+/// Returns true if two pieces that begin with relations must not stand in one line: two forms of a
+/// vector; and `≈ a = b`, where what equals the left side would seem to equal a.
+fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
+    let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
+    let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
+    (has_tuple(before) && has_tuple(after))
+        || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
+}
+
+/// Cuts the parts before each one that `begins` a new piece.
+fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
+    let mut cuts = vec![0];
+    cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
+    cuts.push(parts.len());
+    cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
+}
+
+/// Size of a piece that is a little too wide, relative to the others.
+const TIGHT: f32 = 0.88;
+
+/// Sets a piece that is too wide for a line: a little smaller where that is enough, then with vectors
+/// as columns, then also smaller.
+fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeasure) -> Layout {
+    let tight = row(parts, TIGHT * size, measure);
+    if tight.width <= width {
+        return tight;
+    }
+    let columns: Vec<Formula> = parts.iter().map(upright).collect();
+    let single = row(&columns, size, measure);
+    if single.width <= width {
+        return single;
+    }
+    // Widths are proportional to the size, apart from the fonts' rounding.
+    let mut smaller = size;
+    let mut single = single;
+    for _ in 0..8 {
+        smaller *= (0.99 * width / single.width).clamp(0.05, 0.99);
+        single = row(&columns, smaller, measure);
+        if single.width <= width {
+            break;
+        }
+    }
+    single
+}
+
+/// Returns the formula with its vectors as columns.
+fn upright(formula: &Formula) -> Formula {
+    match formula {
+        Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
+        Formula::Norm(inner) => Formula::Norm(Box::new(upright(inner))),
+        Formula::Parentheses(inner) => Formula::Parentheses(Box::new(upright(inner))),
+        Formula::Row(parts) => Formula::Row(parts.iter().map(upright).collect()),
+        Formula::Fraction(above, below) => {
+            Formula::Fraction(Box::new(upright(above)), Box::new(upright(below)))
+        }
+        Formula::Root(inner) => Formula::Root(Box::new(upright(inner))),
+        other => other.clone(),
+    }
+}
+
+/// The lines while they are set.
+struct LineBuilder<'a> {
+    column: Column,
+    /// Start of the first line.
+    start: f32,
+    done: Vec<Layout>,
+    /// The line that is being filled, and its last part.
+    open: Option<(Layout, &'a Formula)>,
+}
+
+impl<'a> LineBuilder<'a> {
+    /// Ends the open line: the next piece begins a new one.
+    fn end_line(&mut self) {
+        self.done.extend(self.open.take().map(|(line, _)| line));
+    }
+
+    /// Adds a piece that is too wide for a line term by term.
+    fn add_in_terms(&mut self, piece: &'a [Formula], measure: &mut dyn TextMeasure) {
+        let Column { size, width, indent } = self.column;
+        let is_binary =
+            |part: &Formula| matches!(part, Formula::Operator(operator) if operator.is_binary());
+        for term in pieces(piece, is_binary) {
+            let single = row(term, size, measure);
+            let single = match single.width <= width - indent {
+                true => single,
+                false => narrowed(term, size, width - indent, measure),
+            };
+            self.add(term, single);
+        }
+    }
+
+    /// Adds a piece to the open line if it fits, otherwise to a new line.
+    fn add(&mut self, parts: &'a [Formula], piece: Layout) {
+        let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
+        let indent = if self.done.is_empty() { self.start } else { self.column.indent };
+        match self.open.take() {
+            Some((mut line, before)) => {
+                let x = line.width + room(before, first, self.column.size);
+                if x + piece.width <= self.column.width - indent {
+                    line.put(piece, x, 0.0);
+                    self.open = Some((line, last));
+                } else {
+                    self.done.push(line);
+                    self.open = Some((piece, last));
+                }
+            }
+            None => self.open = Some((piece, last)),
+        }
+    }
+
+    /// Stacks the lines.
+    fn stacked(mut self) -> Layout {
+        self.end_line();
+        let mut whole = Layout::default();
+        for (k, line) in self.done.into_iter().enumerate() {
+            if k == 0 {
+                whole.put(line, self.start, 0.0);
+                continue;
+            }
+            let y = whole.descent + LEADING * self.column.size + line.ascent;
+            whole.put(line, self.column.indent, y);
+        }
+        whole
+    }
 }

@@ -1,26 +1,28 @@
 //! Formulas in the lecture's notation: a tree, its layout, and its text forms.
 //!
-//! - this file: the tree, without fonts and colours;
-//! - `text`: the tree in one line of plain text, for screen readers, the clipboard and tests;
+//! - this file: the tree, without fonts and colours, and the tree in one line of plain text, for
+//!   screen readers, the clipboard and tests;
 //! - `latex`: the tree as LaTeX;
-//! - `layout`: the tree as positioned text and strokes, given a measure of text; `breaking`: the
-//!   same in lines of a given width.
+//! - `layout`: the tree as positioned text and strokes, in lines of a given width.
 //!
 //! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has its
-//! colour from the views, a [`Formula::Scalar`] is italic. Nothing is painted here.
+//! colour from the views, a [`Formula::Scalar`] is italic. Plain text writes vectors with a name
+//! of one letter in Unicode's bold letters, so that `𝐮` and `u` differ. Nothing is painted here.
 
-mod breaking;
+use std::fmt::{self, Write as _};
+
+use crate::model::given::Given;
+use crate::model::letters;
+
+pub use layout::{
+    Column, Face, GivenBox, Layout, Rule, TextMeasure, TextRun, layout, left_width, lines,
+};
+
 pub(crate) mod latex;
 mod layout;
-mod text;
 
 #[cfg(test)]
 mod tests;
-
-pub use breaking::{Column, left_width, lines};
-pub use layout::{Face, GivenBox, Layout, Measure, Rule, Run, layout};
-
-use crate::model::given::Given;
 
 /// One formula, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
@@ -307,4 +309,92 @@ fn gap(before: &Formula, after: &Formula) -> Gap {
         (Formula::Word(_), _) | (_, Formula::Word(_)) => Gap::Medium,
         _ => Gap::Thin,
     }
+}
+
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Formula::Scalar(name) => f.write_str(name),
+            Formula::Vector(name, _) => write_bold(name, f),
+            Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
+                f.write_str(text)
+            }
+            Formula::Operator(operator) => f.write_str(operator.sign()),
+            Formula::Given(_, inner) => inner.fmt(f),
+            Formula::Row(parts) => write_row(parts, f),
+            Formula::Root(inner) => write_guarded("√", inner, f),
+            Formula::Fraction(above, below) => {
+                write_numerator(above, f)?;
+                write_guarded("/", below, f)
+            }
+            Formula::Power(base, exponent) => write_script(base, exponent, '^', &SUPERSCRIPTS, f),
+            Formula::Index(base, index) => write_script(base, index, '_', &SUBSCRIPTS, f),
+            Formula::Norm(inner) => write!(f, "|{inner}|"),
+            Formula::Parentheses(inner) => write!(f, "({inner})"),
+            Formula::Tuple(coordinates, _) => {
+                for (k, coordinate) in coordinates.iter().enumerate() {
+                    write!(f, "{}{coordinate}", if k == 0 { "(" } else { ", " })?;
+                }
+                f.write_char(')')
+            }
+        }
+    }
+}
+
+const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+
+/// Writes one letter in bold, from the block *Mathematical Alphanumeric Symbols*; a word stays as
+/// it is.
+fn write_bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    match name.len() {
+        1 => name.chars().try_for_each(|letter| f.write_char(letters::bold(letter))),
+        _ => f.write_str(name),
+    }
+}
+
+fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (k, part) in parts.iter().enumerate() {
+        if k > 0 && gap(&parts[k - 1], part) != Gap::None {
+            f.write_char(' ')?;
+        }
+        write!(f, "{part}")?;
+    }
+    Ok(())
+}
+
+/// Writes an operator that applies only to the next part, with parentheses around several parts.
+fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    match inner {
+        Formula::Given(_, inner) => write_guarded(sign, inner, f),
+        Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({inner})"),
+        _ => write!(f, "{sign}{inner}"),
+    }
+}
+
+/// Writes the numerator of `/`; a product needs no parentheses there.
+fn write_numerator(inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
+    match inner {
+        Formula::Row(parts) if !parts.iter().any(joins) => write!(f, "{inner}"),
+        other => write_guarded("", other, f),
+    }
+}
+
+fn write_script(
+    base: &Formula,
+    small: &Formula,
+    sign: char,
+    digits: &[char; 10],
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    write_guarded("", base, f)?;
+    if let Formula::Number(text) = small
+        && let Some(text) =
+            text.chars().map(|c| Some(digits[c.to_digit(10)? as usize])).collect::<Option<String>>()
+    {
+        return f.write_str(&text);
+    }
+    f.write_char(sign)?;
+    write_guarded("", small, f)
 }

@@ -3,7 +3,7 @@ use super::*;
 /// A measure for which every letter is 0.55 em wide, bold ones 0.6.
 struct Even;
 
-impl Measure for Even {
+impl TextMeasure for Even {
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32 {
         let em = if face == Face::Bold { 0.6 } else { 0.55 };
         em * size * text.chars().count() as f32

@@ -5,8 +5,7 @@ use std::collections::HashSet;
 use egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use egui::{Color32, Mesh, Rect, TextureId};
 
-use super::Painter;
-use super::geometry::PixelRect;
+use super::{Painter, PixelRect};
 
 /// Maximum number of separate rectangles; more of them cost more than drawing the area between
 /// them.
@@ -20,12 +19,12 @@ const MANY: usize = 16;
 pub struct Canvas {
     pixels: Vec<Color32>,
     size: [usize; 2],
-    shown: Option<Frame>,
+    shown: Option<ShownFrame>,
 }
 
 /// The data that a picture is drawn from, apart from the textures.
 #[derive(Debug)]
-struct Frame {
+struct ShownFrame {
     primitives: Vec<ClippedPrimitive>,
     pixels_per_point: f32,
     ground: Color32,
@@ -59,7 +58,7 @@ impl Canvas {
         ground: Color32,
         primitives: Vec<ClippedPrimitive>,
     ) -> Vec<PixelRect> {
-        let frame = Frame { primitives, pixels_per_point, ground };
+        let frame = ShownFrame { primitives, pixels_per_point, ground };
         let whole = PixelRect::whole(size);
         let rects = match &self.shown {
             Some(last) if self.size == size => last.difference(&frame, changed, size),
@@ -83,7 +82,7 @@ impl Canvas {
     }
 }
 
-impl Frame {
+impl ShownFrame {
     /// Returns disjoint rectangles outside of which both frames look the same; `None` if none are
     /// known.
     fn difference(
@@ -95,7 +94,7 @@ impl Frame {
         if self.pixels_per_point != new.pixels_per_point || self.ground != new.ground {
             return None;
         }
-        let mut areas = Areas { rects: Vec::new(), scale: new.pixels_per_point, size };
+        let mut areas = ChangedAreas { rects: Vec::new(), scale: new.pixels_per_point, size };
         let (old, new) = (self.primitives.as_slice(), new.primitives.as_slice());
         let shared = old.len().min(new.len());
         let (start, end) = if old.len() == new.len() {
@@ -142,13 +141,13 @@ fn texture(primitive: &ClippedPrimitive) -> Option<TextureId> {
 }
 
 /// The areas found so far in which two frames differ.
-struct Areas {
+struct ChangedAreas {
     rects: Vec<PixelRect>,
     scale: f32,
     size: [usize; 2],
 }
 
-impl Areas {
+impl ChangedAreas {
     fn add(&mut self, clip: Rect, bounds: Rect) {
         let clip = PixelRect::scissor(clip, self.scale, self.size);
         let rect = clip.intersect(PixelRect::around(bounds, self.scale, self.size));

@@ -1,14 +1,20 @@
-//! Layout and painting of the derivation, line by line, in the window and in figures.
+//! Layout and painting of formulas and of the derivation, in the window and in figures.
 
 use std::sync::Arc;
 
-use egui::{FontId, Galley, Id, Rect, Ui, vec2};
+use egui::epaint::text::{LayoutJob, TextFormat};
+use egui::{
+    Color32, Context, FontFamily, FontId, Galley, Id, Painter, Pos2, Rect, Stroke, Ui, Vec2, pos2,
+    vec2,
+};
 
 use crate::model::derivation_sections::DerivationSection;
+use crate::model::letters::plain_scalars;
+use crate::model::symbols::{Kind, meaning};
 use crate::view::derivation::{Derivation, Line, Section, left_out};
-use crate::view::formula::{Column, Layout};
-use crate::view::typesetting::formula::{self, Inks};
-use crate::view::typesetting::theme::error_color;
+use crate::view::formula::{Column, Face, Formula, Ink, Layout, TextMeasure, TextRun, lines};
+use crate::view::overlay::Colors;
+use crate::view::typesetting::theme::{self, error_color};
 
 /// Sizes of the em in points: formulas, and the notes behind them.
 pub(crate) const SIZE: f32 = 17.0;
@@ -53,7 +59,7 @@ pub(crate) fn laid_lines(
     id: impl Fn(&Section, usize) -> Id,
 ) -> Vec<Vec<LaidLine>> {
     let inner = (width - 2.0 * PAD.x).max(20.0);
-    let left = |line: &Line| formula::left_width(ui.ctx(), &line.formula, SIZE);
+    let left = |line: &Line| left_width(ui.ctx(), &line.formula, SIZE);
     let indent_of = |kind: DerivationSection| {
         let sections = derivation.sections.iter().filter(|section| section.section == kind);
         let lefts = sections.flat_map(|section| &section.lines).map(left);
@@ -70,7 +76,7 @@ pub(crate) fn laid_lines(
 
 fn laid_line(ui: &Ui, line: &Line, id: Id, column: Column) -> LaidLine {
     let Column { width: inner, indent, .. } = column;
-    let layout = formula::set(ui.ctx(), &line.formula, column);
+    let layout = set(ui.ctx(), &line.formula, column);
     let height = layout.ascent + layout.descent;
     let mut whole = LaidLine { id, text: line.to_string(), layout, note: PAD, height };
     if !line.note.is_empty() {
@@ -94,8 +100,8 @@ pub(crate) fn baseline_of(rect: Rect, laid: &LaidLine) -> egui::Pos2 {
 }
 
 /// Paints a line's formula and its note.
-pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, laid: &LaidLine, inks: Inks) {
-    formula::paint(ui.painter(), baseline_of(rect, laid), &laid.layout, inks);
+pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &Line, laid: &LaidLine, inks: Inks) {
+    paint_formula(ui.painter(), baseline_of(rect, laid), &laid.layout, inks);
     if !line.note.is_empty() {
         let width = (rect.width() - laid.note.x).max(20.0);
         let galley = note_galley(ui, line, width);
@@ -127,7 +133,7 @@ pub(crate) fn draw(
         }
         for (line, laid) in section.lines.iter().zip(laid) {
             let rect = Rect::from_min_size(at, vec2(column.width(), laid.height));
-            paint(ui, rect, line, laid, inks);
+            paint_line(ui, rect, line, laid, inks);
             at.y += laid.height + BETWEEN_LINES;
         }
     }
@@ -141,4 +147,92 @@ pub(crate) fn draw(
         at.y += height;
     }
     at.y - column.top()
+}
+
+/// Sets a formula in lines of the width of `column`, with the window's fonts.
+pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
+    lines(formula, column, &mut Fonts(ctx))
+}
+
+/// Returns the width of what stands before a formula's first relation, with the gap behind it.
+pub(crate) fn left_width(ctx: &Context, formula: &Formula, size: f32) -> f32 {
+    crate::view::formula::left_width(formula, size, &mut Fonts(ctx))
+}
+
+struct Fonts<'a>(&'a Context);
+
+impl TextMeasure for Fonts<'_> {
+    fn width(&mut self, text: &str, face: Face, size: f32) -> f32 {
+        let font = font(face, size);
+        self.0.fonts_mut(|fonts| text.chars().map(|c| fonts.glyph_width(&font, c)).sum())
+    }
+}
+
+fn font(face: Face, size: f32) -> FontId {
+    match face {
+        Face::Bold => FontId::new(size, theme::bold()),
+        Face::Upright | Face::Italic => FontId::new(size, FontFamily::Proportional),
+    }
+}
+
+/// The formulas' colours in one window.
+#[derive(Clone, Copy)]
+pub(crate) struct Inks {
+    text: Color32,
+    colors: &'static Colors,
+}
+
+impl Inks {
+    pub(crate) fn from_ui(ui: &Ui) -> Inks {
+        Inks { text: ui.visuals().text_color(), colors: theme::style(ui).colors() }
+    }
+
+    fn color(self, ink: Ink) -> Color32 {
+        match ink {
+            Ink::Text => self.text,
+            Ink::U => self.colors.basis[0],
+            Ink::V => self.colors.basis[1],
+            Ink::W => self.colors.basis[2],
+            Ink::Given => self.colors.given,
+            Ink::Ray => self.colors.ray,
+        }
+    }
+}
+
+/// Returns the meaning of the symbol at a position of a layout, which is relative to the start of
+/// its first baseline.
+pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
+    let mut fonts = Fonts(ctx);
+    let mut holds = |run: &&TextRun| {
+        let [x, y] = run.at;
+        // A margin makes thin letters as easy to hover as wide ones.
+        let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
+        let down = y - 0.8 * run.size..=y + 0.3 * run.size;
+        across.contains(&at.x) && down.contains(&at.y)
+    };
+    let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
+    let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
+    meaning(kind, &plain_scalars(&run.text))
+}
+
+/// Paints a layout whose first baseline begins at `origin`.
+pub(crate) fn paint_formula(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
+    for run in &layout.runs {
+        let color = inks.color(run.ink);
+        // The italic letters of a word are slanted ones: Unicode's would read as a product.
+        let italics = run.face == Face::Italic && run.text.len() > 4;
+        let format =
+            TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };
+        let job = LayoutJob::single_section(run.text.clone(), format);
+        let galley = painter.layout_job(job);
+        let baseline = galley
+            .rows
+            .first()
+            .map_or(0.0, |row| row.pos.y + row.glyphs.first().map_or(0.0, |glyph| glyph.pos.y));
+        painter.galley(origin + vec2(run.at[0], run.at[1] - baseline), galley, color);
+    }
+    for rule in &layout.rules {
+        let points = rule.points.iter().map(|[x, y]| pos2(origin.x + x, origin.y + y)).collect();
+        painter.line(points, Stroke::new(rule.width, inks.color(rule.ink)));
+    }
 }

@@ -1,9 +1,6 @@
-//! Text on the screen and in figures: fonts and theme, formulas, the derivation, labels.
+//! Text on the screen and in figures: fonts and colours, formulas, the derivation, labels.
 
 pub mod derivation;
-pub mod fonts;
-pub mod formula;
-pub mod label_layout;
-pub mod label_text;
+pub mod labels;
 pub mod notation;
 pub mod theme;

@@ -1,8 +1,16 @@
-//! The look of the window: font sizes, colours, the focus ring, the spotlight.
+//! The look of the window: bundled fonts, font sizes, colours, the focus ring, the spotlight.
+//!
+//! With bundled fonts, text looks the same on every machine, and the signs of the formulas
+//! (⟂, ‖, ⟨, θ) are available. Vectors are written in bold, not with an arrow above (U+20D7): a
+//! letter and its combining characters must come from one font, and Noto Sans has no such arrow,
+//! so the arrow would silently be left out. Every font except the one for code can put a
+//! circumflex on u.
+
+use std::sync::Arc;
 
 use egui::{
-    Color32, Context, FontFamily, FontId, Id, LayerId, Mesh, Order, Pos2, Rect, Shape, Stroke,
-    StrokeKind, TextStyle, Theme, Ui, Vec2, Visuals,
+    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, LayerId, Mesh, Order,
+    Pos2, Rect, Shape, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2, Visuals,
 };
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
@@ -11,7 +19,6 @@ use crate::model::color_scheme::Scheme;
 use crate::model::session::Settings;
 use crate::model::session::presenting::WRITTEN;
 use crate::view::overlay::Style;
-use crate::view::typesetting::fonts;
 
 /// The settings that determine the window's look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -216,7 +223,7 @@ pub(crate) fn error_color(ui: &Ui) -> Color32 {
 
 /// Installs the program's base look in a context, from its next pass on.
 pub(crate) fn install_base(ctx: &Context) {
-    fonts::install(ctx);
+    install_fonts(ctx);
     for theme in [Theme::Dark, Theme::Light] {
         ctx.style_mut_of(theme, |style| style.visuals = base_visuals(theme));
     }
@@ -231,4 +238,76 @@ fn base_visuals(theme: Theme) -> Visuals {
     visuals.widgets.inactive.fg_stroke.color = text;
     visuals.weak_text_alpha = 0.75;
     visuals
+}
+
+/// Name of the bold family.
+const BOLD: &str = "bold";
+
+const SANS: &str = "Noto Sans";
+const SANS_BOLD: &str = "Noto Sans Bold";
+const MATH: &str = "Noto Sans Math";
+
+/// Returns the bold variant of the proportional family, for `FontId::new(size, theme::bold())`.
+pub fn bold() -> FontFamily {
+    FontFamily::Name(BOLD.into())
+}
+
+/// Installs the bundled fonts in a context, from its next pass on.
+pub fn install_fonts(ctx: &egui::Context) {
+    ctx.set_fonts(font_definitions());
+}
+
+/// Returns the bundled fonts: Noto Sans, Noto Sans Math for signs that it lacks, then egui's own
+/// fonts; for code Hack first, as in egui.
+pub fn font_definitions() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let files: [(&str, &'static [u8]); 3] = [
+        (SANS, include_bytes!("../../../assets/fonts/NotoSans-Regular.ttf")),
+        (SANS_BOLD, include_bytes!("../../../assets/fonts/NotoSans-Bold.ttf")),
+        (MATH, include_bytes!("../../../assets/fonts/NotoSansMath-Regular.ttf")),
+    ];
+    for (name, file) in files {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(file)));
+    }
+    let defaults = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
+    let chain = |names: &[&str]| -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).chain(defaults.iter().cloned()).collect()
+    };
+    fonts.families.insert(bold(), chain(&[SANS_BOLD, SANS, MATH]));
+    fonts.families.insert(FontFamily::Proportional, chain(&[SANS, MATH]));
+    let monospace = fonts.families.entry(FontFamily::Monospace).or_default();
+    let after_first = monospace.len().min(1);
+    monospace.splice(after_first..after_first, [MATH.to_owned(), SANS.to_owned()]);
+    fonts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::FontId;
+
+    /// The signs that formulas and labels use.
+    const SIGNS: &str = "→←↑↓·⟂∥‖⟨⟩×−√²₀₁₂ₓθπ°½∞≈≤≥±≠⁻…•𝐮𝐯𝐰𝐝𝐩𝑢𝑣𝑖𝑗𝑊𝐻\u{302}";
+
+    #[test]
+    fn every_sign_has_a_glyph_in_every_family() {
+        let ctx = egui::Context::default();
+        install_fonts(&ctx);
+        ctx.run_ui(egui::RawInput::default(), |_| {}).drop_without_applying_deltas();
+        for family in [FontFamily::Proportional, FontFamily::Monospace, bold()] {
+            let font = FontId::new(14.0, family);
+            let missing: String = ctx
+                .fonts_mut(|fonts| SIGNS.chars().filter(|&c| !fonts.has_glyph(&font, c)).collect());
+            assert_eq!(missing, "", "missing in {font:?}");
+        }
+    }
+
+    #[test]
+    fn text_takes_the_bundled_font_and_code_takes_hack() {
+        let fonts = font_definitions();
+        let first = |family: &FontFamily| fonts.families[family][0].clone();
+        assert_eq!(first(&FontFamily::Proportional), SANS);
+        assert_eq!(first(&bold()), SANS_BOLD);
+        assert_eq!(first(&FontFamily::Monospace), "Hack");
+    }
 }

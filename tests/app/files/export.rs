@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{Format, Order, Subject};
+use pinhole::figures::{FigureFormat, Order, Subject};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
@@ -38,7 +38,7 @@ fn the_world_view_as_it_is_on_the_screen() {
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };
     let order = Order { subject: Subject::World, size, scale, style, transparent: false };
     let figure = order.figure(app.document(), app.session(), |_| false).unwrap();
-    assert!(figure.to_file(Format::Png).unwrap() == fs::read(&path).unwrap());
+    assert!(figure.to_file(FigureFormat::Png).unwrap() == fs::read(&path).unwrap());
     // But for the letters, which are painted over it, the dots are the window's.
     let pixels = figure.to_pixels();
     let same = pixels.iter().zip(&shown.image.pixels).filter(|(a, b)| a == b).count();

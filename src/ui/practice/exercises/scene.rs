@@ -21,7 +21,7 @@ use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::view_texture::ViewTexture;
 use crate::view::derive::{Derived, Deriver, ViewSizes};
-use crate::view::lines::{drawing, substitution};
+use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme;
 
 /// Height of the title above the scene, in points.
@@ -225,7 +225,7 @@ fn plane(ui: &mut Ui, rect: Rect, session: &Session, lab: &LinesLab) {
     let typed = session.exercises.points_in_plane();
     let seen = (session.exercises.shows_all(), session.settings.digits);
     let _ = views::view(ui, rect, PLANE);
-    drawing::draw_exercise(ui, rect, lab, &typed, seen);
+    draw_exercise(ui, rect, lab, &typed, seen);
     let names: Vec<&str> = typed.iter().map(|(name, _)| name.as_str()).collect();
     views::speak(ui, PLANE, &format!("drawn: {}", names.join(", ")));
     strip_above(ui, rect, |ui| drop(ui.strong(PLANE)));

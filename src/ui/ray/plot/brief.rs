@@ -8,8 +8,8 @@ use super::{TEXT, drawing, objects_at, point, said_id};
 use crate::model::inspection::Inspection;
 use crate::model::session::presenting::WRITTEN;
 use crate::view::plot::Plot;
-use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{formula, plain, unbroken};
+use crate::view::typesetting::theme;
 
 /// Sizes of the text, in points, from the largest.
 const SIZES: [f32; 3] = [TEXT, 13.5, WRITTEN];
@@ -78,7 +78,7 @@ impl Paragraph {
 
     fn laid_out(&self, ui: &Ui, size: f32, width: f32) -> LayoutJob {
         let color = ui.visuals().text_color();
-        let bold = FontId::new(size, fonts::bold());
+        let bold = FontId::new(size, theme::bold());
         let mut job = LayoutJob::default();
         job.append(&self.bold, 0.0, TextFormat::simple(bold, ui.visuals().strong_text_color()));
         let rest = formula(&unbroken(&self.text), size, color);

@@ -9,7 +9,7 @@ use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
-use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
+use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::formula;
 use crate::view::typesetting::theme;
 

@@ -1,19 +1,177 @@
-//! The drawing of the lab of lines: the plane with both lines in it, and the handles.
+//! The lab of lines: the plane with both lines and their handles, and the substitution of one line
+//! into the other, step by step in words and numbers.
 
 use std::cmp::Ordering;
 
 use egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+    Align2, Color32, FontId, Painter, Pos2, Rect, RichText, Shape, Stroke, StrokeKind, Ui,
+    UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
-use pinhole_lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution};
+use pinhole_lecture::lines::{
+    Crossing, ImplicitLine, LineError, Meeting, ParametricLine, Substitution,
+};
 use pinhole_lecture::numbers::written as number;
 
+use crate::model::letters::typeset_message;
 use crate::model::lines::{Handle, LinesLab, Window};
 use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
-use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
-use crate::view::typesetting::theme;
+use crate::view::typesetting::labels::{Font, LabelLayout, around};
+use crate::view::typesetting::notation;
+use crate::view::typesetting::theme::{self, error_color};
+
+/// Text size in points, legible from the back row.
+pub(crate) const TEXT: f32 = 16.5;
+
+/// Greatest width of the numbers beside the drawing, in points, and as a share of the whole.
+const NUMBERS: (f32, f32) = (400.0, 0.46);
+
+/// Writes a line of text, with its formulas typeset.
+pub(crate) fn text(ui: &mut Ui, text: &str) {
+    notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
+}
+
+/// Draws the lab without handles to drag and without a background: the plane with both lines in it,
+/// and the substitution.
+pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let (left, right) = parts(area);
+    draw_plane(ui, left, lab, digits);
+    let right = right.shrink2(Vec2::new(2.0, 14.0));
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
+}
+
+/// Returns the areas of the plane and of the numbers beside it.
+pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
+    let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
+    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
+    (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
+}
+
+pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
+    let substitution = match Substitution::new(lab.line(), lab.ray) {
+        Ok(substitution) => substitution,
+        Err(error) => return no_line(ui, &error),
+    };
+    for step in steps(&substitution, digits) {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            ui.weak(format!("{}:  ", step.what));
+            text(ui, &step.text);
+        });
+    }
+    ui.add_space(6.0);
+    let verdict = verdict(&substitution, digits);
+    notation::label(ui, &verdict, TEXT + 3.0, ui.visuals().strong_text_color());
+    ui.add_space(4.0);
+    let (f, sign) = substitution.f(lab.t);
+    let compared = match sign {
+        std::cmp::Ordering::Less => "< 0",
+        std::cmp::Ordering::Equal => ": on the line",
+        std::cmp::Ordering::Greater => "> 0",
+    };
+    let (t, f) = (number(lab.t, digits), number(f, digits));
+    text(ui, &format!("at t = {t}:  f = {f} {compared}"));
+}
+
+fn no_line(ui: &mut Ui, error: &LineError) {
+    let text = RichText::new(typeset_message(error)).size(TEXT + 2.0).strong();
+    ui.label(text.color(error_color(ui)));
+}
+
+/// One step of the substitution.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LabStep {
+    /// The name of the step.
+    pub(crate) what: &'static str,
+    /// The formula, in the form that [`formula`](crate::view::typesetting::notation::formula)
+    /// takes.
+    pub(crate) text: String,
+}
+
+/// Formats a number behind a multiplication sign: negative ones in parentheses.
+fn factor(x: f64, digits: usize) -> String {
+    let text = number(x, digits);
+    if text.starts_with('−') { format!("({text})") } else { text }
+}
+
+/// Returns `+ x` or `− |x|`.
+fn added(x: f64, digits: usize) -> String {
+    let sign = if x < 0.0 { '−' } else { '+' };
+    format!("{sign} {}", number(x.abs(), digits))
+}
+
+/// Returns all steps with the current numbers.
+pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
+    let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
+    let (line, p, d) = (s.line, s.ray.p, s.ray.d);
+    let coordinate = |p: f64, d: f64| format!("{} {} t", n(p), added(d, digits));
+    let (x, y) = (coordinate(p.x, d.x), coordinate(p.y, d.y));
+    let (a, b, c) = (n(line.a), line.b, plus(line.c));
+    let sign = if b < 0.0 { '−' } else { '+' };
+    let b_size = n(b.abs());
+    vec![
+        LabStep { what: "implicit", text: format!("f(x, y) = {a} x {sign} {b_size} y {c}") },
+        LabStep { what: "parametric", text: format!("x = {x},   y = {y}") },
+        LabStep {
+            what: "put in",
+            text: format!("f(p + t d) = {a} ({x}) {sign} {b_size} ({y}) {c}"),
+        },
+        LabStep {
+            what: "sorted by t",
+            text: format!(
+                "= ({a}·{} {sign} {b_size}·{}) t + ({a}·{} {sign} {b_size}·{} {c})",
+                m(d.x),
+                m(d.y),
+                m(p.x),
+                m(p.y)
+            ),
+        },
+        LabStep { what: "added up", text: format!("= {} t {}", n(s.rate), plus(s.offset)) },
+        LabStep { what: "zero where", text: zero(s, digits) },
+    ]
+}
+
+fn zero(s: &Substitution, digits: usize) -> String {
+    let (rate, offset) = (number(s.rate, digits), number(s.offset, digits));
+    match s.meeting {
+        Meeting::Parallel => format!("0 t = {}: for no t", number(-s.offset, digits)),
+        Meeting::Coincident => "0 t = 0: for every t".to_owned(),
+        Meeting::At(Crossing { t, .. }) => {
+            let over = factor(s.rate, digits);
+            format!("t = −({offset}) / {over} = {}", number(t, digits))
+        }
+        Meeting::TooFar { .. } => format!("t = −({offset}) / ({rate}), too large"),
+    }
+}
+
+/// Describes whether and where the lines meet.
+pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
+    let n = |x| number(x, digits);
+    match s.meeting {
+        Meeting::Parallel => {
+            format!("Parallel: f(p + t d) is {} at every t, never 0. They never meet.", n(s.offset))
+        }
+        Meeting::Coincident => {
+            "Coincident: f(p + t d) is 0 at every t. Both are the same line.".to_owned()
+        }
+        Meeting::At(Crossing { t, point, ray_hits }) => {
+            let (t_text, x, y) = (n(t), n(point.x), n(point.y));
+            if ray_hits {
+                format!("They meet at t = {t_text}, at ({x}, {y}). t > 0: the ray hits.")
+            } else if t.partial_cmp(&0.0) == Some(Ordering::Less) {
+                format!("Line met but ray missed: t = {t_text} < 0, at ({x}, {y}), behind p.")
+            } else {
+                format!("They meet at p itself, ({x}, {y}): t = 0 is no hit.")
+            }
+        }
+        Meeting::TooFar { ray_hits } => {
+            let side = if ray_hits { "ahead of p" } else { "behind p" };
+            format!("They meet {side}, too far away for a number.")
+        }
+    }
+}
 
 /// Text sizes in points: coordinates, names, regions.
 const SMALL: f32 = 15.0;
@@ -27,7 +185,7 @@ pub(crate) const GRASP: f32 = 13.0;
 const MOST_POINTS: usize = 400;
 
 /// A part of the plane shown in a rectangle, y upwards, both axes with the same scale.
-pub(crate) struct Plane {
+pub(crate) struct PlaneView {
     painter: Painter,
     pub(crate) rect: Rect,
     x: Scale,
@@ -36,13 +194,13 @@ pub(crate) struct Plane {
 }
 
 /// Draws the plane without its background and with nothing to drag.
-pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
-    Plane::new(ui, rect, lab.window).paint(lab, |_| false, digits);
+pub(crate) fn draw_plane(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    PlaneView::new(ui, rect, lab.window).paint(lab, |_| false, digits);
 }
 
 /// Draws both lines and nothing that tells where they meet.
 pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
-    let plane = Plane::new(ui, rect, lab.window);
+    let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     plane.grid();
     plane.implicit(&lab.line());
@@ -59,7 +217,7 @@ pub(crate) fn draw_exercise(
     typed: &[(String, DVec2)],
     (may_be_seen, digits): (bool, usize),
 ) {
-    let plane = Plane::new(ui, rect, lab.window);
+    let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     let mut labels = plane.labels();
     let (painter, ray) = (&plane.painter, plane.colors.ray);
@@ -85,12 +243,12 @@ pub(crate) fn draw_exercise(
     }
 }
 
-impl Plane {
-    pub(crate) fn new(ui: &Ui, rect: Rect, window: Window) -> Plane {
+impl PlaneView {
+    pub(crate) fn new(ui: &Ui, rect: Rect, window: Window) -> PlaneView {
         let half = DVec2::new(rect.width().into(), rect.height().into())
             * (window.half_extent / f64::from(rect.size().min_elem()));
         let (low, high) = (window.center - half, window.center + half);
-        Plane {
+        PlaneView {
             painter: ui.painter_at(rect),
             rect,
             x: Scale::even([low.x, high.x], [rect.left(), rect.right()]),
@@ -439,4 +597,45 @@ impl Plane {
 fn left_of(d: DVec2) -> Vec2 {
     let d = d.normalize_or_zero();
     -vec2(d.y as f32, d.x as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::lines::LinesLab;
+
+    fn said(example: usize) -> (Vec<String>, String) {
+        let (_, lab) = &LinesLab::examples()[example];
+        let s = Substitution::new(lab.line(), lab.ray).expect("two lines");
+        let lines = steps(&s, 5).into_iter().map(|step| step.text).collect();
+        (lines, verdict(&s, 5))
+    }
+
+    #[test]
+    fn a_ray_that_misses_line_by_line() {
+        let (lines, verdict) = said(1);
+        assert_eq!(
+            lines,
+            [
+                "f(x, y) = 2 x − 1 y + 1",
+                "x = 0 + 1 t,   y = 0 + 1 t",
+                "f(p + t d) = 2 (0 + 1 t) − 1 (0 + 1 t) + 1",
+                "= (2·1 − 1·1) t + (2·0 − 1·0 + 1)",
+                "= 1 t + 1",
+                "t = −(1) / 1 = −1",
+            ]
+        );
+        assert_eq!(verdict, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.");
+    }
+
+    #[test]
+    fn the_other_verdicts() {
+        assert_eq!(said(0).1, "They meet at t = 1, at (1, 1). t > 0: the ray hits.");
+        let (lines, verdict) = said(2);
+        assert_eq!(lines[5], "0 t = −2: for no t");
+        assert_eq!(verdict, "Parallel: f(p + t d) is 2 at every t, never 0. They never meet.");
+        let (lines, verdict) = said(3);
+        assert_eq!(lines[4], "= 0 t + 0");
+        assert_eq!(verdict, "Coincident: f(p + t d) is 0 at every t. Both are the same line.");
+    }
 }

@@ -1,12 +1,14 @@
-//! Labels in a drawing: a casing keeps them legible over lines, and they never overlap.
+//! Labels in pictures and drawings: text with a halo, which keeps it legible over lines, and a
+//! layout in which labels never overlap. The window and the figures use the same shapes.
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
+use egui::epaint::TextShape;
+use egui::{Align2, Color32, FontFamily, FontId, Galley, Painter, Pos2, Rect, Shape, Vec2, vec2};
 
-use crate::view::typesetting::fonts;
-use crate::view::typesetting::label_text::HaloText;
+use crate::view::overlay::Label;
 use crate::view::typesetting::notation::formula;
+use crate::view::typesetting::theme;
 
 /// The look of a label.
 #[derive(Clone, Copy)]
@@ -72,7 +74,7 @@ impl LabelLayout {
 
     fn galley(&self, text: &str, font: Font) -> Arc<Galley> {
         if font.bold {
-            let id = FontId::new(font.size, fonts::bold());
+            let id = FontId::new(font.size, theme::bold());
             self.painter.layout_no_wrap(text.to_owned(), id, font.color)
         } else {
             self.painter.layout_job(formula(text, font.size, font.color))
@@ -110,4 +112,57 @@ fn side(away: f32) -> egui::Align {
     } else {
         egui::Align::Center
     }
+}
+
+/// Laid-out text with a halo around its letters, which keeps it legible over anything.
+///
+/// egui has no such shape. It is given to egui as a [`Shape::Vec`]: the text in the halo's colour eight
+/// times around its position, and then the text. Figures [read it back](HaloText::from_shape) as one
+/// text.
+pub(crate) struct HaloText {
+    pub(crate) text: TextShape,
+    pub(crate) halo: Color32,
+}
+
+impl HaloText {
+    /// Width of the halo, in points.
+    pub(crate) const REACH: f32 = 1.3;
+
+    /// Creates text whose left top corner is at `at`.
+    pub(crate) fn new(at: Pos2, galley: Arc<Galley>, color: Color32, halo: Color32) -> HaloText {
+        HaloText { text: TextShape::new(at, galley, color), halo }
+    }
+
+    /// Returns the shape that egui paints.
+    pub(crate) fn into_shape(self) -> Shape {
+        let copy = |k: u8| {
+            let away = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);
+            let mut copy = self.text.clone();
+            copy.pos += HaloText::REACH * away;
+            copy.override_text_color = Some(self.halo);
+            Shape::Text(copy)
+        };
+        let mut shapes: Vec<Shape> = (0..8).map(copy).collect();
+        shapes.push(Shape::Text(self.text));
+        Shape::Vec(shapes)
+    }
+
+    /// Reads back what [`HaloText::into_shape`] made; `None` for every other shape.
+    #[cfg(feature = "figures")]
+    pub(crate) fn from_shape(shape: &Shape) -> Option<HaloText> {
+        let Shape::Vec(shapes) = shape else { return None };
+        let [Shape::Text(copy), .., Shape::Text(text)] = shapes.as_slice() else { return None };
+        let halo = copy.override_text_color?;
+        Arc::ptr_eq(&copy.galley, &text.galley).then(|| HaloText { text: text.clone(), halo })
+    }
+}
+
+/// Writes a label of a picture whose upper left corner is at `origin`.
+pub(crate) fn write_label(painter: &Painter, origin: Pos2, per_point: f32, label: &Label) {
+    let center = origin + vec2(label.position[0], label.position[1]) / per_point;
+    let family = if label.bold { theme::bold() } else { FontFamily::Proportional };
+    let font = FontId::new(label.size, family);
+    let galley = painter.layout_no_wrap(label.text.clone(), font, label.color);
+    let min = center - 0.5 * galley.size();
+    painter.add(HaloText::new(min, galley, label.color, label.halo).into_shape());
 }

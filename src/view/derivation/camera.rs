@@ -1,0 +1,332 @@
+//! Derivation of the camera: u, v, w from view and up, or the checks of a basis that is set by
+//! hand; then the view ray of a pixel or of a position (u, v).
+
+use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
+use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
+
+use crate::model::concept::Concept;
+use crate::model::given::{Given, GivenVector};
+use crate::model::inspection::Inspection;
+use crate::model::letters;
+use crate::view::derivation::Line;
+use crate::view::derivation::numbers::{
+    AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,
+    normalize, related, times,
+};
+use crate::view::formula::{
+    Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
+};
+
+pub(super) fn basis_lines(camera: &Camera, numbers: NumberFormat) -> Vec<Line> {
+    match BasisDerivation::new(camera) {
+        BasisDerivation::FromUp(from_up) => derived(&from_up, numbers),
+        BasisDerivation::ByHand(by_hand) => checked(&by_hand, numbers),
+    }
+}
+
+fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
+    let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
+    let vector =
+        |name, as_given, value, concept| given_line(name, as_given, value, concept, numbers);
+    lines.extend(derivation.at.map(|at| vector(AT, GivenVector::At, at, Concept::At)));
+    lines.extend(derivation.up.map(|up| vector(UP, GivenVector::Up, up.vector, Concept::Up)));
+    if let Some(view) = derivation.view {
+        lines.push(match derivation.at {
+            Some(at) => {
+                let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
+                let sides = [VIEW, minus(AT, EYE), put_in];
+                Line::chain(Concept::View, sides, numbers.equals_vector(view.vector))
+            }
+            None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
+        });
+    }
+    if let Some(backwards) = derivation.backwards {
+        let result = numbers.equals_vector(backwards);
+        lines.push(Line::chain(Concept::Backwards, [negative(VIEW)], result));
+    }
+    lines.extend(normalized(derivation, numbers));
+    if let Some(cross) = &derivation.up_cross_w {
+        lines.extend(crossed(cross, numbers));
+    }
+    if let Some(cross) = &derivation.up_cross_w {
+        let formula = equation(U, normalize(times(UP, W)));
+        let quotient = quotient(cross.product, cross.area, numbers);
+        lines.push(match derivation.u {
+            Some(u) => Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))),
+            None => failed(Concept::U, formula, derivation.basis.err()),
+        });
+    }
+    if let Some(cross) = &derivation.w_cross_u {
+        let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
+        let sides = [V, times(W, U), put_in];
+        let line = Line::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
+        lines.push(line.also(&[Concept::V]));
+    }
+    lines
+}
+
+/// Returns the line of a vector that is given.
+fn given_line(
+    name: Formula,
+    as_given: GivenVector,
+    value: DVec3,
+    concept: Concept,
+    numbers: NumberFormat,
+) -> Line {
+    Line::new(concept, equation(name, numbers.given_vector(as_given, value)))
+}
+
+/// Returns the line of w, or of the reason why there is none.
+fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Line> {
+    let formula = equation(W, normalize(negative(VIEW)));
+    let (Some(view), Some(backwards), Some(w)) =
+        (derivation.view, derivation.backwards, derivation.w)
+    else {
+        return Some(failed(Concept::W, formula, derivation.basis.err()));
+    };
+    let quotient = quotient(backwards, view.length, numbers);
+    Some(Line::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
+}
+
+/// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
+fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<Line> {
+    let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
+    let product = numbers.equals_vector(cross.product);
+    let mut lines = vec![Line::chain(Concept::UpCrossW, [times(UP, W), put_in], product)];
+    if let Some(angle) = cross.angle {
+        let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
+        let degrees = numbers.degrees(angle);
+        let symbolic = row([norm(UP), sine(word("angle"))]);
+        let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
+        let sides = [norm(times(UP, W)), symbolic, put_in];
+        lines.push(Line::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
+    }
+    lines
+}
+
+/// Returns a vector divided by its length, with the numbers put in. A vector of length 1 whose
+/// coordinates would be rounded stays in its exact form.
+fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
+    let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
+    if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
+        return numbers.vector(vector);
+    }
+    fraction(decimals, divisor)
+}
+
+/// Returns the symbols, the numbers put in, and the result. The numbers are left out if they are
+/// the same as the result.
+fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
+    if result == related(put_in.clone()) {
+        return row([symbols, result]);
+    }
+    row([equation(symbols, put_in), result])
+}
+
+/// Returns the line that fails, with the reason.
+fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
+    let why = why.map_or_else(String::new, letters::typeset_message);
+    Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
+}
+
+fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<Line> {
+    let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
+    let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
+    let values = [
+        (GivenVector::U, derivation.u),
+        (GivenVector::V, derivation.v),
+        (GivenVector::W, derivation.w),
+    ];
+    for ((name, concept), (as_given, value)) in names().zip(values) {
+        lines.push(given_line(name, as_given, value, concept, numbers).noted("set by hand"));
+    }
+    let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
+        is_fault: !passes,
+        ..line.noted(if passes { right } else { wrong })
+    };
+    for ((name, concept), check) in names().zip(derivation.lengths) {
+        let Some(check) = check else { continue };
+        let line = Line::chain(concept, [norm(name)], numbers.equals(check.value));
+        lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
+    }
+    let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
+    for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
+        let Some(check) = check else { continue };
+        let line = Line::chain(concept, [dot(a, b)], numbers.equals(check.value));
+        lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
+    }
+    if let Some(check) = derivation.handedness {
+        let formula = dot(parentheses(times(U, V)), W);
+        let line = Line::chain(Concept::W, [formula], numbers.equals(check.value));
+        let wrong = "left-handed: must be greater than 0";
+        lines.push(verdict(line, check.passes, "right-handed", wrong));
+    }
+    if let Err(error) = derivation.basis {
+        let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };
+        lines.push(Line { is_fault: true, ..line.noted(letters::typeset_message(error)) });
+    }
+    lines
+}
+
+/// Returns the lines of the given numbers that the ray is worked out from. They stand there without
+/// a ray, too, so that whoever has dragged one of them too far can drag it back.
+pub(super) fn ray_givens(
+    camera: &Camera,
+    selection: Selection,
+    note: Option<&str>,
+    numbers: NumberFormat,
+) -> Vec<Line> {
+    let scalar = |name, as_given, value: f64| {
+        equation(Formula::Scalar(name), numbers.given(as_given, value))
+    };
+    let Viewport { width, height, distance, .. } = camera.viewport;
+    let distance = Line::new(Concept::Distance, scalar("distance", Given::Distance, distance));
+    match selection {
+        Selection::Uv(uv) => {
+            let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
+            let values = [(Given::PositionU, uv.x), (Given::PositionV, uv.y)];
+            let values = tuple(values.map(|(as_given, x)| numbers.given(as_given, x)));
+            let position = Line::new(Concept::Pixel, equation(symbols, values));
+            vec![distance, position.noted(note.unwrap_or_default())]
+        }
+        Selection::Pixel(pixel) => {
+            let (i, j) = numbers.counted(pixel);
+            let list = |[a, b]: [Formula; 2]| row([a, Operator::Comma.into(), b]);
+            let size = |name, as_given, count: u32| scalar(name, as_given, count.into());
+            let index = |name: &str, letter, as_given, k: u32| {
+                row([word(name), scalar(letter, as_given, k.into())])
+            };
+            let viewport =
+                [scalar("width", Given::Width, width), scalar("height", Given::Height, height)];
+            let (columns, rows) = (camera.image.width(), camera.image.height());
+            let image =
+                [size("W", Given::ImageWidth, columns), size("H", Given::ImageHeight, rows)];
+            let pixel = [index("row", "i", Given::Row, i), index("column", "j", Given::Column, j)];
+            let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
+            vec![
+                Line::new(Concept::Viewport, list(viewport)),
+                Line::new(Concept::Viewport, list(image)).noted("pixels"),
+                distance,
+                Line::new(Concept::Pixel, list(pixel)).noted(counted),
+            ]
+        }
+    }
+}
+
+pub(super) fn ray_lines(
+    camera: &Camera,
+    resolved: &ResolvedCamera,
+    ray: &RayDerivation,
+    inspection: &Inspection,
+    numbers: NumberFormat,
+) -> Vec<Line> {
+    let mut lines = match ray.pixel {
+        Some(pixel) => {
+            let given = ray_givens(camera, Selection::Pixel(pixel), None, numbers);
+            given.into_iter().chain(of_pixel(resolved, pixel, ray, numbers)).collect()
+        }
+        None => {
+            let note = position_note(resolved, inspection, numbers);
+            ray_givens(camera, Selection::Uv(ray.uv), Some(&note), numbers)
+        }
+    };
+    let (viewport, basis) = (resolved.viewport(), resolved.basis());
+    let distance = negative(DISTANCE);
+    let minus_distance = -viewport.distance;
+    let parts = [
+        (Concept::AlongU, Formula::Scalar("u"), U, ray.uv.x, basis.u, ray.along_u),
+        (Concept::AlongV, Formula::Scalar("v"), V, ray.uv.y, basis.v, ray.along_v),
+        (Concept::AlongW, distance, W, minus_distance, basis.w, ray.along_w),
+    ];
+    for (concept, scalar, vector, factor, value, product) in parts {
+        let put_in = row([numbers.scalar(factor), numbers.vector(value)]);
+        let sides = [row([scalar, vector]), put_in];
+        let line = Line::chain(concept, sides, numbers.equals_vector(product));
+        lines.push(match concept {
+            Concept::AlongW => line.also(&[Concept::Distance]),
+            _ => line,
+        });
+    }
+    let sum = |[a, b, c]: [Formula; 3], sign| joined(joined(a, Operator::Plus, b), sign, c);
+    let symbols =
+        [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
+    let put_in = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
+    let sides = [D, sum(symbols, Operator::Minus), sum(put_in, Operator::Plus)];
+    lines.push(Line::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
+    let length = Line::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
+    lines.push(length.noted("how long a step of 𝑡 = 1 is"));
+    let put_in = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
+    let formula = equation(along(P, T, D), put_in);
+    lines.push(Line::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
+    lines
+}
+
+/// Returns `p + t d`.
+pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
+    joined(p, Operator::Plus, row([t, d]))
+}
+
+/// Derives u and v from the shares of the image's width and height.
+fn of_pixel(
+    resolved: &ResolvedCamera,
+    pixel: Pixel,
+    ray: &RayDerivation,
+    numbers: NumberFormat,
+) -> Vec<Line> {
+    let (i, j) = numbers.counted(pixel);
+    let half = || number("0.5");
+    // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
+    // edge.
+    let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
+    let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
+    let (viewport, image) = (resolved.viewport(), resolved.image());
+    let across = |k, count| parentheses(minus(share(k, count), half()));
+    let down = |k, count| parentheses(minus(half(), share(k, count)));
+    let whole = |n: u32| number(&n.to_string());
+    let line = |name, extent, symbols, size, put_in, value| {
+        let symbols = row([Formula::Scalar(extent), symbols]);
+        let put_in = row([numbers.scalar(size), put_in]);
+        Line::chain(Concept::Pixel, [Formula::Scalar(name), symbols, put_in], numbers.equals(value))
+    };
+    let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
+    let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));
+    vec![
+        line(
+            "u",
+            "width",
+            across(symbol_j, w),
+            viewport.width,
+            across(whole(j), whole(image.width())),
+            ray.uv.x,
+        ),
+        line(
+            "v",
+            "height",
+            down(symbol_i, h),
+            viewport.height,
+            down(whole(i), whole(image.height())),
+            ray.uv.y,
+        ),
+    ]
+}
+
+/// Returns the note on a given (u, v): its position in the image.
+fn position_note(
+    resolved: &ResolvedCamera,
+    inspection: &Inspection,
+    numbers: NumberFormat,
+) -> String {
+    match inspection.image_position {
+        None => "outside the image".to_owned(),
+        Some(position) if position.touching(resolved.image()).len() == 4 => {
+            "the corner of four pixels, no pixel's centre".to_owned()
+        }
+        Some(position) => match position.only_pixel() {
+            Some(pixel) => {
+                let (i, j) = numbers.counted(pixel);
+                format!("in the pixel of row {i}, column {j}")
+            }
+            None => "on an edge between pixels".to_owned(),
+        },
+    }
+}
