@@ -7,6 +7,7 @@ pub(crate) mod chart;
 pub mod derivation;
 pub mod derive;
 pub mod formula;
+pub mod handle_drag;
 pub mod handles;
 pub mod headless;
 pub mod lines;

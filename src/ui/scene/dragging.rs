@@ -12,7 +12,8 @@ use crate::model::interaction::{CLICK, HANDLE_REACH, RAY_POINT_REACH};
 use crate::model::session::handles::{Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
-use crate::view::handles::{HandleDrag, PlacedHandle, Stage, hit, placed};
+use crate::view::handle_drag::HandleDrag;
+use crate::view::handles::{PlacedHandle, Stage, hit, placed};
 use crate::view::overlay;
 
 /// The state of the input in the two views between passes: of drags, and of steps by keys and wheel.

@@ -11,7 +11,7 @@ use crate::model::overlay_items::Item;
 use crate::model::session::handles::{Drag, Handle};
 use crate::model::session::{LOUPE_PIXELS, Settings};
 use crate::ui::action::Steer;
-use crate::view::handles::{step_of, turned_by};
+use crate::view::handle_drag::{step_of, turned_by};
 
 /// The effect of a drag in the camera view, of its keys or of the wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

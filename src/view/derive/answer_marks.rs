@@ -5,7 +5,7 @@ use pinhole_core::{Pixel, Ray, ResolvedCamera, Scene, Selection};
 use pinhole_lecture::grading::{Answers, GivenHit, Graded};
 use pinhole_lecture::mistakes::WrongCamera;
 
-use super::derived::{Derived, Inputs};
+use super::{Derived, Inputs};
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::model::session::ViewLayout;
 use crate::model::session::ghost::resolve;

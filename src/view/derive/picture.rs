@@ -1,5 +1,6 @@
 //! The camera's picture: by the ladder, by another method that the user compares with it, and their
-//! difference.
+//! difference. Tracing reports its work to a [`Watch`]: the caller measures the time, and there is no
+//! clock here.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,20 +8,19 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{
-    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Selection, Shade, Steps,
+    Counts, Depth, Frame, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Selection,
+    Shade, Steps, retrace_painted, shade, trace, trace_painted,
 };
 
-use super::derived::{Derived, Inputs};
-use super::memo::{Fineness, Memo, Same};
-use super::objects::GoodWorld;
-use super::scan::first_pixels;
-use super::second_picture::SecondPicture;
-use super::watch::{self, Watch, Work};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
+use crate::view::derive::memo::{Fineness, Memo, Same};
+use crate::view::derive::objects::GoodWorld;
+use crate::view::derive::second_picture::SecondPicture;
+use crate::view::derive::{Derived, Inputs, opaque};
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
 /// Maximum number of intersection tests that a method may do for one picture: about a second of
@@ -230,13 +230,13 @@ impl Pictures {
             let traced = &mut self.traced;
             self.truth.get(seen.clone(), |(resolved, _, raster)| {
                 *traced += 1;
-                watch::truth(&world.scene, resolved, raster, watch)
+                trace_truth(&world.scene, resolved, raster, watch)
             })
         });
         let mut compare = |slot: usize, method| {
             let truth = truth.as_deref()?;
             let memo = &mut self.by[slot];
-            Some(watch::watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
+            Some(watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = if with_map { compare(usize::from(other != method), other) } else { None };
@@ -258,7 +258,7 @@ impl Pictures {
         let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
             *made += 1;
             if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
-                let pixels = watch::repainted(&by.frame, scene, colors, watch);
+                let pixels = repainted(&by.frame, scene, colors, watch);
                 return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
             }
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
@@ -268,11 +268,11 @@ impl Pictures {
             let frame = rough.get(key, |((resolved, _, raster), _)| {
                 *traced += 1;
                 let memory = (spare, watch);
-                let traced = watch::picture(scene, resolved, raster, outputs, colors, memory);
+                let traced = trace_picture(scene, resolved, raster, outputs, colors, memory);
                 fresh = Some(traced.1);
                 Arc::new(traced.0)
             });
-            let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
+            let pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
             (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
         });
         if !shown.last().is_some_and(|last| Arc::ptr_eq(last, &picture)) {
@@ -310,14 +310,14 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
 /// Returns the pixels under the loupe, by the method that draws the picture.
 fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
     let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
-    let mut frame = watch::truth(&world.scene, resolved, raster, watch);
+    let mut frame = trace_truth(&world.scene, resolved, raster, watch);
     if *method != Method::Ladder {
         let traced = trace_by(*method, &world.scene, resolved, raster);
         let frame = Arc::make_mut(&mut frame);
         (frame.t, frame.object) = (traced.t, traced.object);
     }
     let colors = (*mode, |i: u32| world.colors[i as usize]);
-    let pixels = watch::repainted(&frame, &world.scene, colors, watch);
+    let pixels = repainted(&frame, &world.scene, colors, watch);
     let picture = Picture { raster: raster.clone(), image: resolved.image(), pixels };
     Loupe { picture, shown_pixels: *shown_pixels, count_from_one: *count_from_one }
 }
@@ -336,4 +336,107 @@ fn compare(
         (frame.t, frame.object) = (traced.t, traced.object);
         Arc::new(Compared { method: *method, comparison, frame })
     })
+}
+
+/// The kind of work done since the last report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Work {
+    /// Planning, tracing and colouring pixels.
+    Trace,
+    /// Drawing over the pictures.
+    Overlay,
+    /// All other work.
+    Rest,
+}
+
+/// A callback for work that was just done.
+pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
+
+/// A picture's frame and its opaque pixels.
+pub(super) type Traced = (Frame<f32>, Vec<egui::Color32>);
+
+/// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture; both in the
+/// memory of a `spare` one, if that is as large.
+pub(super) fn trace_picture(
+    scene: &Scene,
+    camera: &ResolvedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
+    (spare, watch): (Option<Traced>, Watch<'_>),
+) -> Traced {
+    watch(Work::Rest);
+    let paint = Paint { shade, color_of, to_pixel: opaque };
+    let fits = |(frame, pixels): &Traced| {
+        let has = |values: usize, asked: bool| values == if asked { raster.len() } else { 0 };
+        frame.raster() == raster
+            && pixels.len() == raster.len()
+            && has(frame.t.len(), outputs.t)
+            && has(frame.object.len(), outputs.object)
+            && has(frame.normal.len(), outputs.normal)
+    };
+    let traced = if let Some((mut frame, mut pixels)) = spare.filter(fits) {
+        retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
+        (frame, pixels)
+    } else {
+        // Zeroed memory costs nothing until a thread fills its part.
+        let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
+        (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
+    };
+    watch(Work::Trace);
+    traced
+}
+
+/// Returns opaque pixels of a frame, which must have all outputs that the shading reads.
+pub(super) fn repainted<T: Depth>(
+    frame: &Frame<T>,
+    scene: &Scene,
+    (mode, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
+    watch: Watch<'_>,
+) -> Vec<egui::Color32> {
+    watched(watch, Work::Trace, || shade(frame, scene, mode, color_of, opaque))
+}
+
+/// Traces `t` with all its digits, and the objects.
+pub(super) fn trace_truth(
+    scene: &Scene,
+    camera: &ResolvedCamera,
+    raster: &Raster,
+    watch: Watch<'_>,
+) -> Arc<Frame> {
+    watch(Work::Rest);
+    let frame = trace(scene, camera, raster, Outputs::default());
+    watch(Work::Trace);
+    Arc::new(frame)
+}
+
+/// Does some work and reports it.
+pub(super) fn watched<R>(watch: Watch<'_>, work: Work, run: impl FnOnce() -> R) -> R {
+    watch(Work::Rest);
+    let done = run();
+    watch(work);
+    done
+}
+
+/// Colours of unscanned pixels: squares in two greys, which no picture of spheres has.
+const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
+
+/// Number of squares along a picture's shorter side.
+const SQUARES: usize = 16;
+
+/// Returns the picture with only the first `scanned_pixels` pixels of the image, row by row.
+pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
+    let mut part = picture.clone();
+    let width = u64::from(picture.image.width());
+    let (rows, columns) = (picture.raster.rows(), picture.raster.columns());
+    let side = (rows.len().min(columns.len()) / SQUARES).max(1);
+    for (i, (row, pixels)) in rows.iter().zip(part.pixels.chunks_mut(columns.len())).enumerate() {
+        // Number of finished columns of this row.
+        let done = scanned_pixels.saturating_sub(u64::from(*row) * width);
+        let from = columns.partition_point(|column| u64::from(*column) < done);
+        for (j, pixel) in pixels.iter_mut().enumerate().skip(from) {
+            *pixel = NOT_YET[(i / side + j / side) % 2];
+        }
+    }
+    part
 }

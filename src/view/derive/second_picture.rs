@@ -13,12 +13,11 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, ComparedPixels, Mistake};
 
+use super::Inputs;
 use super::answer_marks::{of_answers, of_mistake};
-use super::derived::Inputs;
 use super::memo::{Memo, Same};
 use super::objects::GoodWorld;
-use super::picture::{Compared, GoodPicture};
-use super::watch::{self, Watch, Work, watched};
+use super::picture::{Compared, GoodPicture, Watch, Work, trace_picture, watched};
 use super::{Derived, HighlightKey, Shown, blank, highlight_key, opaque};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
@@ -365,7 +364,7 @@ fn ghost_picture(
     let colors = (shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
     let trace =
-        |camera| watch::picture(&world.scene, camera, raster, outputs, colors, (None, watch));
+        |camera| trace_picture(&world.scene, camera, raster, outputs, colors, (None, watch));
     let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
     let pairs = now_frame.object.iter().zip(&frame.object);
     let differing = pairs.filter(|(a, b)| a != b).count();

@@ -6,33 +6,34 @@
 //! picture; text is left to the caller, who has the fonts. The window and exported figures use the
 //! same drawing; vector formats take it apart from the picture.
 //!
-//! - `world_view`, `camera_view`: the contents of the two views.
-//! - `highlighted`: what both share to highlight a concept, on top of everything else.
-//! - `space`: from the world to dots, and what hides what.
-//! - `drawing`: marks and labels; `path`: marks as fills and strokes; `paint`: those as pixels.
-//! - `picture`: the camera's traced picture; `style`: colours and text sizes.
+//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: a concept drawn on
+//!   top of everything else.
+//! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: those as pixels; `style`:
+//!   colours and text sizes.
+//! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
+//! - `sketch`: lines and arrows of the world as marks, visible or hidden, and the placement of labels.
+//! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
 
 mod camera_view;
 mod drawing;
+mod flat;
 mod highlighted;
+mod layers;
 mod paint;
-mod path;
-mod picture;
-mod space;
+mod screen;
+mod sketch;
 mod style;
 mod world_view;
 
 pub use crate::model::observer::UP_LENGTH;
 pub use camera_view::loupe::{Loupe, loupe_window};
 pub use camera_view::{CameraView, camera, camera_apart, camera_position_of_uv, camera_uv_at};
-pub use drawing::{Drawing, Label, Mark, Shape, Target, concept_at};
+pub use drawing::{Drawing, Ink, Label, Mark, Outline, Path, Shape, Target, concept_at};
 pub use highlighted::Highlighted;
-pub use paint::paint_paths;
-pub use path::{Ink, Outline, Path};
-pub use picture::Picture;
+pub use paint::{Picture, paint_paths};
 pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
-pub use world_view::ghost::GhostCamera;
+pub use world_view::compared::GhostCamera;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };

@@ -15,8 +15,8 @@ use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
-use crate::view::overlay::space::screen::{Screen, unit};
-use crate::view::overlay::space::sketch::Pen;
+use crate::view::overlay::screen::{Screen, unit};
+use crate::view::overlay::sketch::Pen;
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.

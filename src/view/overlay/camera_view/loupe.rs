@@ -10,8 +10,8 @@ use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_view::{CameraView, Overlay, position_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
-use crate::view::overlay::picture::Picture;
-use crate::view::overlay::space::sketch::Pen;
+use crate::view::overlay::paint::Picture;
+use crate::view::overlay::sketch::Pen;
 
 /// Greatest side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;

@@ -12,11 +12,9 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::paint::Fills;
-use crate::view::overlay::picture::Picture;
-use crate::view::overlay::space::labels::{self, Request};
-use crate::view::overlay::space::layers::{contrast, mix};
-use crate::view::overlay::space::sketch::Pen;
+use crate::view::overlay::layers::{contrast, mix};
+use crate::view::overlay::paint::{Fills, Picture};
+use crate::view::overlay::sketch::{Pen, Request, place_labels};
 use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
 
 /// Everything that the camera view shows.
@@ -149,7 +147,7 @@ impl CameraView<'_> {
             overlay.highlight(highlighted);
         }
         let requests = std::mem::take(&mut overlay.requests);
-        labels::place(requests, &mut overlay.drawing, self.extent());
+        place_labels(requests, &mut overlay.drawing, self.extent());
         overlay.loupe();
         let mut drawing = overlay.drawing;
         loupe::label(self, &mut drawing);

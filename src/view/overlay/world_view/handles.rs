@@ -5,8 +5,8 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
-use crate::view::overlay::space::screen::Screen;
-use crate::view::overlay::space::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::screen::Screen;
+use crate::view::overlay::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 
 /// The handles that can be dragged, and how they are drawn during a drag.

@@ -1,11 +1,8 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
-mod answer_marks;
 pub(super) mod camera_in_space;
-pub(super) mod ghost;
+pub(super) mod compared;
 pub(super) mod handles;
-mod highlighted;
-mod objects;
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
@@ -16,18 +13,16 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::answer_marks::AnswerMark;
 use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
+use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::paint::Fills;
-use crate::view::overlay::picture::Picture;
-use crate::view::overlay::space::flat::{Flat, Grid};
-use crate::view::overlay::space::labels;
-use crate::view::overlay::space::layers::{Bowl, Layers, Patch, PictureLookup, ViewportLayer};
-use crate::view::overlay::space::screen::Screen;
-use crate::view::overlay::space::sketch::Sketch;
+use crate::view::overlay::layers::{Bowl, Layers, Patch, PictureLookup, ViewportLayer};
+use crate::view::overlay::paint::{Fills, Picture};
+use crate::view::overlay::screen::Screen;
+use crate::view::overlay::sketch::{Sketch, place_labels};
 use crate::view::overlay::style::Style;
-use crate::view::overlay::world_view::ghost::GhostCamera;
+use crate::view::overlay::world_view::camera_in_space::Onlooker;
+use crate::view::overlay::world_view::compared::GhostCamera;
 use crate::view::overlay::world_view::handles::Handles;
-use crate::view::overlay::world_view::objects::Onlooker;
 
 /// Everything that the world view shows.
 #[derive(Clone, Copy)]
@@ -232,7 +227,7 @@ impl<'a> WorldView<'a> {
         };
         let first = self.scene.spheres().len();
         let color_of = |index: usize| (self.color_of)((first + index) as u32);
-        objects::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
+        camera_in_space::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
     }
 
     fn bowls(&self) -> Vec<Bowl> {
@@ -291,7 +286,7 @@ impl<'a> WorldView<'a> {
         }
         sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;
-        labels::place(requests, &mut drawing, screen.size);
+        place_labels(requests, &mut drawing, screen.size);
         drawing
     }
 }

@@ -8,9 +8,9 @@ use egui::Color32;
 use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
 use rayon::prelude::*;
 
-use crate::view::overlay::picture::Picture;
-use crate::view::overlay::space::flat::{Flat, FlatRow, FlatSpot, Grid};
-use crate::view::overlay::space::screen::PixelRays;
+use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
+use crate::view::overlay::paint::Picture;
+use crate::view::overlay::screen::PixelRays;
 
 /// All flat layers of one world view, and the t-buffer that they are compared with.
 pub(crate) struct Layers<'a> {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pinhole_core::{DVec2, DVec3};
 
-use crate::view::overlay::space::screen::{PixelRays, unit};
+use crate::view::overlay::screen::{PixelRays, unit};
 
 /// A plane with two coordinates on it, a and b.
 ///

@@ -1,28 +1,21 @@
 //! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
 //! planes. This module is pure; pointer input is handled in `ui::scene::dragging`.
 //!
-//! Here are their positions on the screen and the hit test. `drag` goes from the pointer to a point of
-//! the world, and on to the values that the handle changes through [`pinhole_core::steering`]; `text`
-//! has names and values, `marks` the marks for the overlay.
+//! This module has their positions on the screen, the hit test, their names and values, and the marks
+//! that the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates what a drag changes.
 //!
 //! No gizmo crate is used: those for egui edit one transform at a time, where a viewport has corners
 //! and a sphere a radius, and paint past the overlay, whose marks go into figures.
 
-mod drag;
-mod marks;
-mod text;
-
-use pinhole_core::{DVec2, DVec3, Orientation, Plane, ResolvedCamera, Selection};
+use pinhole_core::{Basis, DVec2, DVec3, Object, Orientation, Plane, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::written;
 
-pub use drag::{HandleDrag, step_of, turned_by};
-pub use marks::drawn;
-pub use text::{label, value};
-
+use crate::model::concept::Concept;
 use crate::model::observer::UP_LENGTH;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
-use crate::view::overlay;
+use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
 /// Distance from an arrow's tip to its handle, in points.
 const BEYOND: f64 = 10.0;
@@ -218,6 +211,194 @@ impl Stage<'_> {
         let extent = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         let inside = spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all();
         (seen.is_in_front() && inside).then_some(spot)
+    }
+}
+
+/// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
+pub fn label(handle: Handle, document: &Document) -> String {
+    let titled = |k: usize, what: &str| format!("{}: {what}", document.title_of(k));
+    let name = match handle {
+        Handle::Eye => "eye",
+        Handle::At => match document.camera.orientation {
+            Orientation::View { .. } => "view",
+            _ => "at",
+        },
+        Handle::Up => "up",
+        Handle::Roll => "roll around w",
+        Handle::Dolly => "dolly along w",
+        Handle::Corner(Corner { is_right, is_top }) => {
+            let row = if is_top { "top" } else { "bottom" };
+            let column = if is_right { "right" } else { "left" };
+            return format!("viewport, {row} {column} corner");
+        }
+        Handle::Distance => "viewport's distance",
+        Handle::Pixel => "selected pixel",
+        Handle::Center(k) => return titled(k, "centre"),
+        Handle::Radius(k) => return titled(k, "radius"),
+        Handle::Point(k) => return titled(k, "point"),
+        Handle::Normal(k) => return titled(k, "normal"),
+    };
+    name.to_owned()
+}
+
+/// Returns `(1, 0, −2.5)`, rounded to `digits` digits.
+fn vector(v: DVec3, digits: usize) -> String {
+    let [x, y, z] = v.to_array().map(|x| written(x, digits));
+    format!("({x}, {y}, {z})")
+}
+
+/// Returns a handle's value: `eye = (1, 0, 0)`. Rows and columns are counted from 1 if `from_one`
+/// is set.
+pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
+    let camera = &part.camera;
+    let number = |x: f64| written(x, digits);
+    let named = |name: &str, v: DVec3| format!("{name} = {}", vector(v, digits));
+    let at = match camera.orientation {
+        Orientation::At { at, .. } => named("at", at),
+        Orientation::View { view, .. } => named("view", view),
+        Orientation::Basis(basis) => named("𝐰", basis.w),
+    };
+    let viewport = camera.viewport;
+    match handle {
+        Handle::Eye => named("eye", camera.eye),
+        Handle::At => at,
+        Handle::Up => named("up", camera.up()),
+        Handle::Roll => match camera.orientation {
+            Orientation::Basis(basis) => named("𝐯", basis.v),
+            _ => named("up", camera.up()),
+        },
+        Handle::Dolly => match camera.orientation {
+            Orientation::At { at, .. } => {
+                let far = number(at.distance(camera.eye));
+                format!("{}, {far} from at", named("eye", camera.eye))
+            }
+            _ => named("eye", camera.eye),
+        },
+        Handle::Corner(_) => {
+            format!("width = {}, height = {}", number(viewport.width), number(viewport.height))
+        }
+        Handle::Distance => format!("distance = {}", number(viewport.distance)),
+        Handle::Pixel => match part.selection {
+            Selection::Pixel(pixel) => {
+                let first = u32::from(from_one);
+                format!("row {}, column {}", pixel.row + first, pixel.column + first)
+            }
+            Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
+        },
+        Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) | Handle::Normal(_) => {
+            match (part.object, handle) {
+                (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
+                    named("centre", sphere.center)
+                }
+                (Some((_, Object::Sphere(sphere))), _) => {
+                    format!("radius = {}", number(sphere.radius))
+                }
+                (Some((_, Object::Plane(plane))), Handle::Point(_)) => named("point", plane.point),
+                (Some((_, Object::Plane(plane))), _) => named("normal", plane.normal),
+                (None, _) => String::new(),
+            }
+        }
+    }
+}
+
+/// Length of the lines along which a handle moves, to either side, in points.
+const GUIDE_POINTS: f64 = 46.0;
+
+/// Returns what the overlay draws for the handles: eye, at and the tip of up, and of the others those
+/// that are needed, which belong to what is under the hand, chosen, or `spoken` of.
+pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
+    let mut placed = placed(stage, state);
+    let held = state.drag.and_then(|drag| drag.handle());
+    placed.retain(|PlacedHandle { handle, .. }| {
+        is_always_drawn(*handle)
+            || [state.over, held].into_iter().flatten().any(|other| belong_together(*handle, other))
+            || spoken.iter().any(|concept| is_about(*handle, *concept))
+    });
+    let find = |handle: Option<Handle>| placed.iter().find(|one| Some(one.handle) == handle);
+    let (held, over) = (find(held), find(held).or_else(|| find(state.over)));
+    let marks = placed.iter().map(|one| HandleMark {
+        at: one.at,
+        knob: knob(one.handle),
+        state: match over {
+            Some(over) if over.handle == one.handle && held.is_some() => KnobState::Held,
+            Some(over) if over.handle == one.handle => KnobState::Over,
+            _ => KnobState::Plain,
+        },
+    });
+    let camera = &stage.document.camera;
+    let beyond = stage.beyond(camera.eye);
+    let stems = placed.iter().filter_map(|one| {
+        let Handle::Normal(k) = one.handle else { return None };
+        let point = stage.plane(k)?.point;
+        let way = one.at - point;
+        let length = way.length();
+        (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])
+    });
+    let length_of = |handle| held.filter(|held| held.handle == handle).map(|held| held.length);
+    Handles {
+        marks: marks.collect(),
+        stems: stems.collect(),
+        guides: over.map_or(Vec::new(), |over| guides(stage, over)),
+        arrow: length_of(Handle::Dolly).map(|length| length - beyond),
+        up: length_of(Handle::Up).map(|length| length * camera.up().length() - beyond),
+    }
+}
+
+/// Returns true for the handles of what a camera is given by, and for those of the objects that are
+/// chosen or pointed at: others have none.
+fn is_always_drawn(handle: Handle) -> bool {
+    matches!(handle, Handle::Eye | Handle::At | Handle::Up) || handle.object().is_some()
+}
+
+/// Returns true for a handle itself, and for the handles of one viewport.
+fn belong_together(handle: Handle, other: Handle) -> bool {
+    let is_of_viewport = |handle| matches!(handle, Handle::Corner(_) | Handle::Distance);
+    handle == other || (is_of_viewport(handle) && is_of_viewport(other))
+}
+
+/// Returns true if a handle changes what the concept names.
+fn is_about(handle: Handle, concept: Concept) -> bool {
+    match handle {
+        Handle::Roll => concept == Concept::V,
+        Handle::Dolly => concept == Concept::W,
+        Handle::Corner(_) => concept == Concept::Viewport,
+        Handle::Distance => matches!(concept, Concept::Viewport | Concept::Distance),
+        Handle::Pixel => matches!(concept, Concept::Pixel | Concept::Ray | Concept::Direction),
+        _ => false,
+    }
+}
+
+fn knob(handle: Handle) -> Knob {
+    match handle {
+        Handle::Corner(_) | Handle::Pixel => Knob::Square,
+        Handle::Distance | Handle::Dolly | Handle::Radius(_) => Knob::Diamond,
+        _ => Knob::Round,
+    }
+}
+
+/// Returns the lines or the ring along which a handle moves; none for one that moves freely.
+fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
+    let PlacedHandle { handle, at, .. } = *over;
+    let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);
+    let ring = |center: DVec3, radius: f64, basis: &Basis| {
+        vec![Guide::Ring { center, a: radius * basis.u, b: radius * basis.v }]
+    };
+    let line = |axis: usize| {
+        let basis = stage.resolved?.basis();
+        let direction = length * [basis.u, basis.v, basis.w][axis];
+        Some(Guide::Line { from: at - direction, to: at + direction, axis })
+    };
+    match handle {
+        Handle::Roll => {
+            let eye = stage.document.camera.eye;
+            stage.resolved.map_or(Vec::new(), |camera| ring(eye, at.distance(eye), camera.basis()))
+        }
+        Handle::Radius(k) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {
+            ring(item.shape.center, item.shape.radius, stage.observer.basis())
+        }),
+        Handle::Dolly | Handle::Distance => line(2).into_iter().collect(),
+        Handle::Corner(_) | Handle::Pixel => [0, 1].into_iter().filter_map(line).collect(),
+        _ => Vec::new(),
     }
 }
 
