@@ -14,7 +14,7 @@ use super::{Figure, to_srgba};
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 
-/// The number of frames, and how fast they follow each other.
+/// The number of frames and the frame rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
     /// Number of frames, at least one.
@@ -29,19 +29,19 @@ impl Frames {
     /// Maximum number of frames per second.
     pub const MOST_PER_SECOND: u16 = gif::MOST_PER_SECOND;
 
-    /// Returns the frames of a whole animation of this kind.
+    /// Returns the frames for a whole animation of this kind.
     pub fn new(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second }
     }
 }
 
-/// Checks that a file of this name may hold an animation.
+/// Checks that an animation can be written to a file of this name.
 ///
 /// # Errors
 /// Returns an error, as a sentence, if the name does not end with `.gif`.
 pub fn check_animation_path(path: &Path) -> Result<(), String> {
-    if path.extension().is_some_and(|own| own.eq_ignore_ascii_case("gif")) {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gif")) {
         return Ok(());
     }
     Err("writes animations as GIF: end the name with .gif".to_owned())
@@ -54,28 +54,29 @@ pub struct Animation {
     pub kind: Kind,
     /// The state at the start.
     pub start: Start,
-    /// True if it begins again after the end.
+    /// True if it repeats.
     pub loops: bool,
-    /// The document, and the session that looks at it.
+    /// The document, and the session whose view is drawn.
     pub scene: (Document, Session),
-    /// The figure of each phase.
+    /// The request for the figure of each phase.
     pub order: Order,
-    /// The number and pace of the figures.
+    /// The number of frames and the frame rate.
     pub frames: Frames,
 }
 
-/// An animation that is being written. Dropped before it is finished, it leaves no file.
+/// Writes an animation, frame by frame. A recorder that is dropped before [`Recorder::finish`]
+/// leaves no file.
 pub struct Recorder {
     animation: Animation,
     done: u32,
     path: PathBuf,
     gif: gif::Animated<BufWriter<File>>,
-    /// The unfinished file, in the folder where it will be.
+    /// The unfinished file, in the folder of the final one.
     draft: Draft,
 }
 
 impl Recorder {
-    /// Begins to write an animation.
+    /// Starts an animation file.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written.
@@ -88,16 +89,15 @@ impl Recorder {
         Ok(Recorder { animation, done: 0, path, gif, draft })
     }
 
-    /// Returns how many frames are written, and how many there are.
+    /// Returns the number of written frames and the number of all frames.
     pub fn progress(&self) -> (u32, u32) {
         (self.done, self.animation.frames.count)
     }
 
-    /// Returns the next frame's figure. It depends on the animation's start and the frame's number
-    /// alone.
+    /// Draws the next frame. It depends only on the animation's start and on the frame's number.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if there is no such figure.
+    /// Returns the reason, as a sentence, if the frame cannot be drawn.
     pub fn figure(&self) -> Result<Figure, String> {
         let Animation { kind, start, scene, order, frames, .. } = &self.animation;
         let phase = kind.phase_of_frame(self.done, frames.count);
@@ -118,10 +118,10 @@ impl Recorder {
             .map_err(|error| FileError::unwritable(&self.path, &error).to_string())
     }
 
-    /// Puts the file in its place after the last frame.
+    /// Finishes the file after the last frame.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if it cannot be written; no file is left then.
+    /// Returns an error, as a sentence, if the file cannot be written; then no file is left.
     pub fn finish(self) -> Result<(), String> {
         self.gif.finish().map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
         self.draft.finish().map_err(|error| error.to_string())

@@ -25,7 +25,7 @@ mod order;
 #[cfg(feature = "figures")]
 mod vector;
 
-/// The formats of a figure.
+/// The file format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureFormat {
     /// Strokes as strokes, text as text.
@@ -37,10 +37,10 @@ pub enum FigureFormat {
 }
 
 impl FigureFormat {
-    /// All of them.
+    /// All formats.
     pub const ALL: [FigureFormat; 3] = [FigureFormat::Svg, FigureFormat::Pdf, FigureFormat::Png];
 
-    /// Returns the ending of its files' names.
+    /// Returns the file name extension.
     pub fn ending(self) -> &'static str {
         match self {
             FigureFormat::Svg => "svg",
@@ -53,13 +53,13 @@ impl FigureFormat {
 /// A figure to export.
 #[derive(Debug)]
 pub struct Figure {
-    /// The title: what it shows, in words.
+    /// The title, which describes the figure.
     title: String,
     /// Width and height in dots.
     size: [usize; 2],
-    /// The background, unless it is transparent.
+    /// The background colour; `None` if the background is transparent.
     ground: Option<Color32>,
-    /// A picture as large as the figure.
+    /// The picture behind everything else, as large as the figure.
     picture: Option<ColorImage>,
     /// Paths over the picture, in dots.
     paths: Vec<Path<'static>>,
@@ -68,7 +68,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Creates a figure of what is drawn on a white page, `size` points large.
+    /// Draws a figure on a white page of `size` points.
     pub(crate) fn drawn(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
         let ctx = Context::default();
         theme::install_fonts(&ctx);
@@ -83,7 +83,8 @@ impl Figure {
         self.size
     }
 
-    /// Returns the pixels, premultiplied, row by row from the top: painted as the window is.
+    /// Paints the figure as the window is painted. Returns the premultiplied pixels, row by row from
+    /// the top.
     pub fn to_pixels(&self) -> Vec<Color32> {
         let [width, height] = self.size;
         let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
@@ -95,7 +96,7 @@ impl Figure {
         pixels
     }
 
-    /// Returns the bytes of a file.
+    /// Writes the figure in a format, and returns the bytes of the file.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the format cannot hold the figure.
@@ -107,7 +108,7 @@ impl Figure {
             FigureFormat::Pdf => vector::pdf(self),
             #[cfg(not(feature = "figures"))]
             FigureFormat::Svg | FigureFormat::Pdf => {
-                Err("this build writes figures as PNG alone: it has no feature `figures`"
+                Err("this build writes figures only as PNG: it lacks the feature `figures`"
                     .to_owned())
             }
             FigureFormat::Png => to_png(self.size, &self.to_pixels(), self.ground.is_none()),
@@ -115,7 +116,7 @@ impl Figure {
     }
 }
 
-/// Returns a PNG of premultiplied pixels, with their opacity or without.
+/// Encodes premultiplied pixels as PNG, with an alpha channel if `transparent`.
 fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let [width, height] = size.map(|n| n as u32);
@@ -124,7 +125,7 @@ fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec
     Ok(bytes)
 }
 
-/// Returns pixels that are not premultiplied.
+/// Converts premultiplied pixels to straight alpha.
 fn to_srgba(pixels: &[Color32]) -> Vec<[u8; 4]> {
     pixels.iter().map(Color32::to_srgba_unmultiplied).collect()
 }

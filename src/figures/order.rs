@@ -17,11 +17,11 @@ use crate::view::lines;
 use crate::view::overlay::{Drawing, Style};
 use crate::view::typesetting::{derivation, labels, theme};
 
-/// Left and right of the derivation, and above and below it, in points.
+/// Margin on each side of the derivation, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Height that nothing set on a page reaches, in points.
-const HIGHEST: f32 = 1e6;
+/// Height of a page on which every derivation fits, in points.
+const UNLIMITED: f32 = 1e6;
 
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,16 +32,16 @@ pub enum Subject {
     Camera,
     /// The derivation of every number.
     Derivation,
-    /// The lab of lines: the plane, and one line put into the other.
+    /// The lab of lines: the plane, and the substitution of one line into the other.
     Lines,
 }
 
 impl Subject {
-    /// All of them.
+    /// All subjects.
     pub const ALL: [Subject; 4] =
         [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
-    /// Returns its title.
+    /// Returns the title of the view.
     pub fn title(self) -> &'static str {
         match self {
             Subject::World => "World view",
@@ -51,7 +51,7 @@ impl Subject {
         }
     }
 
-    /// Returns its name in one word, as the command line has it.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Subject::World => "world",
@@ -72,10 +72,10 @@ pub enum Content {
 }
 
 impl Content {
-    /// Returns the content that the ending of a file's name asks for.
+    /// Chooses the content of a file by its extension.
     ///
     /// # Errors
-    /// Returns an error, as a sentence with the known endings, if the ending is unknown.
+    /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
     pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
         let mut known: Vec<(&str, Content)> =
             FigureFormat::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
@@ -88,7 +88,7 @@ impl Content {
             formats = "SVG, PDF, PNG, LaTeX or Markdown";
         }
         let is =
-            |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+            |ending: &str| path.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
         if let Some((_, content)) = known.iter().find(|(ending, _)| is(ending)) {
             return Ok(*content);
         }
@@ -100,27 +100,27 @@ impl Content {
     }
 }
 
-/// A figure that is asked for.
+/// A request for a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
     /// The subject.
     pub subject: Subject,
-    /// Width and height in dots; a derivation is as high as its lines.
+    /// Width and height in dots; the lines of a derivation determine its height instead.
     pub size: [u32; 2],
-    /// Dots per point: how large strokes and letters are.
+    /// Dots per point, which scales strokes and letters.
     pub scale: f32,
     /// The colours.
     pub style: Style,
-    /// Leaves the background out.
+    /// True if the figure has no background.
     pub transparent: bool,
 }
 
 impl Order {
-    /// Returns the figure of the document as the session looks at it: its ray, items and observer. Of
-    /// a section of the derivation that `is_folded` only the title is shown.
+    /// Draws the document with the ray, items and observer of the session. A folded section of the
+    /// derivation shows only its title.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if there is nothing to see.
+    /// Returns the reason, as a sentence, if there is nothing to draw.
     pub fn figure(
         &self,
         document: &Document,
@@ -157,7 +157,7 @@ impl Order {
             ..ViewSizes::default()
         };
         let derived = Deriver::default().derive(document, session, &sizes);
-        // A camera without a basis still stands in the world.
+        // The world view shows even a camera that has no basis.
         if let Some(fault) = derived.fault.filter(|f| !is_world || matches!(f, Fault::Scene(_))) {
             return Err(fault);
         }
@@ -185,7 +185,7 @@ impl Order {
 
     fn derivation(&self, shown: &Derivation, is_folded: impl Fn(&Section) -> bool) -> Figure {
         let width = self.size[0] as f32 / self.scale;
-        let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
+        let column = vec2((width - 2.0 * MARGIN).max(60.0), UNLIMITED);
         let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
         let draw = |ctx: &Context, size| {
             let mut height = 0.0;
@@ -194,7 +194,7 @@ impl Order {
             });
             (drawn, height + 2.0 * MARGIN)
         };
-        // The first pass tells the height.
+        // The first pass measures the height.
         let (_, height) = draw(&self.context(), [1, 1]);
         let size = [self.dots()[0], (height * self.scale).round().max(1.0) as usize];
         let ctx = self.context();
@@ -206,16 +206,16 @@ impl Order {
         self.size.map(|n| n as usize)
     }
 
-    /// A context in which text looks as in the window.
+    /// Creates a context in which text looks as in the window.
     fn context(&self) -> Context {
         let ctx = Context::default();
         theme::install_base(&ctx);
-        theme::install(&ctx, theme::Look::in_scheme(self.style.scheme()));
+        theme::install(&ctx, theme::Look { scheme: self.style.scheme(), ..theme::Look::default() });
         ctx.set_theme(if self.style.is_dark() { Theme::Dark } else { Theme::Light });
         ctx
     }
 
-    /// A figure of shapes and text over the background.
+    /// Creates a figure of shapes and text over the background.
     fn drawn(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
         Figure {
             title: self.subject.title().to_owned(),
@@ -228,7 +228,8 @@ impl Order {
     }
 }
 
-/// Returns the dots per point where no window says: as in a window of 720 points, and at least one.
+/// Returns the dots per point for a figure made without a window: the shorter side is then 720
+/// points long, and a point has at least one dot.
 pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }

@@ -11,7 +11,7 @@ use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
 use super::surface::{Frame, MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, Surface, timed};
-use crate::view::painter::{Canvas, Painter, PixelRect};
+use crate::view::painter::{Canvas, PixelRect, SoftwarePainter};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
 type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
@@ -22,7 +22,7 @@ pub(super) struct Cpu {
     buffers: Option<Buffers>,
     /// Size of the buffers.
     size: [u32; 2],
-    painter: Painter,
+    painter: SoftwarePainter,
     canvas: Canvas,
     /// True if the buffers may differ from the canvas: the next frame is then copied as a whole.
     stale: bool,
@@ -44,8 +44,8 @@ impl Cpu {
             context,
             buffers: Some(buffers),
             size: [0, 0],
-            painter: Painter::new(),
-            canvas: Canvas::new(),
+            painter: SoftwarePainter::default(),
+            canvas: Canvas::default(),
             stale: true,
             keeps_picture: window
                 .window_handle()

@@ -5,11 +5,11 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, po
 
 use pinhole_lecture::numbers::{power_of_ten, short, written};
 
-/// Maps values to positions along an edge of a chart, in points. It may run backwards.
+/// Maps values to positions along an edge of a chart, in points, possibly backwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     is_logarithmic: bool,
-    /// The values at both ends of the edge; on a logarithmic scale, their powers of ten.
+    /// The values at both ends of the edge; on a logarithmic scale, their decimal logarithms.
     range: [f64; 2],
     edge: [f32; 2],
 }
@@ -23,12 +23,12 @@ pub(crate) struct Tick {
 }
 
 impl Scale {
-    /// Creates a scale on which equal differences have equal lengths.
+    /// Creates a linear scale.
     pub(crate) fn even(range: [f64; 2], edge: [f32; 2]) -> Scale {
         Scale { is_logarithmic: false, range, edge }
     }
 
-    /// Creates a logarithmic scale over whole decades, which hold all positive values.
+    /// Creates a logarithmic scale over whole decades that contain all positive values.
     pub(crate) fn decades(values: impl Iterator<Item = f64>, edge: [f32; 2]) -> Scale {
         let [low, high] = exponents(values).unwrap_or([-1.0, 0.0]);
         let low = low.floor();
@@ -48,15 +48,15 @@ impl Scale {
         self.place(if self.is_logarithmic { value.log10() } else { value })
     }
 
-    /// Returns the position of a value, or of a power of ten on a logarithmic scale.
+    /// Returns the position of a value, or of a decimal logarithm on a logarithmic scale.
     fn place(&self, value: f64) -> f32 {
         let ([low, high], [from, to]) = (self.range, self.edge);
-        // Positions far outside look alike, and f32 has a limited range.
+        // Positions far outside look the same, and f32 has a limited range.
         let share = ((value - low) / (high - low)).clamp(-1e4, 1e4);
         from + share as f32 * (to - from)
     }
 
-    /// Returns the value at a position of an even scale.
+    /// Returns the value at a position of a linear scale.
     pub(crate) fn value_at(&self, position: f32) -> f64 {
         let ([low, high], [from, to]) = (self.range, self.edge);
         low + f64::from(position - from) / f64::from(to - from) * (high - low)
@@ -68,7 +68,7 @@ impl Scale {
         (self.range[0]..=self.range[1]).contains(&value)
     }
 
-    /// Returns the length of a unit, or of a decade on a logarithmic scale.
+    /// Returns the length of a unit in points, or of a decade on a logarithmic scale.
     pub(crate) fn unit(&self) -> f64 {
         f64::from((self.edge[1] - self.edge[0]).abs()) / (self.range[1] - self.range[0])
     }
@@ -87,7 +87,7 @@ impl Scale {
         values.map(tick).collect()
     }
 
-    /// Returns powers of ten and, where there is room, other numbers between them.
+    /// Returns powers of ten and, if there is room, other numbers between them.
     fn powers(&self, least: f64) -> Vec<Tick> {
         const DIGITS: [&[f64]; 3] = [&[1.0, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0, 3.0]];
         let closest = |digits: &[f64]| {
@@ -96,7 +96,7 @@ impl Scale {
         };
         let digits = DIGITS.into_iter().find(|digits| closest(digits) >= least);
         let [low, high] = self.range;
-        // Multiples of the step, so that 1 is among them wherever it is in range.
+        // The exponents are multiples of the step, so that 1 is among the values if it is in range.
         let step = least.ceil().max(1.0) as i32;
         let mut ticks = Vec::new();
         let decades = low.floor() as i32..=high.ceil() as i32;
@@ -114,14 +114,13 @@ impl Scale {
     }
 }
 
-/// Returns the powers of ten of the least and the greatest of the positive, finite values.
+/// Returns the decimal logarithms of the least and the greatest positive, finite value.
 fn exponents(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let positive = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
     positive.map(|x| [x, x]).reduce(|[low, high], [x, _]| [low.min(x), high.max(x)])
 }
 
-/// Returns the least number of the form 1, 2 or 5 times a power of ten that is not less than
-/// `least`.
+/// Returns the least number that is 1, 2 or 5 times a power of ten and not less than `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= least).unwrap_or(power)
@@ -136,8 +135,8 @@ pub(crate) struct GridInk {
     pub(crate) size: f32,
 }
 
-/// Draws a line from top to bottom at each tick, and the numbers below the chart. A number that
-/// would touch the one before it, or stand out too far to the right, is left out.
+/// Draws a line from top to bottom at each tick, and the numbers below the chart. Leaves out a number
+/// that would touch the one before it or extend too far beyond the right edge.
 pub(crate) fn columns(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk) {
     let gap = ink.size - 8.0;
     let mut free = rect.left() - 2.0 * gap;
@@ -160,7 +159,7 @@ pub(crate) fn rows(painter: &Painter, rect: Rect, ticks: &[Tick], color: Color32
     }
 }
 
-/// Writes the numbers of ticks on the left of the chart.
+/// Writes the numbers of ticks to the left of the chart.
 pub(crate) fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: GridInk) {
     for Tick { at, text, .. } in ticks {
         let font = FontId::proportional(ink.size);
@@ -185,7 +184,7 @@ pub(crate) fn line(
     }
 }
 
-/// Draws the head of an arrow, which points along `forwards` and is as long as that.
+/// Draws the head of an arrow, which has the direction and the length of `forwards`.
 pub(crate) fn arrowhead(painter: &Painter, tip: Pos2, forwards: Vec2, color: Color32) {
     let (back, side) = (tip - forwards, 0.5 * forwards.rot90());
     let corners = vec![tip, back + side, back - side];

@@ -3,14 +3,14 @@
 use egui::epaint::{ClippedPrimitive, ClippedShape};
 use egui::{Color32, RawInput, Rect, Vec2, ViewportId};
 
-use super::painter::Painter;
+use super::painter::SoftwarePainter;
 
 /// One pass of a user interface: the shapes it drew, and the data to paint them into pixels.
 #[derive(Debug)]
 pub struct UiPass {
     shapes: Vec<ClippedShape>,
     primitives: Vec<ClippedPrimitive>,
-    painter: Painter,
+    painter: SoftwarePainter,
     pixels_per_point: f32,
 }
 
@@ -26,7 +26,7 @@ impl UiPass {
         let output = ctx.run_ui(input(size, pixels_per_point), ui);
         let (mut delta, pixels_per_point) = (output.textures_delta, output.pixels_per_point);
         let primitives = ctx.tessellate(output.shapes.clone(), pixels_per_point);
-        let mut painter = Painter::new();
+        let mut painter = SoftwarePainter::default();
         painter.set_textures(&mut delta);
         delta.clear();
         UiPass { shapes: output.shapes, primitives, painter, pixels_per_point }

@@ -24,7 +24,7 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// Greatest width of the numbers beside the drawing, in points, and as a share of the whole.
+/// Maximum width of the numbers next to the drawing, in points and as a share of the whole width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text, with its formulas typeset.
@@ -32,23 +32,24 @@ pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
-/// Draws the lab without handles to drag and without a background: the plane with both lines in it,
-/// and the substitution.
+/// Draws the plane with both lines, and the substitution, without a background and without
+/// interaction.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (left, right) = parts(area);
-    draw_plane(ui, left, lab, digits);
+    PlaneView::new(ui, left, lab.window).paint(lab, |_| false, digits);
     let right = right.shrink2(Vec2::new(2.0, 14.0));
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// Returns the areas of the plane and of the numbers beside it.
+/// Returns the areas of the plane and of the numbers next to it.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
     (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
+/// Shows the substitution step by step, where both lines meet, and f at the current t.
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
@@ -90,7 +91,7 @@ pub(crate) struct LabStep {
     pub(crate) text: String,
 }
 
-/// Formats a number behind a multiplication sign: negative ones in parentheses.
+/// Formats a factor behind a multiplication sign, in parentheses if it is negative.
 fn factor(x: f64, digits: usize) -> String {
     let text = number(x, digits);
     if text.starts_with('−') { format!("({text})") } else { text }
@@ -115,7 +116,7 @@ pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
         LabStep { what: "implicit", text: format!("f(x, y) = {a} x {sign} {b_size} y {c}") },
         LabStep { what: "parametric", text: format!("x = {x},   y = {y}") },
         LabStep {
-            what: "put in",
+            what: "substituted",
             text: format!("f(p + t d) = {a} ({x}) {sign} {b_size} ({y}) {c}"),
         },
         LabStep {
@@ -184,7 +185,7 @@ pub(crate) const GRASP: f32 = 13.0;
 /// Maximum number of points drawn.
 const MOST_POINTS: usize = 400;
 
-/// A part of the plane shown in a rectangle, y upwards, both axes with the same scale.
+/// A part of the plane in a rectangle, with y upwards and the same scale on both axes.
 pub(crate) struct PlaneView {
     painter: Painter,
     pub(crate) rect: Rect,
@@ -193,12 +194,7 @@ pub(crate) struct PlaneView {
     colors: &'static Colors,
 }
 
-/// Draws the plane without its background and with nothing to drag.
-pub(crate) fn draw_plane(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
-    PlaneView::new(ui, rect, lab.window).paint(lab, |_| false, digits);
-}
-
-/// Draws both lines and nothing that tells where they meet.
+/// Draws both lines without any hint where they meet.
 pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
@@ -208,8 +204,8 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     plane.coordinates(&mut plane.labels());
 }
 
-/// Draws the plane as a question shows it: the line, p, and what was typed, as rings; how both lines
-/// meet only once that `may_be_seen`.
+/// Draws the plane for an exercise: the line, p, and the typed answers as rings. The solution is drawn
+/// only if it `may_be_seen`.
 pub(crate) fn draw_exercise(
     ui: &Ui,
     rect: Rect,
@@ -278,8 +274,7 @@ impl PlaneView {
         self.to_plane(self.rect.center())
     }
 
-    /// Returns the distance from the centre to a corner: no visible point is farther from the
-    /// centre.
+    /// Returns the distance from the centre to a corner. No visible point is farther from the centre.
     fn reach(&self) -> f64 {
         0.5 * f64::from(self.rect.size().length()) / self.unit()
     }
@@ -288,8 +283,8 @@ impl PlaneView {
         LabelLayout::new(self.painter.clone(), self.colors.halo, self.rect.shrink(3.0))
     }
 
-    /// Paints everything but the background. Returns a description of the points that the ray has
-    /// generated.
+    /// Paints everything but the background. Returns a description of the generated points, if the
+    /// ray is valid.
     pub(crate) fn paint(
         &self,
         lab: &LinesLab,
@@ -323,19 +318,19 @@ impl PlaneView {
         }
         self.meeting(lab, &mut labels, digits);
         self.names(lab, &mut labels, digits);
-        let seen = is_ray.then(|| {
-            let seen = self.trail(lab, &mut labels);
+        let description = is_ray.then(|| {
+            let description = self.trail(lab, &mut labels);
             self.sides(lab, &mut labels);
-            seen
+            description
         });
         if is_line {
             self.regions(&line, &mut labels);
         }
         self.coordinates(&mut labels);
-        seen
+        description
     }
 
-    /// Fills the visible part of the plane where the line's f has this sign.
+    /// Fills the visible part of the plane where f has this sign.
     fn half_plane(&self, line: &ImplicitLine, sign: f64, fill: Color32) {
         let rect = self.rect;
         let corners = [rect.left_bottom(), rect.right_bottom(), rect.right_top(), rect.left_top()];
@@ -397,7 +392,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws the grid's numbers along the axes, or along the edge where an axis is out of sight.
+    /// Draws the numbers of the grid along the axes, or along the edge if an axis is out of sight.
     fn coordinates(&self, labels: &mut LabelLayout) {
         let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
         let axis = pos2(
@@ -424,12 +419,12 @@ impl PlaneView {
         self.line(middle - along, middle + along, Stroke::new(3.5, self.colors.mark), SOLID);
     }
 
-    /// Writes on both sides of the line where f is positive, negative and 0.
+    /// Labels the regions where f is positive, negative and 0.
     fn regions(&self, line: &ImplicitLine, labels: &mut LabelLayout) {
         let direction = line.direction().normalize_or_zero();
         let normal = direction.perp();
         let middle = line.nearest_to(self.center());
-        // Positions along the line, beginning well away from its handles.
+        // Positions along the line; the first ones are well away from its handles.
         let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
         let anchors = |points: f64| {
             let half = 0.5 * f64::from(self.rect.height()) / self.unit();
@@ -446,7 +441,7 @@ impl PlaneView {
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 
-    /// Draws the line: dashed behind p, solid from p on; then the points that t has generated, and d.
+    /// Draws the parametric line, dashed behind p and solid from p on; then the generated points, and d.
     fn parametric(&self, lab: &LinesLab) {
         let (ParametricLine { p, d }, ray) = (lab.ray, self.colors.ray);
         let (first, last) = self.range_of_t(&lab.ray);
@@ -462,7 +457,7 @@ impl PlaneView {
             let stroke = Stroke::new(1.5, self.colors.halo);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
-        // d as an arrow, whose head is sized in points of the screen.
+        // d is an arrow; the size of its head is in points of the screen.
         let [from, to] = [p, p + d].map(|end| self.to_screen(end));
         let size = 26.0_f32.min(0.8 * from.distance(to));
         let head = size * (to - from).normalized();
@@ -470,7 +465,7 @@ impl PlaneView {
         chart::arrowhead(&self.painter, to, head, ray);
     }
 
-    /// Returns the visible points of the trail; of too many only every second one, or third, and so on.
+    /// Returns the visible points of the trail; if there are too many, every second, third, and so on.
     fn generated(&self, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
         let (trail, (low, high)) = (lab.trail, self.range_of_t(&lab.ray));
         let (first, last) = (trail.first.max(low), trail.last.min(high));
@@ -485,13 +480,12 @@ impl PlaneView {
         (middle - reach, middle + reach)
     }
 
-    /// Writes t at the generated points, as far as there is room. Returns a description of these
-    /// points.
+    /// Writes t at the generated points where there is room. Returns a description of the points.
     fn trail(&self, lab: &LinesLab, labels: &mut LabelLayout) -> String {
         let font = Font { size: SMALL, color: self.colors.ray, bold: false };
         let left = left_of(lab.ray.d);
         let points: Vec<(f64, DVec2)> = self.generated(lab).collect();
-        let seen = match points.as_slice() {
+        let description = match points.as_slice() {
             [] => "no points".to_owned(),
             [(t, _)] => format!("a point at t = {}", number(*t, 5)),
             [(from, _), .., (to, _)] => {
@@ -503,7 +497,7 @@ impl PlaneView {
         for (t, at) in first.into_iter().chain(then) {
             labels.write(&number(t, 5), font, around(self.to_screen(at), left, 10.0).take(1));
         }
-        seen
+        description
     }
 
     /// Labels the parts of the line with t < 0 and t > 0.
@@ -519,7 +513,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws a cross where both lines meet, with its t.
+    /// Draws a cross where both lines meet, and writes its t.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
             Substitution::new(lab.line(), lab.ray)
@@ -536,14 +530,14 @@ impl PlaneView {
             }
         }
         labels.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
-        let said = if crossing.ray_hits { "hit" } else { "ray missed" };
-        let text = format!("{said}: t = {}", number(crossing.t, digits));
+        let result = if crossing.ray_hits { "hit" } else { "ray missed" };
+        let text = format!("{result}: t = {}", number(crossing.t, digits));
         let font = Font { size: NAMES, color: self.colors.ink, bold: true };
         let below = |distance| around(at, vec2(0.0, 1.0), distance);
         labels.write(&text, font, below(17.0).chain(below(30.0)));
     }
 
-    /// Returns a handle's position, if it can be reached.
+    /// Returns the position of a handle on the screen, if it can be reached.
     pub(crate) fn in_sight(&self, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
         let at = self.to_screen(lab.position_of(handle)?);
         self.rect.expand(GRASP).contains(at).then_some(at)
@@ -581,7 +575,7 @@ impl PlaneView {
         let of_t = Font { size: NAMES, color: self.colors.ink, bold: false };
         let t = format!("t = {}", number(lab.t, digits));
         for (handle, text, font, toward) in [
-            // On the left of d, and backwards.
+            // To the left of d, and backwards.
             (Handle::P, "p", of_ray, -right.rot90() - right),
             (Handle::T, t.as_str(), of_t, right),
             (Handle::Tip, "d", of_ray, right),

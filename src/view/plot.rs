@@ -11,10 +11,10 @@ use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeetin
 use crate::model::inspection::Inspection;
 use crate::model::session::Heights;
 
-/// Maximum number of curves that can be told apart.
+/// Maximum number of curves, so that their dashes can be distinguished.
 pub const MOST: usize = 8;
 
-/// Distance, in multiples of the first hit's t, beyond which zeros are only described in words.
+/// Multiple of the first hit's t beyond which zeros are only described in words.
 const FAR: f64 = 8.0;
 
 /// Number of intervals between the samples of a curve.
@@ -36,16 +36,16 @@ pub struct Plot {
     pub heights: Heights,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
-    /// The t of the point that moves along the ray, and each curve's f there.
+    /// The t of the point marked on the ray, and each curve's f there.
     pub ray_point_t: Option<(f64, Arc<Vec<f64>>)>,
 }
 
-/// One object's f along the ray.
+/// The function f of one object along the ray.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The object and its look.
+    /// The object, with its names and its colour.
     pub named: Named,
-    /// Index among the curves, which determines the dashes.
+    /// Index among the curves, which selects the dashes.
     pub index: usize,
     /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
@@ -70,8 +70,8 @@ pub struct Named {
     pub color: Rgb,
 }
 
-/// Returns the objects to show: all if they are few, otherwise those that the ray meets first,
-/// followed by those behind the eye.
+/// Returns the objects to show: all if they are few; otherwise those that the ray meets first, then
+/// those behind the eye.
 pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     if scene.len() <= MOST {
         return (0..scene.len() as u32).collect();
@@ -88,9 +88,9 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     shown
 }
 
-/// Returns the functions of some objects along the ray.
+/// Returns the curves of some objects.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
-    let made = |(index, named): (usize, &Named)| {
+    let curve = |(index, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
         let shape = scene.object(named.object)?;
         let derivation = ObjectDerivation::new(&shape, named.object, ray).ok()?;
@@ -99,14 +99,14 @@ pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
         let at_eye = along.value(0.0);
         Some(Curve { named: named.clone(), index, derivation, unit, at_eye, vertex })
     };
-    named.iter().enumerate().filter_map(made).collect()
+    named.iter().enumerate().filter_map(curve).collect()
 }
 
 fn along<'a>(scene: &Scene, ray: &ExactRay<'a>, object: u32) -> Option<AlongRay<'a>> {
     AlongRay::new(&scene.object(object)?, *ray).ok()
 }
 
-/// Returns each curve's t and height over a range.
+/// Returns the samples of each curve over a range.
 pub fn samples(
     curves: &[Curve],
     scene: &Scene,
@@ -114,21 +114,21 @@ pub fn samples(
     range: &RangeInclusive<f64>,
     heights: Heights,
 ) -> Samples {
-    let made = |curve: &Curve| {
+    let sampled = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
         along.map_or_else(Vec::new, |along| curve.samples(&along, range, heights))
     };
-    curves.iter().map(made).collect()
+    curves.iter().map(sampled).collect()
 }
 
 /// Returns each curve's f at t.
 pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
-    let made = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
-    curves.iter().map(|curve| made(curve).unwrap_or(f64::NAN)).collect()
+    let value = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
+    curves.iter().map(|curve| value(curve).unwrap_or(f64::NAN)).collect()
 }
 
-/// Returns the range of t of the plot: all zeros that are not far, the eye, the viewport, and the
-/// moving point.
+/// Returns the plot's range of t. It contains all zeros that are not far away, the eye, the viewport,
+/// and the point marked on the ray.
 pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
@@ -143,13 +143,12 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
 }
 
 impl Curve {
-    /// Returns true if it is a straight line, that is, a plane's.
+    /// Returns true if the curve is a straight line: the curve of a plane.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()
     }
 
-    /// Returns the t of notable points: the zeros, or the vertex of the parabola if the sphere is
-    /// missed.
+    /// Returns the t of the zeros, or of the parabola's vertex if the ray misses the sphere.
     fn landmarks(&self) -> Vec<f64> {
         let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
         if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
@@ -171,7 +170,7 @@ impl Curve {
         heights.height(f / self.unit.value)
     }
 
-    /// Returns t and height by ascending t: evenly spaced, and denser around a parabola's vertex.
+    /// Returns samples by ascending t: evenly spaced, and denser around a parabola's vertex.
     fn samples(
         &self,
         along: &AlongRay,

@@ -83,7 +83,7 @@ fn pictured(rect: Rect, uv: Rect, tint: Color32) -> ClippedPrimitive {
 
 #[test]
 fn nearest_texels_are_blocks() {
-    let painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
+    let painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::NEAREST);
     let enlarged = [pictured(rect(1.0, 0.0, 5.0, 4.0), WHOLE, Color32::WHITE)];
     let pixels = draw(&painter, [6, 4], Color32::BLACK, &enlarged);
     assert_eq!(text(&pixels, 6, &NAMES), [".rrgg.", ".rrgg.", ".bbww.", ".bbww."]);
@@ -96,7 +96,7 @@ fn nearest_texels_are_blocks() {
 
 #[test]
 fn pictures_one_to_one_and_mirrored() {
-    let painter = painter(Painter::new(), &four_texels(), TextureOptions::LINEAR);
+    let painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::LINEAR);
     let area = rect(1.0, 1.0, 3.0, 3.0);
     let pixels = draw(&painter, [4, 4], Color32::BLACK, &[pictured(area, WHOLE, Color32::WHITE)]);
     assert_eq!(text(&pixels, 4, &NAMES), ["....", ".rg.", ".bw.", "...."]);
@@ -109,7 +109,7 @@ fn pictures_one_to_one_and_mirrored() {
 #[test]
 fn linear_texels_are_mixed() {
     let picture = ColorImage::new([2, 1], vec![Color32::BLACK, Color32::from_gray(200)]);
-    let painter = painter(Painter::new(), &picture, TextureOptions::LINEAR);
+    let painter = painter(SoftwarePainter::default(), &picture, TextureOptions::LINEAR);
     let primitives = [pictured(rect(0.0, 0.0, 4.0, 1.0), WHOLE, Color32::WHITE)];
     let pixels = draw(&painter, [4, 1], Color32::RED, &primitives);
     assert_eq!(pixels, [0, 50, 150, 200].map(Color32::from_gray));
@@ -117,7 +117,7 @@ fn linear_texels_are_mixed() {
 
 #[test]
 fn texels_are_tinted() {
-    let painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
+    let painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::NEAREST);
     let tint = Color32::from_rgba_premultiplied(128, 64, 0, 128);
     let primitives = [pictured(rect(0.0, 0.0, 2.0, 2.0), WHOLE, tint)];
     let pixels = draw(&painter, [2, 2], Color32::BLACK, &primitives);
@@ -127,7 +127,7 @@ fn texels_are_tinted() {
 
 #[test]
 fn parts_of_textures_are_replaced_and_textures_are_freed() {
-    let mut painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
+    let mut painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::NEAREST);
     let mut delta = TexturesDelta::default();
     let part = ColorImage::filled([1, 2], Color32::WHITE);
     delta.push(PICTURE, ImageDelta::partial([0, 0], part, TextureOptions::NEAREST));
@@ -143,7 +143,7 @@ fn parts_of_textures_are_replaced_and_textures_are_freed() {
 
 #[test]
 fn a_part_that_lets_through_makes_the_texture_let_through() {
-    let mut painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
+    let mut painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::NEAREST);
     let mut delta = TexturesDelta::default();
     let part = ColorImage::filled([1, 1], Color32::TRANSPARENT);
     delta.push(PICTURE, ImageDelta::partial([1, 1], part, TextureOptions::NEAREST));
@@ -162,10 +162,11 @@ fn triangles_that_only_look_like_a_rectangle() {
     for case in 0..4_u32.pow(6) {
         let vertices: Vec<_> = (0..6).map(|i| corner(case / 4_u32.pow(i) % 4)).collect();
         let primitives = [clipped(Rect::EVERYTHING, mesh_of(&vertices, WHITE_TEXTURE))];
-        let [fast, general] = [Painter::new(), Painter::triangles_only()].map(|made| {
-            let painter = painter(made, &four_texels(), TextureOptions::NEAREST);
-            draw(&painter, [6, 5], Color32::BLACK, &primitives)
-        });
+        let [fast, general] =
+            [SoftwarePainter::default(), SoftwarePainter::triangles_only()].map(|made| {
+                let painter = painter(made, &four_texels(), TextureOptions::NEAREST);
+                draw(&painter, [6, 5], Color32::BLACK, &primitives)
+            });
         assert!(fast == general, "{vertices:?}");
     }
 }
@@ -200,7 +201,7 @@ fn far_away_vertices_fill_the_picture() {
 #[test]
 fn a_frame_like_the_last_one_is_not_drawn() {
     let painter = plain();
-    let mut canvas = Canvas::new();
+    let mut canvas = Canvas::default();
     let frame = |x: f32| {
         [0.0, 4.0]
             .map(|y| {

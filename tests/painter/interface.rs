@@ -2,7 +2,7 @@
 
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
 use pinhole::view::headless::UiPass;
-use pinhole::view::painter::Painter;
+use pinhole::view::painter::SoftwarePainter;
 use pinhole::view::typesetting::theme;
 
 use crate::support;
@@ -82,14 +82,15 @@ fn the_fast_paths_give_the_same_interface() {
     let input = egui::RawInput { screen_rect: Some(screen), ..Default::default() };
     let output = ctx.run_ui(input, panel);
     let primitives = ctx.tessellate(output.shapes, output.pixels_per_point);
-    let [fast, general] = [Painter::new(), Painter::triangles_only()].map(|mut painter| {
-        let mut delta = output.textures_delta.clone();
-        painter.set_textures(&mut delta);
-        delta.clear();
-        let mut pixels = vec![Color32::BLACK; size[0] * size[1]];
-        painter.paint(&mut pixels, size, 1.0, &primitives);
-        pixels
-    });
+    let [fast, general] =
+        [SoftwarePainter::default(), SoftwarePainter::triangles_only()].map(|mut painter| {
+            let mut delta = output.textures_delta.clone();
+            painter.set_textures(&mut delta);
+            delta.clear();
+            let mut pixels = vec![Color32::BLACK; size[0] * size[1]];
+            painter.paint(&mut pixels, size, 1.0, &primitives);
+            pixels
+        });
     let mut delta = output.textures_delta;
     delta.clear();
     assert!(fast == general);

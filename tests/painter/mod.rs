@@ -7,13 +7,17 @@ mod random;
 
 use egui::epaint::{ClippedPrimitive, ImageDelta, Primitive, Vertex, textures::TexturesDelta};
 use egui::{Color32, ColorImage, Mesh, Pos2, Rect, TextureId, TextureOptions, pos2};
-use pinhole::view::painter::Painter;
+use pinhole::view::painter::SoftwarePainter;
 
 const WHITE_TEXTURE: TextureId = TextureId::Managed(0);
 const PICTURE: TextureId = TextureId::Managed(1);
 
 /// A painter with a white texture, and a picture.
-fn painter(mut painter: Painter, picture: &ColorImage, options: TextureOptions) -> Painter {
+fn painter(
+    mut painter: SoftwarePainter,
+    picture: &ColorImage,
+    options: TextureOptions,
+) -> SoftwarePainter {
     let mut delta = TexturesDelta::default();
     let white = ColorImage::filled([4, 4], Color32::WHITE);
     delta.push(WHITE_TEXTURE, ImageDelta::full(white, TextureOptions::LINEAR));
@@ -22,8 +26,12 @@ fn painter(mut painter: Painter, picture: &ColorImage, options: TextureOptions) 
     painter
 }
 
-fn plain() -> Painter {
-    painter(Painter::new(), &ColorImage::filled([1, 1], Color32::WHITE), TextureOptions::NEAREST)
+fn plain() -> SoftwarePainter {
+    painter(
+        SoftwarePainter::default(),
+        &ColorImage::filled([1, 1], Color32::WHITE),
+        TextureOptions::NEAREST,
+    )
 }
 
 fn clipped(clip_rect: Rect, mesh: Mesh) -> ClippedPrimitive {
@@ -42,7 +50,7 @@ fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
 
 /// Draws on a ground of one colour.
 fn draw(
-    painter: &Painter,
+    painter: &SoftwarePainter,
     size: [usize; 2],
     ground: Color32,
     primitives: &[ClippedPrimitive],

@@ -108,7 +108,7 @@ proptest! {
         ground in color(),
     ) {
         let ground = ground.to_opaque();
-        let painter = painter(Painter::new(), &picture, options);
+        let painter = painter(SoftwarePainter::default(), &picture, options);
         let mesh = mesh_of(&vertices, PICTURE);
         let pixels = draw(&painter, [SIDE, SIDE], ground, &[clipped(Rect::EVERYTHING, mesh)]);
         let [a, b, c] = [&vertices[0], &vertices[1], &vertices[2]];
@@ -133,7 +133,7 @@ proptest! {
         let primitives: Vec<_> =
             meshes.into_iter().map(|mesh| clipped(rect(2.0, 1.0, 22.6, 23.0), mesh)).collect();
         let draw = |made| draw(&painter(made, &picture, options), [SIDE, SIDE], Color32::BLACK, &primitives);
-        prop_assert_eq!(draw(Painter::new()), draw(Painter::triangles_only()));
+        prop_assert_eq!(draw(SoftwarePainter::default()), draw(SoftwarePainter::triangles_only()));
     }
 
     #[test]
@@ -144,8 +144,8 @@ proptest! {
         ),
         keep in prop::collection::vec(any::<bool>(), 24),
     ) {
-        let painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
-        let mut canvas = Canvas::new();
+        let painter = painter(SoftwarePainter::default(), &four_texels(), TextureOptions::NEAREST);
+        let mut canvas = Canvas::default();
         let mut last: Vec<ClippedPrimitive> = Vec::new();
         let mut keep = keep.iter().cycle();
         for frame in frames {

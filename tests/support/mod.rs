@@ -11,13 +11,13 @@ use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};
 use egui_kittest::{HarnessBuilder, SnapshotOptions, TestRenderer};
 use image::RgbaImage;
-use pinhole::view::painter::Painter;
+use pinhole::view::painter::SoftwarePainter;
 
 /// Draws egui_kittest's pictures with the program's own painter: no driver, no display, and the
 /// same bytes on every machine.
 #[derive(Default)]
 pub(crate) struct PainterRenderer {
-    painter: Painter,
+    painter: SoftwarePainter,
 }
 
 impl TestRenderer for PainterRenderer {

@@ -39,7 +39,7 @@ enum Primitive {
     Text(CasedText),
 }
 
-/// Returns all that lies over a figure's picture, from the back to the front.
+/// Returns everything in front of a figure's picture, from back to front.
 fn primitives(figure: &Figure) -> Vec<Primitive> {
     let primitives = figure.paths.iter().cloned().map(Primitive::Path).collect();
     let mut maker = Maker { scale: figure.drawn.pixels_per_point(), primitives };
@@ -47,7 +47,7 @@ fn primitives(figure: &Figure) -> Vec<Primitive> {
     maker.primitives
 }
 
-/// Makes primitives of egui's shapes, which are in points.
+/// Converts egui's shapes, which are in points, to primitives.
 struct Maker {
     /// Dots per point.
     scale: f32,
@@ -76,7 +76,7 @@ impl Maker {
                     center: [center.x * self.scale, center.y * self.scale],
                     radius: radius * self.scale,
                 };
-                // egui draws a circle's stroke around it.
+                // egui draws a circle's stroke outside of it.
                 let (inner, outer) = (circle(*radius), circle(radius + 0.5 * stroke.width));
                 self.fill(inner, *fill);
                 self.stroke(outer, stroke);
@@ -130,21 +130,22 @@ impl Maker {
     }
 }
 
-/// Programs that smooth what they enlarge get each pixel as several, so that the smaller side of a
-/// picture has at least so many.
+/// Least number of pixels along the shorter side of a compacted picture. Some programs smooth the
+/// pictures that they enlarge; with so many pixels, the smoothing is hardly visible.
 const LEAST_SIDE: usize = 600;
 
-/// Returns a picture with as few pixels as show the same: large ones need not be stored dot by dot.
+/// Shrinks a picture that consists of equal squares, such as enlarged pixels, so that it is not
+/// stored dot by dot.
 fn compacted(image: &ColorImage) -> ColorImage {
     let [width, height] = image.size;
     let dot = |row: usize, column: usize| image.pixels[row * width + column];
-    // The side of the equal squares that the picture consists of.
+    // The extent of the equal rectangles that the picture consists of.
     let side = |count: usize, differs: &dyn Fn(usize) -> bool| {
         (1..count).filter(|k| differs(*k)).fold(count, gcd)
     };
     let row = side(height, &|k| (0..width).any(|column| dot(k, column) != dot(k - 1, column)));
     let column = side(width, &|k| (0..height).any(|row| dot(row, k) != dot(row, k - 1)));
-    // So many pixels for one, across and down.
+    // The number of pixels per rectangle, across and down.
     let times = LEAST_SIDE.div_ceil((width / column).min(height / row));
     if times >= column.min(row) {
         return image.clone();
@@ -158,14 +159,14 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Lean of egui's slanted letters to the right, for each unit of height.
+/// Slant of egui's italics: shift to the right per unit of height.
 const SLANT: f32 = 0.25;
 
-/// Text that is written in one go.
+/// Text that is written as one element.
 #[derive(Clone, Debug, PartialEq)]
 struct CasedText {
     runs: Vec<LetterRun>,
-    /// A casing around all letters: its colour, and how far it reaches.
+    /// A casing around all letters: its colour and its width.
     halo: Option<(Color32, f32)>,
 }
 
@@ -174,18 +175,18 @@ struct CasedText {
 struct LetterRun {
     text: String,
     face: FontName,
-    /// The font's em.
+    /// Size of the em.
     size: f32,
     /// Start of the baseline.
     at: [f32; 2],
-    /// Distance of each letter from the next.
+    /// Distance from each letter to the next.
     advances: Vec<f32>,
     color: Color32,
-    /// Lean of a letter to the right, for each unit of height.
+    /// Slant of the letters: shift to the right per unit of height.
     slant: f32,
 }
 
-/// Returns the runs of a text, lengths multiplied by `scale`.
+/// Returns the runs of a text, with all lengths multiplied by `scale`.
 fn runs(shape: &TextShape, scale: f32) -> Vec<LetterRun> {
     let job = &shape.galley.job;
     let mut letters = job.text.char_indices();
@@ -212,7 +213,7 @@ fn runs(shape: &TextShape, scale: f32) -> Vec<LetterRun> {
                 slant: if format.italics { SLANT } else { 0.0 },
             };
             match runs[row..].last_mut() {
-                Some(open) if open.goes_on(&next) => open.append(&next),
+                Some(open) if open.continues_with(&next) => open.append(&next),
                 _ => runs.push(next),
             }
         }
@@ -230,8 +231,8 @@ impl LetterRun {
         self.advances.iter().sum()
     }
 
-    /// Returns true if another run belongs to the same.
-    fn goes_on(&self, next: &LetterRun) -> bool {
+    /// Returns true if `next` can be appended to this run.
+    fn continues_with(&self, next: &LetterRun) -> bool {
         self.face == next.face
             && self.size == next.size
             && self.color == next.color
@@ -240,7 +241,7 @@ impl LetterRun {
     }
 
     fn append(&mut self, next: &LetterRun) {
-        // What kerning moved is part of the letter before.
+        // The shift by kerning is added to the advance of the letter before.
         let moved = next.at[0] - (self.at[0] + self.width());
         if let Some(before) = self.advances.last_mut() {
             *before += moved;
@@ -249,34 +250,35 @@ impl LetterRun {
         self.advances.extend(&next.advances);
     }
 
-    /// Gives each letter of a ligature its share of the width. egui lays a ligature out as its first
-    /// letter, with all of the width, and the others with none but for rounding.
+    /// Distributes the width of a ligature over its letters. egui gives all of the width to the first
+    /// letter, and the others have none apart from rounding.
     fn spread(&mut self) {
-        let own: Vec<f32> = self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
+        let natural: Vec<f32> =
+            self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
         let mut first = 0;
-        for end in 1..=own.len() {
-            if end < own.len() && self.advances[end] < 0.2 * own[end] {
+        for end in 1..=natural.len() {
+            if end < natural.len() && self.advances[end] < 0.2 * natural[end] {
                 continue;
             }
-            let whole: f32 = own[first..end].iter().sum();
+            let whole: f32 = natural[first..end].iter().sum();
             if end > first + 1 && whole > 0.0 {
                 let share = self.advances[first..end].iter().sum::<f32>() / whole;
                 let laid = self.advances[first..end].iter_mut();
-                laid.zip(&own[first..end]).for_each(|(laid, own)| *laid = share * own);
+                laid.zip(&natural[first..end]).for_each(|(laid, natural)| *laid = share * natural);
             }
             first = end;
         }
     }
 }
 
-/// The fonts of plain text: the program's own, then what looks much the same.
+/// The fonts of plain text: the program's own, then similar ones.
 const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
 
-/// Tables that a font needs outside of PDF, and that the subset of one for PDF lacks. The names have
-/// the licence in them.
+/// Tables that a font needs outside of PDF, and that a subset for PDF lacks. The table of names
+/// contains the licence.
 const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
 
-/// The fonts as egui has them.
+/// The program's fonts, as they are installed in egui.
 static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions);
 
 /// One of the fonts, by its name.
@@ -284,11 +286,11 @@ static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions)
 struct FontName(&'static str);
 
 impl FontName {
-    /// Returns the font that egui takes a letter of this family from: the first that has it.
+    /// Returns the font from which egui takes a letter of a family: the first that contains it.
     fn for_letter(family: &FontFamily, letter: char) -> FontName {
         let chain = FONTS.families.get(family).map(Vec::as_slice).unwrap_or_default();
-        let found = chain.iter().find(|name| FontName(name).glyph(letter).is_some());
-        FontName(found.or(chain.first()).map_or("", String::as_str))
+        let name = chain.iter().find(|name| FontName(name).glyph(letter).is_some());
+        FontName(name.or(chain.first()).map_or("", String::as_str))
     }
 
     /// Returns the font's file.
@@ -300,7 +302,7 @@ impl FontName {
         FontRef::new(self.data()).ok()
     }
 
-    /// Returns the glyph of a letter, if the font has one.
+    /// Returns the glyph of a letter, if the font contains it.
     fn glyph(self, letter: char) -> Option<GlyphId> {
         self.font()?.charmap().map(letter)
     }
@@ -314,12 +316,12 @@ impl FontName {
         width().unwrap_or_default()
     }
 
-    /// Returns the family that style sheets know it by.
+    /// Returns the name of the family in style sheets.
     fn family(self) -> &'static str {
         self.0.strip_suffix(" Bold").unwrap_or(self.0)
     }
 
-    /// Returns the family with what may stand in for it.
+    /// Returns the family and its fallbacks, for style sheets.
     fn families(self) -> String {
         if SANS.starts_with(&format!("{},", self.family())) {
             return SANS.to_owned();
@@ -332,10 +334,10 @@ impl FontName {
         self.0.ends_with(" Bold")
     }
 
-    /// Returns the font's file with some of its letters alone, as browsers take it.
+    /// Returns a font file that contains only some of the letters, in a form that browsers accept.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if the bytes are no font.
+    /// Returns an error, as a sentence, if the font cannot be read.
     fn subset(self, letters: &BTreeSet<char>) -> Result<Vec<u8>, String> {
         let problem = |error: &dyn std::fmt::Display| format!("the font {}: {error}", self.0);
         let mut glyphs = GlyphRemapper::new();
@@ -355,7 +357,7 @@ impl FontName {
                 font.add_raw(tag, table.as_bytes());
             }
         }
-        // Version 3 of the table says that glyphs have no names, and nothing else.
+        // Version 3 of the table only states that glyphs have no names.
         font.add_raw(Tag::new(b"post"), [&[0, 3], &[0; 30][..]].concat());
         Ok(font.copy_missing_tables(outlines).build())
     }

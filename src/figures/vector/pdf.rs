@@ -25,10 +25,10 @@ use super::{Primitive, compacted, primitives};
 use crate::figures::Figure;
 use crate::view::overlay::{Ink, Outline, Path};
 
-/// PDF's points, of which an inch has 72, in a dot, of which it has 96 in style sheets.
+/// PDF points per dot: an inch has 72 points, and 96 dots as in style sheets.
 const POINTS: f32 = 0.75;
 
-/// Returns the whole file.
+/// Writes the whole file.
 pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
     let [width, height] = figure.size.map(|n| n as f32);
     let size = Size::from_wh(width, height).ok_or("a page without extent")?;
@@ -83,7 +83,8 @@ impl Writer<'_> {
         self.surface.draw_path(&outline);
     }
 
-    /// Writes a text's casing as outlines, so that the text is there once, and then the text.
+    /// Writes a text. Its casing is written before it, as outlines, so that the file contains the
+    /// text only once.
     fn text(&mut self, text: &CasedText) -> Result<(), String> {
         if let Some((color, reach)) = text.halo {
             self.surface.set_fill(None);
@@ -100,7 +101,8 @@ impl Writer<'_> {
     fn run(&mut self, run: &LetterRun, outlined: bool) -> Result<(), String> {
         let LetterRun { text, face, size, at: [x, y], advances, slant, .. } = run;
         let font = self.fonts.entry(*face).or_insert_with(|| Font::new(face.data().into(), 0));
-        let font = font.clone().ok_or_else(|| format!("the font {} is none", face.family()))?;
+        let font =
+            font.clone().ok_or_else(|| format!("the font {} is unreadable", face.family()))?;
         let glyph = |((byte, letter), advance): ((usize, char), &f32)| {
             let glyph = GlyphId::new(face.glyph(letter).map_or(0, |glyph| glyph.to_u32()));
             let range = byte..byte + letter.len_utf8();

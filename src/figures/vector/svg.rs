@@ -14,7 +14,7 @@ use super::{Primitive, compacted, primitives};
 use crate::figures::{Figure, to_png};
 use crate::view::overlay::{Ink, Outline, Path};
 
-/// Returns the whole file.
+/// Writes the whole file.
 pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
     let ([width, height], title) = (figure.size, escaped(&figure.title));
     let primitives = primitives(figure);
@@ -40,7 +40,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
     Ok(out + "</svg>\n")
 }
 
-/// Returns the fonts, each with the letters that are there.
+/// Writes the style sheet: each font with the letters that occur.
 fn style(primitives: &[Primitive]) -> Result<String, String> {
     let mut letters: BTreeMap<FontName, BTreeSet<char>> = BTreeMap::new();
     for primitive in primitives {
@@ -61,7 +61,7 @@ fn style(primitives: &[Primitive]) -> Result<String, String> {
     Ok(if rules.is_empty() { rules } else { format!("<style>\n{rules}</style>\n") })
 }
 
-/// Returns the picture's own pixels, which nobody is to smooth.
+/// Writes a picture, with a request not to smooth its pixels.
 fn image(picture: &ColorImage, [width, height]: [usize; 2]) -> Result<String, String> {
     let transparent = picture.pixels.iter().any(|pixel| pixel.a() < 255);
     let bytes = STANDARD.encode(to_png(picture.size, &picture.pixels, transparent)?);
@@ -97,13 +97,13 @@ fn element(Path { outline, color, ink }: &Path) -> String {
     }
 }
 
-/// Returns text once, and before it, where it has a casing, the same strokes of it in the casing's
-/// colour: not every program knows how to stroke text before it fills it.
+/// Writes a text. A casing is written before it, as a stroked reference to the same text, since not
+/// every program can stroke text before it fills it.
 fn written(text: &CasedText, number: usize) -> String {
     let color = text.runs.first().map_or(Color32::BLACK, |run| run.color);
-    let own =
+    let run_fill =
         |run: &LetterRun| if run.color == color { String::new() } else { paint("fill", run.color) };
-    let spans: String = text.runs.iter().map(|run| span(run, &own(run))).collect();
+    let spans: String = text.runs.iter().map(|run| span(run, &run_fill(run))).collect();
     let fill = paint("fill", color);
     match text.halo {
         None => format!("<text xml:space=\"preserve\"{fill}>{spans}</text>\n"),
@@ -146,8 +146,7 @@ fn short(x: f32) -> f64 {
     (f64::from(x) * 1000.0).round() / 1000.0 + 0.0
 }
 
-/// Returns text that XML may hold: what marks it up is spelled out, and what is hidden, which it may
-/// mostly not hold at all, is left out.
+/// Escapes text for XML. Hidden characters, most of which XML forbids, are left out.
 fn escaped(text: &str) -> String {
     let shown: String = text.chars().filter(|c| !is_hidden(*c)).collect();
     let shown = shown.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");

@@ -33,8 +33,8 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
     if let Some(view) = derivation.view {
         lines.push(match derivation.at {
             Some(at) => {
-                let put_in = minus(numbers.vector(at), numbers.vector(derivation.eye));
-                let sides = [VIEW, minus(AT, EYE), put_in];
+                let substituted = minus(numbers.vector(at), numbers.vector(derivation.eye));
+                let sides = [VIEW, minus(AT, EYE), substituted];
                 Line::chain(Concept::View, sides, numbers.equals_vector(view.vector))
             }
             None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
@@ -57,15 +57,16 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
         });
     }
     if let Some(cross) = &derivation.w_cross_u {
-        let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
-        let sides = [V, times(W, U), put_in];
+        let substituted =
+            times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
+        let sides = [V, times(W, U), substituted];
         let line = Line::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
         lines.push(line.also(&[Concept::V]));
     }
     lines
 }
 
-/// Returns the line of a vector that is given.
+/// Returns the line of a given vector.
 fn given_line(
     name: Formula,
     as_given: GivenVector,
@@ -76,7 +77,7 @@ fn given_line(
     Line::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
-/// Returns the line of w, or of the reason why there is none.
+/// Returns the line of w, or the reason why there is no w.
 fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Line> {
     let formula = equation(W, normalize(negative(VIEW)));
     let (Some(view), Some(backwards), Some(w)) =
@@ -90,22 +91,23 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Line> {
 
 /// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<Line> {
-    let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
+    let substituted =
+        times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = numbers.equals_vector(cross.product);
-    let mut lines = vec![Line::chain(Concept::UpCrossW, [times(UP, W), put_in], product)];
+    let mut lines = vec![Line::chain(Concept::UpCrossW, [times(UP, W), substituted], product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
         let symbolic = row([norm(UP), sine(word("angle"))]);
-        let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
-        let sides = [norm(times(UP, W)), symbolic, put_in];
+        let substituted = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
+        let sides = [norm(times(UP, W)), symbolic, substituted];
         lines.push(Line::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
     }
     lines
 }
 
-/// Returns a vector divided by its length, with the numbers put in. A vector of length 1 whose
-/// coordinates would be rounded stays in its exact form.
+/// Returns a vector divided by its length, in numbers. A vector of length 1 whose coordinates would be
+/// rounded stays in its exact form.
 fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
     if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
@@ -114,16 +116,16 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     fraction(decimals, divisor)
 }
 
-/// Returns the symbols, the numbers put in, and the result. The numbers are left out if they are
-/// the same as the result.
-fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
-    if result == related(put_in.clone()) {
+/// Returns the symbols, the substituted numbers, and the result. The numbers are left out if they
+/// equal the result.
+fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
+    if result == related(substituted.clone()) {
         return row([symbols, result]);
     }
-    row([equation(symbols, put_in), result])
+    row([equation(symbols, substituted), result])
 }
 
-/// Returns the line that fails, with the reason.
+/// Returns the line at which the derivation fails, with the reason.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
     let why = why.map_or_else(String::new, letters::typeset_message);
     Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
@@ -168,8 +170,8 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<Line> {
     lines
 }
 
-/// Returns the lines of the given numbers that the ray is worked out from. They stand there without
-/// a ray, too, so that whoever has dragged one of them too far can drag it back.
+/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no
+/// ray, so that a number that was dragged too far can be dragged back.
 pub(super) fn ray_givens(
     camera: &Camera,
     selection: Selection,
@@ -239,8 +241,8 @@ pub(super) fn ray_lines(
         (Concept::AlongW, distance, W, minus_distance, basis.w, ray.along_w),
     ];
     for (concept, scalar, vector, factor, value, product) in parts {
-        let put_in = row([numbers.scalar(factor), numbers.vector(value)]);
-        let sides = [row([scalar, vector]), put_in];
+        let substituted = row([numbers.scalar(factor), numbers.vector(value)]);
+        let sides = [row([scalar, vector]), substituted];
         let line = Line::chain(concept, sides, numbers.equals_vector(product));
         lines.push(match concept {
             Concept::AlongW => line.also(&[Concept::Distance]),
@@ -250,13 +252,13 @@ pub(super) fn ray_lines(
     let sum = |[a, b, c]: [Formula; 3], sign| joined(joined(a, Operator::Plus, b), sign, c);
     let symbols =
         [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
-    let put_in = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
-    let sides = [D, sum(symbols, Operator::Minus), sum(put_in, Operator::Plus)];
+    let substituted = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
+    let sides = [D, sum(symbols, Operator::Minus), sum(substituted, Operator::Plus)];
     lines.push(Line::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
     let length = Line::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
-    lines.push(length.noted("how long a step of 𝑡 = 1 is"));
-    let put_in = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
-    let formula = equation(along(P, T, D), put_in);
+    lines.push(length.noted("the length of a step of 𝑡 = 1"));
+    let substituted = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
+    let formula = equation(along(P, T, D), substituted);
     lines.push(Line::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines
 }
@@ -266,7 +268,7 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
     joined(p, Operator::Plus, row([t, d]))
 }
 
-/// Derives u and v from the shares of the image's width and height.
+/// Derives u and v from the pixel's fractions of the image's width and height.
 fn of_pixel(
     resolved: &ResolvedCamera,
     pixel: Pixel,
@@ -275,18 +277,22 @@ fn of_pixel(
 ) -> Vec<Line> {
     let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
-    // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
-    // edge.
+    // Counted from 0, the pixel's centre lies half a pixel after its index; counted from 1, half a
+    // pixel before it.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
     let (viewport, image) = (resolved.viewport(), resolved.image());
     let across = |k, count| parentheses(minus(share(k, count), half()));
     let down = |k, count| parentheses(minus(half(), share(k, count)));
     let whole = |n: u32| number(&n.to_string());
-    let line = |name, extent, symbols, size, put_in, value| {
+    let line = |name, extent, symbols, size, substituted, value| {
         let symbols = row([Formula::Scalar(extent), symbols]);
-        let put_in = row([numbers.scalar(size), put_in]);
-        Line::chain(Concept::Pixel, [Formula::Scalar(name), symbols, put_in], numbers.equals(value))
+        let substituted = row([numbers.scalar(size), substituted]);
+        Line::chain(
+            Concept::Pixel,
+            [Formula::Scalar(name), symbols, substituted],
+            numbers.equals(value),
+        )
     };
     let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
     let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));
@@ -310,7 +316,7 @@ fn of_pixel(
     ]
 }
 
-/// Returns the note on a given (u, v): its position in the image.
+/// Describes the position of a given (u, v) in the image.
 fn position_note(
     resolved: &ResolvedCamera,
     inspection: &Inspection,

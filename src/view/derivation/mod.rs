@@ -32,8 +32,7 @@ mod objects;
 #[cfg(test)]
 mod tests;
 
-/// Maximum number of objects that are listed. Of more objects, those that the ray hits first are
-/// listed.
+/// Maximum number of listed objects. If there are more, those that the ray hits first are listed.
 pub const LISTED: usize = 6;
 
 /// The whole derivation.
@@ -50,7 +49,7 @@ pub struct Derivation {
 pub struct Section {
     /// The kind of section.
     pub section: DerivationSection,
-    /// Index of the object, in the section of an object.
+    /// The index of the object, if the section is about one.
     pub object: Option<u32>,
     /// The title above it.
     pub title: String,
@@ -58,14 +57,14 @@ pub struct Section {
     pub lines: Vec<Line>,
 }
 
-/// One step: symbols, the numbers put in, the result.
+/// One step: symbols, substituted numbers, result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// The formula.
     pub formula: Formula,
-    /// The concept that it is about.
+    /// The concept that the line is about.
     pub concept: Option<Concept>,
-    /// Other concepts that highlight it.
+    /// Other concepts that highlight the line.
     pub also: &'static [Concept],
     /// The note behind it; may be empty.
     pub note: String,
@@ -78,7 +77,7 @@ impl Line {
         Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
     }
 
-    /// Returns the line of an equation with several sides, and its result behind the last.
+    /// Returns the line of an equation with several sides, followed by the result.
     fn chain<const N: usize>(concept: Concept, sides: [Formula; N], result: Formula) -> Line {
         let mut sides = sides.into_iter();
         let first = sides.next();
@@ -100,8 +99,8 @@ impl Line {
 }
 
 impl fmt::Display for Line {
-    /// Writes the formula and the note behind it. Notes have brackets of their own, so they stand in
-    /// none.
+    /// Writes the formula and the note behind it. A note may contain brackets, so it is not put in
+    /// brackets.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Line { formula, note, .. } = self;
         match note.is_empty() {
@@ -112,13 +111,13 @@ impl fmt::Display for Line {
 }
 
 impl Derivation {
-    /// Returns the number of lines, which can be shown one after the other.
+    /// Returns the number of lines.
     pub fn line_count(&self) -> usize {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
     /// Returns the number of lines up to the last one about this concept, or about the basis vector that
-    /// follows from it; all of them where none is.
+    /// is derived from it. If there is no such line, returns the number of all lines.
     pub fn lines_through(&self, concept: Option<Concept>) -> usize {
         let concept = concept.map(|concept| match concept {
             Concept::View | Concept::Backwards => Concept::W,
@@ -171,7 +170,7 @@ pub struct DerivationInputs<'a> {
     pub settings: DerivationSettings,
 }
 
-/// The choices that the derivation is shown with.
+/// The user's choices for the derivation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DerivationSettings {
     /// The selected pixel or position.
@@ -261,7 +260,7 @@ fn fault_line(fault: &impl fmt::Display) -> Line {
     }
 }
 
-/// Adds the objects' given numbers alone, and the reason why there is no more.
+/// Adds only the given numbers of the objects, and the reason why there is no derivation.
 fn add_given_objects(
     derivation: &mut Derivation,
     inputs: &DerivationInputs,
@@ -312,8 +311,8 @@ fn add_objects(
     }
 }
 
-/// Returns all objects if they are few; otherwise those that the ray hits first, followed by the
-/// first ones.
+/// Returns all objects if they are few; otherwise those that the ray hits first, then the first ones
+/// of the scene.
 fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     let count = scene.len() as u32;
     if scene.len() <= LISTED {
@@ -332,7 +331,7 @@ fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     listed
 }
 
-/// The markup language of an exported derivation.
+/// A markup language for an exported derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Markup {
     /// LaTeX with amsmath.

@@ -12,7 +12,8 @@ use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
 use crate::view::formula::{
-    Formula, Ink, Operator, fraction, given, number, parentheses, root, rounded, row, tuple, word,
+    Formula, Ink, Operator, fraction, given, number, parentheses, rounded, row, square_root, tuple,
+    word,
 };
 
 /// The number format.
@@ -26,9 +27,9 @@ pub(super) struct NumberFormat {
     pub(super) from_one: bool,
 }
 
-/// Largest number of digits that a number has by what it is; one with more of them is rounded. Of
-/// numbers with random digits, one in a thousand has no more than so many.
-const TELLING_DIGITS: usize = 12;
+/// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as
+/// rounded. Among numbers with random digits, one in a thousand has no more than so many.
+const EXACT_DIGITS: usize = 12;
 
 impl NumberFormat {
     /// Returns the rounded number.
@@ -37,16 +38,16 @@ impl NumberFormat {
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns true if the number is exactly what its digits say, apart from rounding errors.
+    /// Returns true if the shown digits are the exact number, apart from rounding errors.
     fn is_whole(self, x: f64) -> bool {
         let digits = self.rounding.text(x);
         let shown = digits.parse();
         let recognised = || NumberForm::recognise(x).filter(|form| form.decimals().is_some());
-        (shown == Ok(x) && significant_digits(&digits) <= TELLING_DIGITS)
+        (shown == Ok(x) && significant_digits(&digits) <= EXACT_DIGITS)
             || recognised().is_some_and(|form| shown == Ok(form.value()))
     }
 
-    /// Returns a number that is given: exactly itself wherever all its digits are shown.
+    /// Returns a given number; it is exact if all its digits are shown.
     pub(super) fn given(self, name: Given, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         let shown = match self.form(x) {
@@ -57,7 +58,7 @@ impl NumberFormat {
         given(name, shown)
     }
 
-    /// Returns a vector that is given.
+    /// Returns a given vector.
     pub(super) fn given_vector(self, name: GivenVector, v: DVec3) -> Formula {
         let coordinates = name.coordinates().into_iter().zip(v.to_array());
         tuple(coordinates.map(|(name, x)| self.given(name, x)))
@@ -72,7 +73,7 @@ impl NumberFormat {
         v.to_array().into_iter().all(|x| self.is_whole(x))
     }
 
-    /// Returns the number's exact form, if it is short and says more than its digits.
+    /// Returns the number's exact form, if it is short and the digits are not exact.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
         if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
@@ -93,7 +94,7 @@ impl NumberFormat {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// Returns the number as a denominator: exact unless its form is a fraction itself.
+    /// Returns the number as a denominator: in its exact form unless that is a fraction itself.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below() && form.denominator() == 1);
         form.map_or_else(|| self.decimal(x), exact)
@@ -109,8 +110,7 @@ impl NumberFormat {
         related(self.vector(v))
     }
 
-    /// Returns a recognised vector; coordinates for which `digits` digits suffice are written as
-    /// decimals.
+    /// Returns a recognised vector. Coordinates with short decimals are written as decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));
@@ -118,13 +118,13 @@ impl NumberFormat {
         let (k, m) = (factor.root(), factor.denominator());
         let whole = tuple(whole.map(|n| number(&n.to_string())));
         if factor.is_root_below() {
-            return fraction(whole, root(number(&k.to_string())));
+            return fraction(whole, square_root(number(&k.to_string())));
         }
-        let above = if k > 1 { row([root(number(&k.to_string())), whole]) } else { whole };
+        let above = if k > 1 { row([square_root(number(&k.to_string())), whole]) } else { whole };
         if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
-    /// Returns an angle, given in radians, in degrees.
+    /// Converts an angle from radians to a number of degrees.
     pub(super) fn degrees(self, angle: f64) -> Formula {
         match self.decimal(angle.to_degrees()) {
             Formula::Number(digits) => Formula::Number(digits + "°"),
@@ -133,14 +133,14 @@ impl NumberFormat {
         }
     }
 
-    /// Returns a pixel's row and column, counted from 0 or 1 as set.
+    /// Returns a pixel's row and column, counted from 0 or 1 according to the setting.
     pub(super) fn counted(self, pixel: Pixel) -> (u32, u32) {
         let from = u32::from(self.from_one);
         (pixel.row + from, pixel.column + from)
     }
 }
 
-/// Returns a formula behind `=`, or behind `≈` if digits are left out.
+/// Puts `=` before a value, or `≈` if the value is rounded.
 pub(super) fn related(value: Formula) -> Formula {
     let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([relation.into(), value])
@@ -159,7 +159,7 @@ fn exact(form: NumberForm) -> Formula {
     let size = n.unsigned_abs();
     let sign = (n < 0).then(|| Formula::from(Operator::Negative));
     let whole = || number(&size.to_string());
-    let radical = || root(number(&k.to_string()));
+    let radical = || square_root(number(&k.to_string()));
     let magnitude = if form.is_root_below() {
         fraction(whole(), radical())
     } else {
@@ -189,7 +189,7 @@ pub(super) const HIT: Formula = Formula::Vector("hit", Ink::Text);
 pub(super) const T: Formula = Formula::Scalar("t");
 pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 
-/// Returns `left = right`, or `left ≈ right` if digits are left out on the right.
+/// Returns `left = right`, or `left ≈ right` if the right side is rounded.
 pub(super) fn equation(left: Formula, right: Formula) -> Formula {
     row([left, related(right)])
 }

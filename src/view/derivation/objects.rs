@@ -14,7 +14,8 @@ use crate::model::concept::Concept;
 use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
 use crate::view::formula::{
-    Formula, Operator, fraction, index, negative, norm, number, parentheses, power, root, row,
+    Formula, Operator, fraction, index, negative, norm, number, parentheses, power, row,
+    square_root,
 };
 
 const A: Formula = Formula::Scalar("a");
@@ -32,18 +33,20 @@ struct ObjectLines<'a> {
     lines: Vec<Line>,
 }
 
-/// Returns the lines of an object's given numbers. Spheres from a CSV file are changed there.
+/// Returns the lines of an object's given numbers. The numbers of spheres from a CSV file cannot be
+/// changed here.
 pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<Line> {
     let index = object as usize;
     let line = |name, right| Line::new(Concept::Object(object), equation(name, right));
-    let own = document.spheres.get(index).map(|item| item.shape);
-    if let Some(Sphere { center, radius }) = own {
+    if let Some(Sphere { center, radius }) = document.spheres.get(index).map(|item| item.shape) {
         let center = numbers.given_vector(GivenVector::Center(object), center);
         return vec![line(CENTRE, center), line(R, numbers.given(Given::Radius(object), radius))];
     }
     let Some(plane) = index.checked_sub(document.sphere_count()) else {
-        let from_file = document.csv_spheres.as_ref();
-        let row = from_file.and_then(|csv| csv.items.get(index - document.spheres.len()));
+        let row = document
+            .csv_spheres
+            .as_ref()
+            .and_then(|csv| csv.items.get(index - document.spheres.len()));
         return row.map_or(Vec::new(), |item| {
             let Sphere { center, radius } = item.shape;
             vec![line(CENTRE, numbers.vector(center)), line(R, numbers.scalar(radius))]
@@ -84,7 +87,7 @@ impl ObjectLines<'_> {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
-    /// Returns what the ray makes of this root of the object.
+    /// Describes the role of this root on the ray, such as the first hit.
     fn verdict(&self, number: usize) -> &'static str {
         let index = self.inspection.index_of(self.object, number as u8);
         index.map_or("", |index| self.inspection.verdict(index))
@@ -96,17 +99,17 @@ impl ObjectLines<'_> {
         let sides = [minus(P, CENTRE), minus(p, c)];
         self.line(sides, numbers.equals_vector(derivation.from_center));
         self.quadratic(derivation);
-        let found: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
-        for (k, root) in found.iter().enumerate() {
-            self.sphere_root(derivation, k, root, found.len() == 1);
+        let roots: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
+        for (k, root) in roots.iter().enumerate() {
+            self.sphere_root(derivation, k, root, roots.len() == 1);
         }
-        if let Some((k, hit)) = derivation.first.and_then(|k| Some((k, found.get(k)?))) {
-            let t = if found.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
+        if let Some((k, hit)) = derivation.first.and_then(|k| Some((k, roots.get(k)?))) {
+            let t = if roots.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
             self.hit(t, k, hit);
             let above = minus(numbers.vector(hit.point), numbers.vector(derivation.sphere.center));
             let symbols = fraction(minus(HIT, CENTRE), R);
-            let put_in = fraction(above, numbers.divisor(derivation.sphere.radius));
-            self.normal(k, hit, symbols, Some(put_in));
+            let substituted = fraction(above, numbers.divisor(derivation.sphere.radius));
+            self.normal(k, hit, symbols, Some(substituted));
         }
     }
 
@@ -132,32 +135,26 @@ impl ObjectLines<'_> {
                 quadratic.discriminant,
             ),
         ];
-        for (name, symbols, put_in, value) in parts {
-            self.line([name, symbols, put_in], numbers.equals(value));
+        for (name, symbols, substituted, value) in parts {
+            self.line([name, symbols, substituted], numbers.equals(value));
         }
         if let Some(last) = self.lines.last_mut() {
             last.note = meaning(derivation.meeting).to_owned();
         }
     }
 
-    fn sphere_root(
-        &mut self,
-        derivation: &SphereDerivation,
-        k: usize,
-        found: &Root,
-        is_only: bool,
-    ) {
+    fn sphere_root(&mut self, derivation: &SphereDerivation, k: usize, root: &Root, is_only: bool) {
         let numbers = self.numbers;
         let quadratic = &derivation.quadratic;
         let a = || numbers.divisor(quadratic.a);
         let minus_b = numbers.scalar(0.0 - quadratic.b);
         let sign = if k == 0 { Operator::Minus } else { Operator::Plus };
         let name = if is_only { T } else { index(T, number(&(k + 1).to_string())) };
-        let symbols = row([negative(B), sign.into(), root(DISCRIMINANT)]);
-        let of_d = root(numbers.scalar(quadratic.discriminant));
-        let put_in = row([minus_b, sign.into(), of_d]);
-        let sides = [name, fraction(symbols, A), fraction(put_in, a())];
-        let line = Line::chain(self.root_concept(k), sides, numbers.equals(found.t));
+        let symbols = row([negative(B), sign.into(), square_root(DISCRIMINANT)]);
+        let of_d = square_root(numbers.scalar(quadratic.discriminant));
+        let substituted = row([minus_b, sign.into(), of_d]);
+        let sides = [name, fraction(symbols, A), fraction(substituted, a())];
+        let line = Line::chain(self.root_concept(k), sides, numbers.equals(root.t));
         let verdict = self.verdict(k);
         self.lines.push(line.noted(verdict));
     }
@@ -169,11 +166,11 @@ impl ObjectLines<'_> {
         self.line(rate, numbers.equals(derivation.terms.rate));
         let (point, p) = (numbers.vector(derivation.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
-        let put_in = dot(n(), parentheses(minus(point, p)));
-        let offset = [dot(N, to_point.clone()), put_in];
+        let substituted = dot(n(), parentheses(minus(point, p)));
+        let offset = [dot(N, to_point.clone()), substituted];
         self.line(offset, numbers.equals(derivation.terms.offset));
         let quotient = fraction(dot(N, to_point), dot(N, D));
-        let Some(found) = derivation.root else {
+        let Some(root) = derivation.root else {
             let note = match derivation.meeting {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
@@ -182,33 +179,33 @@ impl ObjectLines<'_> {
             self.lines.push(line.noted(note));
             return;
         };
-        let put_in = fraction(
+        let substituted = fraction(
             numbers.scalar(derivation.terms.offset),
             numbers.divisor(derivation.terms.rate),
         );
-        let sides = [T, quotient, put_in];
-        let line = Line::chain(self.root_concept(0), sides, numbers.equals(found.t));
+        let sides = [T, quotient, substituted];
+        let line = Line::chain(self.root_concept(0), sides, numbers.equals(root.t));
         let verdict = self.verdict(0);
         self.lines.push(line.noted(verdict));
         if derivation.hit().is_some() {
-            self.hit(T, 0, &found);
-            self.normal(0, &found, fraction(N, norm(N)), None);
+            self.hit(T, 0, &root);
+            self.normal(0, &root, fraction(N, norm(N)), None);
         }
     }
 
-    /// Adds the point of the object's own hit.
+    /// Adds the point where the ray first hits this object.
     fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
         let numbers = self.numbers;
-        let put_in = along(
+        let substituted = along(
             numbers.vector(self.ray.origin),
             numbers.scalar(hit.t),
             numbers.vector(self.ray.direction),
         );
-        let sides = [HIT, along(P, t, D), put_in];
+        let sides = [HIT, along(P, t, D), substituted];
         self.lines.push(Line::chain(self.root_concept(k), sides, numbers.equals_vector(hit.point)));
     }
 
-    fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {
+    fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, substituted: Option<Formula>) {
         let is_first = self
             .inspection
             .first_hit()
@@ -217,12 +214,12 @@ impl ObjectLines<'_> {
         let normal = Formula::Vector("normal", crate::view::formula::Ink::Text);
         let result = self.numbers.equals_vector(hit.normal);
         let formula = equation(normal, symbols);
-        let formula = put_in.into_iter().fold(formula, equation);
+        let formula = substituted.into_iter().fold(formula, equation);
         self.lines.push(Line::new(concept, row([formula, result])));
     }
 }
 
-/// Returns the meaning of the discriminant.
+/// Describes the meaning of the discriminant.
 fn meaning(meeting: SphereMeeting) -> &'static str {
     match meeting {
         SphereMeeting::Missed => "𝐷 < 0: the line passes by",
@@ -230,11 +227,11 @@ fn meaning(meeting: SphereMeeting) -> &'static str {
         SphereMeeting::Through => "𝐷 > 0: two roots, in and out",
         SphereMeeting::FromInside => "𝐷 > 0, 𝑐 < 0: the eye is inside",
         SphereMeeting::FromSurface => "𝐷 > 0, 𝑐 = 0: the eye is on the sphere",
-        SphereMeeting::Behind => "𝐷 ≥ 0, but all of it is behind the eye",
+        SphereMeeting::Behind => "𝐷 ≥ 0, but no root is ahead of the eye",
     }
 }
 
-/// Returns the base of a power: in parentheses unless it is a number or name without a sign.
+/// Returns the base of a power, in parentheses unless it is a name or a number without a sign.
 fn squared(base: Formula) -> Formula {
     match base {
         plain @ (Formula::Number(_) | Formula::Rounded(_) | Formula::Scalar(_)) => plain,

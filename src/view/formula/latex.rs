@@ -32,8 +32,8 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// Writes a formula for math mode with `&` before its first relation, at which the lines of an
-/// `align` meet.
+/// Writes a formula for math mode with `&` before its first relation, where an `align` environment
+/// aligns the lines.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -42,8 +42,8 @@ pub(crate) fn aligned(formula: &Formula) -> String {
     }
 }
 
-/// Writes text for text mode: escapes LaTeX's special characters, and replaces characters that its
-/// fonts lack.
+/// Writes text for text mode: escapes LaTeX's special characters, and replaces the characters that
+/// LaTeX's fonts lack.
 pub(crate) fn text(text: &str) -> String {
     text.chars().map(letter).collect()
 }
@@ -155,8 +155,8 @@ mod tests {
     use super::super::number;
     use super::super::parentheses;
     use super::super::power;
-    use super::super::root;
     use super::super::row;
+    use super::super::square_root;
     use super::super::tuple;
     use super::super::word;
     use super::*;
@@ -177,7 +177,7 @@ mod tests {
             (word("no ray & no_hit"), r"\text{no ray \& no\_hit}"),
             (number("-1.5e-7"), r"-1.5 \cdot 10^{-7}"),
             (number("beyond f64"), r"\text{beyond f64}"),
-            (fraction(root(number("2")), number("4")), r"\frac{\sqrt{2}}{4}"),
+            (fraction(square_root(number("2")), number("4")), r"\frac{\sqrt{2}}{4}"),
             (power(parentheses(Formula::Scalar("b")), "2"), r"{\left( b \right)}^{2}"),
             (index(Formula::Scalar("t"), number("1")), "{t}_{1}"),
             (tuple([number("1"), number("-2")]), r"\left( 1, -2 \right)"),

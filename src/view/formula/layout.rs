@@ -26,13 +26,14 @@ pub enum Face {
     Bold,
 }
 
-/// A measure of text width.
+/// Measures the width of text.
 pub trait TextMeasure {
-    /// Returns the width of `text` in a font whose em is `size`, in the unit of `size`.
+    /// Returns the width of `text` in a font whose em is `size`. Both have the same unit.
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
-/// A piece of text. Positions have x to the right and y down, from the start of the first baseline.
+/// A piece of text. Positions are relative to the start of the first baseline, x to the right and y
+/// down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextRun {
     /// The text.
@@ -58,7 +59,7 @@ pub struct Rule {
     pub ink: Ink,
 }
 
-/// The box of a number that is given: around its baseline, as those of texts.
+/// The box of a given number, around its baseline like the boxes of texts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenBox {
     /// The number.
@@ -73,7 +74,7 @@ pub struct GivenBox {
     pub descent: f32,
 }
 
-/// A formula with positions: a box that extends above its baseline by `ascent` and below by
+/// A formula with positions, in a box that extends above its baseline by `ascent` and below it by
 /// `descent`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
@@ -87,12 +88,12 @@ pub struct Layout {
     pub runs: Vec<TextRun>,
     /// The strokes.
     pub rules: Vec<Rule>,
-    /// The given numbers in it.
+    /// The boxes of the given numbers.
     pub givens: Vec<GivenBox>,
 }
 
-/// Lengths in ems: extent of a line of text above and below its baseline; height of fraction bars,
-/// the minus and the middle of brackets (`AXIS`); gaps; width of strokes.
+/// Lengths in ems: extents of text above and below its baseline; height of fraction bars, of the
+/// minus and of the middle of brackets (`AXIS`); gaps; width of strokes.
 const ASCENT: f32 = 0.76;
 const DESCENT: f32 = 0.24;
 const AXIS: f32 = 0.34;
@@ -106,11 +107,11 @@ const FRACTION: f32 = 0.88;
 /// Height, in ems, above which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
-/// Lays a formula out in one line; the em is `size`.
+/// Lays a formula out in one line with an em of `size`.
 pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> Layout {
     match formula {
         Formula::Scalar(name) => {
-            // A name of several letters is a word; mathematical italics would read as a product.
+            // In mathematical italics, a name of several letters would read as a product.
             let text = match name.len() {
                 1 => name.chars().map(letters::italic).collect(),
                 _ => (*name).to_owned(),
@@ -179,7 +180,7 @@ impl Layout {
         self.ascent + self.descent
     }
 
-    /// Adds another box with the start of its baseline moved by (x, y).
+    /// Adds another box whose baseline starts at (x, y).
     pub(super) fn put(&mut self, mut other: Layout, x: f32, y: f32) {
         let moved = |[a, b]: [f32; 2]| [a + x, b + y];
         other.runs.iter_mut().for_each(|run| run.at = moved(run.at));
@@ -257,7 +258,7 @@ fn root(inner: Layout, size: f32) -> Layout {
     whole
 }
 
-/// Sets a small part at the right of a base, its baseline `shift` ems below that of the base.
+/// Adds a small part to the right of a base, with its baseline `shift` ems lower.
 fn script(
     base: &Formula,
     small: &Formula,
@@ -288,7 +289,7 @@ fn column(boxes: Vec<Layout>, size: f32) -> Layout {
     whole
 }
 
-/// The delimiters on both sides of a high part.
+/// The delimiters on both sides of a tall part.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Fence {
     Bar,
@@ -308,7 +309,7 @@ fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn TextMeasure) -> La
     whole
 }
 
-/// Encloses a part in two strokes of its height.
+/// Encloses a part in two delimiters of its height.
 fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
     let (top, bottom) = (-inner.ascent - 0.04 * size, inner.descent + 0.04 * size);
     let pad = match fence {
@@ -348,16 +349,16 @@ pub struct Column {
     pub size: f32,
     /// Width of the column.
     pub width: f32,
-    /// Position of the first relation, and of the start of every later line. What is too wide for
-    /// the room before it moves its own first relation to the right.
+    /// Position of the first relation, and of the start of every later line. If the part before the
+    /// first relation is wider, the relation moves to the right.
     pub indent: f32,
 }
 
 /// Distance between two lines, in ems.
 const LEADING: f32 = 0.42;
 
-/// Returns the width of what stands before a formula's first relation, with the gap behind it; 0 for
-/// a formula without one.
+/// Returns the width of the part before a formula's first relation, with the gap behind it; 0 if
+/// there is no such part.
 pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> f32 {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -368,7 +369,7 @@ pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -
     }
 }
 
-/// Sets a formula in as many lines as it needs.
+/// Lays a formula out in as many lines as it needs.
 pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -> Layout {
     let Column { size, width, indent } = column;
     let left = left_width(formula, size, measure);
@@ -397,8 +398,8 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -
     set.stacked()
 }
 
-/// Returns true if two pieces that begin with relations must not stand in one line: two forms of a
-/// vector; and `≈ a = b`, where what equals the left side would seem to equal a.
+/// Returns true if two pieces that begin with relations must not share a line: two forms of a vector;
+/// and `≈ a = b`, which seems to say that a equals b, although b equals the left side.
 fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
@@ -406,7 +407,7 @@ fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
         || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }
 
-/// Cuts the parts before each one that `begins` a new piece.
+/// Splits the parts before each part that `begins` a new piece.
 fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
     let mut cuts = vec![0];
     cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
@@ -414,11 +415,11 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
     cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
 }
 
-/// Size of a piece that is a little too wide, relative to the others.
+/// Relative size of a piece that is a little too wide.
 const TIGHT: f32 = 0.88;
 
-/// Sets a piece that is too wide for a line: a little smaller where that is enough, then with vectors
-/// as columns, then also smaller.
+/// Lays out a piece that is too wide for a line: a little smaller if that is enough, otherwise with
+/// vectors as columns, and even smaller if that is not enough.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeasure) -> Layout {
     let tight = row(parts, TIGHT * size, measure);
     if tight.width <= width {
@@ -429,7 +430,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
     if single.width <= width {
         return single;
     }
-    // Widths are proportional to the size, apart from the fonts' rounding.
+    // Widths are proportional to the size, apart from rounding in the fonts.
     let mut smaller = size;
     let mut single = single;
     for _ in 0..8 {
@@ -442,7 +443,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
     single
 }
 
-/// Returns the formula with its vectors as columns.
+/// Writes the vectors in a formula as columns.
 fn upright(formula: &Formula) -> Formula {
     match formula {
         Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
@@ -457,23 +458,23 @@ fn upright(formula: &Formula) -> Formula {
     }
 }
 
-/// The lines while they are set.
+/// The lines of a formula while they are filled.
 struct LineBuilder<'a> {
     column: Column,
     /// Start of the first line.
     start: f32,
     done: Vec<Layout>,
-    /// The line that is being filled, and its last part.
+    /// The unfinished line, and its last part.
     open: Option<(Layout, &'a Formula)>,
 }
 
 impl<'a> LineBuilder<'a> {
-    /// Ends the open line: the next piece begins a new one.
+    /// Ends the open line, so that the next piece begins a new one.
     fn end_line(&mut self) {
         self.done.extend(self.open.take().map(|(line, _)| line));
     }
 
-    /// Adds a piece that is too wide for a line term by term.
+    /// Adds a piece that is too wide for a line, term by term.
     fn add_in_terms(&mut self, piece: &'a [Formula], measure: &mut dyn TextMeasure) {
         let Column { size, width, indent } = self.column;
         let is_binary =
@@ -507,7 +508,7 @@ impl<'a> LineBuilder<'a> {
         }
     }
 
-    /// Stacks the lines.
+    /// Stacks the lines in one layout.
     fn stacked(mut self) -> Layout {
         self.end_line();
         let mut whole = Layout::default();

@@ -37,7 +37,7 @@ pub enum Formula {
     Number(String),
     /// Rounded digits.
     Rounded(String),
-    /// A number that is given and can be changed where it stands.
+    /// A given number, which the user can change in place.
     Given(Given, Box<Formula>),
     /// An operator between two parts, or a sign before one.
     Operator(Operator),
@@ -87,7 +87,7 @@ pub enum Ink {
 
 /// An operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the signs' own names")]
+#[allow(missing_docs, reason = "the names of the signs")]
 pub enum Operator {
     Equals,
     Approximately,
@@ -116,13 +116,13 @@ impl Operator {
         }
     }
 
-    /// Returns true for a relation between two sides; lines are broken there first.
+    /// Returns true for a relation between two sides. Lines are preferably broken before it.
     pub fn is_relation(self) -> bool {
         matches!(self, Operator::Equals | Operator::Approximately)
     }
 
-    /// Returns true for an operator between two terms or factors; lines are broken there if they
-    /// must be.
+    /// Returns true for an operator between two terms or factors. Lines are broken before it only if
+    /// they must be.
     fn is_binary(self) -> bool {
         use Operator::{Dot, Minus, Plus, Times};
         matches!(self, Plus | Minus | Times | Dot)
@@ -135,18 +135,18 @@ impl From<Operator> for Formula {
     }
 }
 
-/// Returns a number, written with a real minus.
+/// Returns a number, written with a minus sign instead of a hyphen.
 pub fn number(text: &str) -> Formula {
     signed(text, Formula::Number)
 }
 
-/// Returns rounded digits, written with a real minus.
+/// Returns a rounded number, written with a minus sign instead of a hyphen.
 pub fn rounded(text: &str) -> Formula {
     signed(text, Formula::Rounded)
 }
 
 fn signed(text: &str, digits: impl Fn(String) -> Formula) -> Formula {
-    // An exponent may have a minus, too.
+    // An exponent may be negative, too.
     let written = |text: &str| digits(text.replace('-', "−"));
     match text.strip_prefix(['-', '−']) {
         Some(positive) => row([Operator::Negative.into(), written(positive)]),
@@ -177,7 +177,7 @@ pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 /// Returns `√x`.
-pub fn root(inner: Formula) -> Formula {
+pub fn square_root(inner: Formula) -> Formula {
     Formula::Root(Box::new(inner))
 }
 
@@ -211,7 +211,7 @@ pub fn negative(inner: Formula) -> Formula {
     row([Operator::Negative.into(), inner])
 }
 
-/// Returns a number that can be changed where it stands.
+/// Returns a number that the user can change in place.
 pub fn given(given: Given, inner: Formula) -> Formula {
     Formula::Given(given, Box::new(inner))
 }
@@ -222,7 +222,7 @@ pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 impl Formula {
-    /// Returns true if the formula begins with a minus, and so needs parentheses after another
+    /// Returns true if the formula begins with a minus, so that it needs parentheses after an
     /// operator.
     pub fn is_negative(&self) -> bool {
         match self {
@@ -248,12 +248,12 @@ impl Formula {
         self.has(&|part| matches!(part, Formula::Rounded(_)))
     }
 
-    /// Returns true if there is a vector's coordinates in it.
+    /// Returns true if the formula contains the coordinates of a vector.
     fn has_tuple(&self) -> bool {
         self.has(&|part| matches!(part, Formula::Tuple(..)))
     }
 
-    /// Returns true if the formula or a part of it is such a one.
+    /// Returns true if `is_such` holds for the formula or for a part of it.
     fn has(&self, is_such: &dyn Fn(&Formula) -> bool) -> bool {
         let has = |part: &Formula| part.has(is_such);
         is_such(self)
@@ -270,12 +270,12 @@ impl Formula {
             }
     }
 
-    /// Returns true for a relation, at which formulas are aligned.
+    /// Returns true for a relation. Formulas are aligned at their first relation.
     fn is_relation(&self) -> bool {
         matches!(self, Formula::Operator(operator) if operator.is_relation())
     }
 
-    /// Returns the formula's parts, or itself as the only part.
+    /// Returns the parts of a row, or the formula itself as the only part.
     fn parts(&self) -> &[Formula] {
         match self {
             Formula::Row(parts) => parts,
@@ -344,8 +344,8 @@ impl fmt::Display for Formula {
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
-/// Writes one letter in bold, from the block *Mathematical Alphanumeric Symbols*; a word stays as
-/// it is.
+/// Writes a single letter in bold, from the block *Mathematical Alphanumeric Symbols*; writes a word
+/// unchanged.
 fn write_bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match name.len() {
         1 => name.chars().try_for_each(|letter| f.write_char(letters::bold(letter))),
@@ -363,7 +363,7 @@ fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Writes an operator that applies only to the next part, with parentheses around several parts.
+/// Writes an operator that applies only to the next part, so several parts get parentheses.
 fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match inner {
         Formula::Given(_, inner) => write_guarded(sign, inner, f),

@@ -33,7 +33,7 @@ fn long() -> Formula {
         equals(),
         fraction(up_cross_w(), norm(up_cross_w())),
         equals(),
-        fraction(coordinates(["5", "0", "-7"]), root(number("74"))),
+        fraction(coordinates(["5", "0", "-7"]), square_root(number("74"))),
         equals(),
         coordinates(["0.58124", "0", "-0.81373"]),
     ])
@@ -47,8 +47,8 @@ fn plain_text_keeps_vectors_and_scalars_apart() {
         (long(), "𝐮 = (up × 𝐰)/|up × 𝐰| = (5, 0, −7)/√74 = (0.58124, 0, −0.81373)"),
         (row([negative(Formula::Scalar("distance")), W]), "−distance 𝐰"),
         (row([word("normalize"), parentheses(negative(W))]), "normalize(−𝐰)"),
-        (root(row([u.clone(), Operator::Plus.into(), number("1")])), "√(u + 1)"),
-        (fraction(negative(u.clone()), root(number("2"))), "−u/√2"),
+        (square_root(row([u.clone(), Operator::Plus.into(), number("1")])), "√(u + 1)"),
+        (fraction(negative(u.clone()), square_root(number("2"))), "−u/√2"),
         (power(norm(UP), "2"), "|up|²"),
         (power(row([U, Operator::Minus.into(), W]), "2"), "(𝐮 − 𝐰)²"),
         (index(Formula::Scalar("t"), number("1")), "t₁"),
@@ -102,7 +102,7 @@ fn parts_stand_beside_and_above_each_other() {
     let formulas = [
         long(),
         Formula::Tuple(["1", "20", "-3.5"].map(number).to_vec(), Direction::Column),
-        root(fraction(number("1"), root(number("2")))),
+        square_root(fraction(number("1"), square_root(number("2")))),
         parentheses(fraction(power(U, "2"), index(Formula::Scalar("t"), number("1")))),
         power(parentheses(fraction(number("1"), number("2"))), "2"),
         norm(Formula::Tuple(["1", "2"].map(number).to_vec(), Direction::Column)),

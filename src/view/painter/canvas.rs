@@ -5,16 +5,16 @@ use std::collections::HashSet;
 use egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use egui::{Color32, Mesh, Rect, TextureId};
 
-use super::{Painter, PixelRect};
+use super::{PixelRect, SoftwarePainter};
 
-/// Maximum number of separate rectangles; more of them cost more than drawing the area between
-/// them.
+/// Maximum number of separate rectangles; to draw more of them costs more than to draw the area
+/// between them, too.
 const MANY: usize = 16;
 
-/// The pixels on show, and the frame that they were drawn from.
+/// The pixels of the window, and the frame that they were drawn from.
 ///
-/// A new frame is compared with the last one, and drawn only where the two differ: moving the
-/// pointer over a button repaints the button.
+/// A new frame is drawn only where it differs from the last one: if the pointer moves over a button,
+/// only the button is repainted.
 #[derive(Debug, Default)]
 pub struct Canvas {
     pixels: Vec<Color32>,
@@ -22,7 +22,7 @@ pub struct Canvas {
     shown: Option<ShownFrame>,
 }
 
-/// The data that a picture is drawn from, apart from the textures.
+/// The data that the pixels were drawn from, apart from the textures.
 #[derive(Debug)]
 struct ShownFrame {
     primitives: Vec<ClippedPrimitive>,
@@ -31,11 +31,6 @@ struct ShownFrame {
 }
 
 impl Canvas {
-    /// Creates an empty picture.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
     /// Returns the pixels, row by row from the top.
     pub fn pixels(&self) -> &[Color32] {
         &self.pixels
@@ -46,12 +41,12 @@ impl Canvas {
         self.size
     }
 
-    /// Shows a frame on an opaque ground. Returns the rectangles in which pixels may have changed.
+    /// Draws a frame on an opaque ground. Returns the rectangles in which pixels may have changed.
     ///
     /// `changed` are the textures set since the last call.
     pub fn show(
         &mut self,
-        painter: &Painter,
+        painter: &SoftwarePainter,
         changed: &HashSet<TextureId>,
         size: [usize; 2],
         pixels_per_point: f32,
@@ -83,8 +78,8 @@ impl Canvas {
 }
 
 impl ShownFrame {
-    /// Returns disjoint rectangles outside of which both frames look the same; `None` if none are
-    /// known.
+    /// Returns disjoint rectangles outside of which both frames look the same; `None` if the whole
+    /// picture must be drawn.
     fn difference(
         &self,
         new: &Self,
@@ -176,15 +171,15 @@ impl ChangedAreas {
 
     /// Merges overlapping rectangles; returns `None` if a partial update is no longer worthwhile.
     fn disjoint(mut self) -> Option<Vec<PixelRect>> {
-        let mut apart: Vec<PixelRect> = Vec::new();
+        let mut disjoint: Vec<PixelRect> = Vec::new();
         while let Some(mut rect) = self.rects.pop() {
-            while let Some(i) = apart.iter().position(|r| !r.intersect(rect).is_empty()) {
-                rect = rect.union(apart.swap_remove(i));
+            while let Some(i) = disjoint.iter().position(|r| !r.intersect(rect).is_empty()) {
+                rect = rect.union(disjoint.swap_remove(i));
             }
-            apart.push(rect);
+            disjoint.push(rect);
         }
-        let area: usize = apart.iter().map(|rect| rect.area()).sum();
-        (apart.len() <= MANY && area < self.size[0] * self.size[1]).then_some(apart)
+        let area: usize = disjoint.iter().map(|rect| rect.area()).sum();
+        (disjoint.len() <= MANY && area < self.size[0] * self.size[1]).then_some(disjoint)
     }
 }
 

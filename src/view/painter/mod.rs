@@ -4,7 +4,7 @@
 //! and blended in gamma space, a pixel is drawn if its centre is inside, and clip rectangles are
 //! rounded to whole pixels. So a window looks the same with either.
 //!
-//! [`Painter`] holds the textures and draws; [`Canvas`] remembers the last frame and redraws only
+//! [`SoftwarePainter`] holds the textures and draws; [`Canvas`] remembers the last frame and redraws only
 //! the parts that differ. This file also has the rectangles of pixels and the sub-pixel grid that
 //! vertices are snapped to.
 
@@ -25,26 +25,21 @@ mod triangle;
 /// Number of pixels below which one thread is faster than several.
 const WORTH_SHARING: usize = 1 << 14;
 
-/// Draws textured triangles. It holds the textures, which egui sends once and then refers to.
+/// Draws textured triangles, and holds the textures, which egui sends once and then refers to.
 #[derive(Debug, Default)]
-pub struct Painter {
+pub struct SoftwarePainter {
     textures: HashMap<TextureId, Texture>,
     triangles_only: bool,
 }
 
-impl Painter {
-    /// Creates a painter without textures.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Creates a painter that draws rectangles as two triangles, as a GPU does: slower, with the
-    /// same pixels. For tests that compare the two.
+impl SoftwarePainter {
+    /// Creates a painter that draws rectangles as two triangles, as a GPU does: with the same result,
+    /// but slower. Tests compare the two.
     pub fn triangles_only() -> Self {
         Self { triangles_only: true, ..Self::default() }
     }
 
-    /// Takes the new and changed textures, before drawing; returns their ids.
+    /// Stores the new and changed textures, before drawing. Returns their ids.
     pub fn set_textures(&mut self, delta: &mut TexturesDelta) -> HashSet<TextureId> {
         let mut changed = HashSet::new();
         for (id, deltas) in delta.set.drain() {
@@ -69,8 +64,8 @@ impl Painter {
         }
     }
 
-    /// Draws over the pixels, which are rows of length `size[0]` from the top. A slice whose length
-    /// does not fit `size` is left alone.
+    /// Draws over the pixels, which are rows of length `size[0]` from the top. Does nothing if the
+    /// length of the slice does not fit `size`.
     pub fn paint(
         &self,
         pixels: &mut [Color32],
@@ -82,7 +77,7 @@ impl Painter {
         self.paint_within(pixels, size, pixels_per_point, primitives, &whole, None);
     }
 
-    /// Draws the parts inside some disjoint rectangles, over the given ground or over the pixels.
+    /// Draws the parts inside disjoint rectangles, over the given ground or over the pixels.
     pub(crate) fn paint_within(
         &self,
         pixels: &mut [Color32],
@@ -100,7 +95,7 @@ impl Painter {
         let scene = Scene::new(self, pixels_per_point, primitives, size);
         let pixels = &mut pixels[all.top * size[0]..all.bottom * size[0]];
         let rows = all.bottom - all.top;
-        // More pieces than threads, because text is seldom spread evenly.
+        // There are more pieces than threads, because text is seldom spread evenly.
         let pieces = if all.area() < WORTH_SHARING { 1 } else { 4 * rayon::current_num_threads() };
         let rows_per_piece = rows.div_ceil(pieces).max(8);
         let draw = |(piece, pixels): (usize, &mut [Color32])| {
@@ -120,7 +115,7 @@ impl Painter {
     }
 }
 
-/// Some rows of the picture, and the part of them that may be drawn on.
+/// Some rows of the picture, and the rectangle that may be drawn on.
 struct Band<'a> {
     pixels: &'a mut [Color32],
     width: usize,
@@ -138,7 +133,7 @@ impl Band<'_> {
     }
 }
 
-/// The meshes to draw, with the data that is computed once for all pieces of the picture.
+/// The meshes to draw, with data that is the same for all pieces of the picture.
 struct Scene<'a> {
     scale: f32,
     triangles_only: bool,
@@ -153,7 +148,7 @@ struct ClippedMesh<'a> {
 
 impl<'a> Scene<'a> {
     fn new(
-        painter: &'a Painter,
+        painter: &'a SoftwarePainter,
         scale: f32,
         primitives: &'a [ClippedPrimitive],
         size: [usize; 2],
@@ -217,12 +212,12 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Sub-pixel steps per pixel, to which vertices are snapped as on GPUs. The test whether a pixel's
-/// centre is inside is then exact in integers, so neighbours neither overlap nor leave gaps.
+/// Sub-pixel steps per pixel, to which vertices are snapped as on GPUs. In integers, the test
+/// whether a pixel's centre is inside is exact, so neighbours neither overlap nor leave gaps.
 const STEPS: i64 = 256;
 
-/// Greatest coordinate of a vertex, in pixels; farther ones are clamped to it, so that products of
-/// coordinates fit into an `i64`.
+/// Greatest coordinate of a vertex, in pixels. Coordinates are clamped to it, so that their products
+/// fit into an `i64`.
 const FAR: f32 = 1_000_000.0;
 
 /// A rectangle of pixels, right and bottom exclusive.
@@ -309,7 +304,7 @@ fn snap(pixels: f32) -> i64 {
     (steps + (SHIFT as f64 + 0.5)) as i64 - SHIFT
 }
 
-/// Returns the first pixel whose centre is not before a position given in steps.
+/// Returns the first pixel whose centre is at or after a position in steps.
 #[inline(always)]
 fn first_centre(steps: i64) -> i64 {
     (steps + STEPS / 2 - 1).div_euclid(STEPS)

@@ -14,8 +14,7 @@ use crate::view::painter::{Band, PixelRect, STEPS, first_centre, limit, snap};
 /// Position of a vertex, snapped to [`STEPS`].
 type SnappedPoint = [i64; 2];
 
-/// A linear function over the pixels: its value at the centre of pixel (0, 0), and its increments
-/// per pixel to the right and down.
+/// A linear function over the pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PixelPlane {
     /// Value at the centre of pixel (0, 0).
@@ -41,9 +40,9 @@ impl PixelPlane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Returns the value at a row's first pixel, and the step to the next, with 32 binary places.
+    /// Returns the value at a row's first pixel and the step to the next, with 32 binary places.
     ///
-    /// The result depends on the row alone, not on how the picture is divided into pieces.
+    /// The result depends only on the row, not on how the picture is divided into pieces.
     #[inline(always)]
     pub(super) fn stepped(self, row: usize) -> (i64, i64) {
         let start = self.origin + self.down * row as f64;
@@ -61,7 +60,7 @@ pub(super) struct Sampling<'a> {
 }
 
 impl<'a> Sampling<'a> {
-    /// Creates a reading; `u` and `v` are in texels.
+    /// Creates a sampling; `u` and `v` are in texels.
     pub(super) fn new(texture: &'a Texture, u: PixelPlane, v: PixelPlane) -> Self {
         let texels_per_pixel = u.across.hypot(v.across).max(u.down.hypot(v.down));
         Self { texture, filter: texture.filter(texels_per_pixel), u, v }
@@ -89,7 +88,7 @@ impl<'a> Sampling<'a> {
     }
 }
 
-/// One side of a triangle, as a function of the pixel that is not negative inside.
+/// One side of a triangle, as a linear function of the pixel that is not negative inside.
 struct Side {
     /// Decrement per pixel to the right.
     slope: i64,
@@ -101,8 +100,8 @@ struct Side {
 impl Side {
     fn new(from: SnappedPoint, to: SnappedPoint) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        // A centre exactly on a side belongs to the triangle on the right of it or below, so that
-        // neighbours draw each pixel exactly once.
+        // A centre exactly on a side belongs to the triangle to the right of it or below it, so
+        // that neighbours draw each pixel exactly once.
         let owned = dy < 0 || (dy == 0 && dx > 0);
         let half = STEPS / 2;
         let start = dx * (half - from[1]) - dy * (half - from[0]) - i64::from(!owned);
@@ -123,7 +122,7 @@ impl Side {
     }
 }
 
-/// Draws a triangle; vertices are in points, `scale` is pixels per point.
+/// Draws a triangle. The vertices are in points, and `scale` is in pixels per point.
 pub(super) fn draw_triangle(
     band: &mut Band<'_>,
     texture: &Texture,
@@ -167,8 +166,8 @@ pub(super) fn draw_triangle(
     }
 }
 
-/// Returns the vertices ordered so that the area is positive, their snapped positions, and twice
-/// the area; `None` for a triangle without area or with a coordinate that is not a number.
+/// Orders the vertices so that the area is positive. Returns them, their snapped positions, and
+/// twice the area; `None` if the triangle has no area or a coordinate is not finite.
 fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [SnappedPoint; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
@@ -184,7 +183,7 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Snapp
     }
 }
 
-/// Calls `draw` with the inside pixels of each row, the row, and their first column.
+/// Calls `draw` for each row, with the pixels inside, the row, and the first column.
 fn rows(
     band: &mut Band<'_>,
     points: &[SnappedPoint; 3],
@@ -220,8 +219,8 @@ fn rows(
 struct Gradient {
     channels: [PixelPlane; 4],
     across: Rgba,
-    /// The column from which a row's colours are counted. It is near the triangle: far from it, a
-    /// steep gradient would lose significant digits.
+    /// The column from which a row's colours are counted. It is near the triangle, because a steep
+    /// gradient would lose significant digits over a long distance.
     base: usize,
 }
 
@@ -268,13 +267,13 @@ impl Gradient {
 pub(super) struct Rectangle {
     /// Position and size in points.
     rect: Rect,
-    /// Texture coordinates at the left top and the right bottom corner.
+    /// Texture coordinates at the upper left and the lower right corner.
     uv: Rect,
     color: Color32,
 }
 
 impl Rectangle {
-    /// Returns the rectangle that two successive triangles make up, if they do.
+    /// Returns the rectangle that two successive triangles form; `None` if they form none.
     #[inline]
     pub(super) fn new(vertices: [&Vertex; 6]) -> Option<Self> {
         let [a, b, c, ..] = vertices;
@@ -293,8 +292,8 @@ impl Rectangle {
             }
             *corner = usize::from(x == high.x) + 2 * usize::from(y == high.y);
         }
-        let seen = |corners: &[usize]| corners.iter().fold(0, |seen, &corner| seen | 1 << corner);
-        let (first, second) = (missing(seen(&corners[..3]))?, missing(seen(&corners[3..]))?);
+        let bits = |corners: &[usize]| corners.iter().fold(0, |bits, &corner| bits | 1 << corner);
+        let (first, second) = (missing(bits(&corners[..3]))?, missing(bits(&corners[3..]))?);
         // Otherwise the two triangles overlap.
         if first ^ second != 3 {
             return None;
@@ -303,7 +302,7 @@ impl Rectangle {
         Some(Self { rect: Rect::from_min_max(low, high), uv, color: a.color })
     }
 
-    /// Draws it; `scale` is pixels per point.
+    /// Draws the rectangle; `scale` is in pixels per point.
     pub(super) fn draw(&self, band: &mut Band<'_>, texture: &Texture, scale: f32) {
         if self.color == Color32::TRANSPARENT {
             return;
@@ -335,12 +334,12 @@ impl Rectangle {
     }
 }
 
-/// Returns the index of the missing corner, if exactly one of four is missing.
-fn missing(seen: u8) -> Option<usize> {
-    (0..4).find(|corner| seen == 0b1111 & !(1 << corner))
+/// Returns the index of the missing corner, if exactly one of four bits is missing.
+fn missing(bits: u8) -> Option<usize> {
+    (0..4).find(|corner| bits == 0b1111 & !(1 << corner))
 }
 
-/// Returns the texture coordinates of the rectangle's corners, if they run along its sides.
+/// Returns the rectangle's texture coordinates; `None` if they do not run along its sides.
 fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect> {
     let mut uv = Rect::NAN;
     for (vertex, corner) in vertices.iter().zip(corners) {
@@ -358,7 +357,7 @@ fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect
     Some(uv)
 }
 
-/// Returns a texture coordinate between two positions, in texels, as a plane that varies across.
+/// Interpolates a texture coordinate, in texels, between two positions across.
 fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlane {
     let (start, end) = (f64::from(uv_from) * texels, f64::from(uv_to) * texels);
     let step = (end - start) / (to - from).max(1) as f64;
@@ -366,14 +365,14 @@ fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlan
     PixelPlane { origin, across: step * STEPS as f64, down: 0.0 }
 }
 
-/// Draws an area of a texture in one vertex colour: copied or tinted where the area shows texel for
-/// pixel, as pictures and glyphs do, and else sampled.
+/// Draws an area of a texture in one vertex colour. If each pixel shows exactly one texel, as in most
+/// pictures and glyphs, the texels are copied or tinted; otherwise the texture is sampled.
 fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, color: Rgba) {
     let PixelRect { left, top, right, bottom } = area;
     let texture = reading.texture;
     let (u, u_step) = reading.u.stepped(0);
     let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
-    // The plane of v has one value for each row.
+    // v has one value in each row.
     let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
     let across = one_to_one(&u, (left, right), texture.size[0], reading.filter);
     let down = one_to_one(&v, (top, bottom), texture.size[1], reading.filter);
@@ -393,7 +392,7 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
     }
 }
 
-/// Returns the first texel if a run of pixels reads successive texels exactly, with none outside.
+/// Returns the first texel if a run of pixels reads exactly successive texels, all of them inside.
 fn one_to_one(
     coordinate: &impl Fn(usize) -> Coordinate,
     (first, end): (usize, usize),
@@ -409,7 +408,7 @@ fn one_to_one(
     };
     let (from, to) = (texel(first)?, texel(end - 1)?);
     let successive = to - from == (end - 1 - first) as i64;
-    // For nearest texels, both ends are not enough: the steps between may be uneven.
+    // With the nearest filter the steps may be uneven, so that both ends are not enough.
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)

@@ -16,20 +16,22 @@ use crate::view::formula::{Column, Face, Formula, Ink, Layout, TextMeasure, Text
 use crate::view::overlay::Colors;
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Sizes of the em in points: formulas, and the notes behind them.
+/// Size of the em of formulas, in points.
 pub(crate) const SIZE: f32 = 17.0;
 
+/// Size of the em of notes, in points.
 pub(crate) const NOTE: f32 = 15.0;
 
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// Least indent of the relations and of the second and later lines of a formula, in points.
+/// Least indent of the relations, and of the second and later lines of a formula, in points.
 const INDENT: f32 = 26.0;
 
-/// Distances in points: above a section's title, and between two lines.
+/// Distance above a section's title, in points.
 pub(crate) const BEFORE_SECTION: f32 = 6.0;
 
+/// Distance between two lines, in points.
 pub(crate) const BETWEEN_LINES: f32 = 2.0;
 
 /// A laid-out line.
@@ -47,11 +49,11 @@ pub(crate) fn note_galley(ui: &Ui, line: &Line, width: f32) -> Arc<Galley> {
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
 
-/// Largest share of the width for what stands before the relations.
+/// Largest share of the width that the parts before the relations may take.
 const LEFT: f32 = 0.32;
 
-/// Lays out all lines of a derivation in a column, by sections; `id` names a line by its section and
-/// its index there. The relations of a kind of section stand below each other.
+/// Lays out all lines of a derivation in a column, by sections. `id` returns the id of a line for its
+/// section and its index there. The relations in all sections of one kind are aligned.
 pub(crate) fn laid_lines(
     ui: &Ui,
     derivation: &Derivation,
@@ -109,8 +111,8 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &Line, laid: &LaidLine, inks
     }
 }
 
-/// Draws the derivation as in its panel, from the upper left corner of a column downwards, and
-/// returns its height. Of a section that `is_folded`, only the title is drawn.
+/// Draws the derivation as in its panel, from the top of a column downwards. Returns the height. A
+/// section that `is_folded` shows only its title.
 pub(crate) fn draw(
     ui: &Ui,
     derivation: &Derivation,
@@ -149,12 +151,12 @@ pub(crate) fn draw(
     at.y - column.top()
 }
 
-/// Sets a formula in lines of the width of `column`, with the window's fonts.
+/// Lays a formula out in the lines of `column`, with the window's fonts.
 pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
     lines(formula, column, &mut Fonts(ctx))
 }
 
-/// Returns the width of what stands before a formula's first relation, with the gap behind it.
+/// Returns the width of the part before a formula's first relation, with the gap behind it.
 pub(crate) fn left_width(ctx: &Context, formula: &Formula, size: f32) -> f32 {
     crate::view::formula::left_width(formula, size, &mut Fonts(ctx))
 }
@@ -199,13 +201,13 @@ impl Inks {
     }
 }
 
-/// Returns the meaning of the symbol at a position of a layout, which is relative to the start of
-/// its first baseline.
+/// Returns the meaning of the symbol at a position, which is relative to the start of the layout's
+/// first baseline.
 pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&TextRun| {
         let [x, y] = run.at;
-        // A margin makes thin letters as easy to hover as wide ones.
+        // With a margin, thin letters are as easy to hover as wide ones.
         let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
         let down = y - 0.8 * run.size..=y + 0.3 * run.size;
         across.contains(&at.x) && down.contains(&at.y)
@@ -219,7 +221,7 @@ pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'s
 pub(crate) fn paint_formula(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
     for run in &layout.runs {
         let color = inks.color(run.ink);
-        // The italic letters of a word are slanted ones: Unicode's would read as a product.
+        // Words get egui's italics, because Unicode's italic letters would read as a product.
         let italics = run.face == Face::Italic && run.text.len() > 4;
         let format =
             TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };

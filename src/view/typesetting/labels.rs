@@ -19,7 +19,7 @@ pub(crate) struct Font {
     pub(crate) bold: bool,
 }
 
-/// The labels already written, and the area for more.
+/// Places labels in a drawing so that they do not overlap.
 pub(crate) struct LabelLayout {
     painter: Painter,
     halo: Color32,
@@ -32,13 +32,13 @@ impl LabelLayout {
         LabelLayout { painter, halo, within, taken: Vec::new() }
     }
 
-    /// Keeps a part of the drawing free of labels.
+    /// Keeps a rectangle free of labels.
     pub(crate) fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
 
-    /// Writes a label at the first position that is free and inside the area; returns its
-    /// rectangle, if there is such a position. Text that is not bold is typeset as a formula.
+    /// Writes a label at the first position that is free and inside the area. Returns its
+    /// rectangle, or `None` if no position is. Text that is not bold is typeset as a formula.
     pub(crate) fn write(
         &mut self,
         text: &str,
@@ -48,8 +48,7 @@ impl LabelLayout {
         self.write_clear_of(&[], text, font, anchors)
     }
 
-    /// Writes a label as [`LabelLayout::write`] does, at the first position that also covers none of
-    /// `points`.
+    /// Writes a label like [`LabelLayout::write`], but only where it covers none of `points`.
     pub(crate) fn write_clear_of(
         &mut self,
         points: &[Pos2],
@@ -60,7 +59,7 @@ impl LabelLayout {
         let galley = self.galley(text, font);
         for (at, align) in anchors {
             let rect = align.anchor_size(at, galley.size());
-            // Two numbers side by side would read as one.
+            // Without a distance, two numbers side by side would read as one.
             let room = rect.expand2(Vec2::new(3.0, 0.0));
             let free = self.taken.iter().all(|taken| !taken.intersects(room));
             let clear = !points.iter().any(|point| rect.contains(*point));
@@ -87,7 +86,7 @@ impl LabelLayout {
     }
 }
 
-/// Returns positions around a point at a distance from it, beginning in the direction `toward`.
+/// Returns positions around a point at a distance from it. The first lies in the direction `toward`.
 pub(crate) fn around(
     at: Pos2,
     toward: Vec2,
@@ -103,7 +102,7 @@ pub(crate) fn around(
     })
 }
 
-/// Returns the side of a label on which its point is.
+/// Returns the side of a label that is next to its point.
 fn side(away: f32) -> egui::Align {
     if away > 0.38 {
         egui::Align::Min
@@ -114,11 +113,11 @@ fn side(away: f32) -> egui::Align {
     }
 }
 
-/// Laid-out text with a halo around its letters, which keeps it legible over anything.
+/// Text with a halo around its letters, which keeps it legible over anything.
 ///
-/// egui has no such shape. It is given to egui as a [`Shape::Vec`]: the text in the halo's colour eight
-/// times around its position, and then the text. Figures [read it back](HaloText::from_shape) as one
-/// text.
+/// egui has no such shape. It gets a [`Shape::Vec`] instead: the text in the halo's colour eight times
+/// around its position, and then the text itself. Figures [convert this](HaloText::from_shape) back to
+/// one text.
 pub(crate) struct HaloText {
     pub(crate) text: TextShape,
     pub(crate) halo: Color32,
@@ -128,7 +127,7 @@ impl HaloText {
     /// Width of the halo, in points.
     pub(crate) const REACH: f32 = 1.3;
 
-    /// Creates text whose left top corner is at `at`.
+    /// Creates text whose upper left corner is at `at`.
     pub(crate) fn new(at: Pos2, galley: Arc<Galley>, color: Color32, halo: Color32) -> HaloText {
         HaloText { text: TextShape::new(at, galley, color), halo }
     }
@@ -147,7 +146,7 @@ impl HaloText {
         Shape::Vec(shapes)
     }
 
-    /// Reads back what [`HaloText::into_shape`] made; `None` for every other shape.
+    /// Inverts [`HaloText::into_shape`]; returns `None` for every other shape.
     #[cfg(feature = "figures")]
     pub(crate) fn from_shape(shape: &Shape) -> Option<HaloText> {
         let Shape::Vec(shapes) = shape else { return None };

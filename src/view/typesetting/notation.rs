@@ -9,8 +9,8 @@ use crate::model::letters;
 /// The letters that denote vectors when they stand alone.
 const VECTORS: &str = "pdn";
 
-/// Lays out `text`: each letter that stands alone becomes a mathematical one, and `_x` after it
-/// becomes its subscript. Words stay as they are.
+/// Lays out text with formulas. Each letter that stands alone becomes a mathematical letter, and `_x`
+/// after it becomes its subscript. Words stay unchanged.
 pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let full = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
@@ -36,14 +36,14 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     job
 }
 
-/// Adds text with typeset formulas as a label; screen readers and tests get it as plain text.
+/// Adds a label of text with typeset formulas. Screen readers and tests get it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
     let response = ui.label(formula(&unbroken(text), size, color));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
     response
 }
 
-/// Returns the text for screen readers: without subscript marks.
+/// Removes the marks of subscripts, for screen readers.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('_', "")
 }
@@ -51,8 +51,8 @@ pub(crate) fn plain(text: &str) -> String {
 /// Maximum number of characters of a formula that is never broken across lines.
 const UNBROKEN: usize = 30;
 
-/// Returns the text with spaces that break no line inside its formulas: around operators, between
-/// coordinates, and between factors. A formula too long for that is broken before an operator.
+/// Replaces the spaces inside formulas with no-break spaces: around operators, between coordinates,
+/// and between factors. A formula that is too long may still be broken before an operator.
 pub(crate) fn unbroken(text: &str) -> String {
     const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
@@ -64,20 +64,20 @@ pub(crate) fn unbroken(text: &str) -> String {
     let mut joined = String::new();
     let (mut length, mut before, mut is_in_tuple) = (0, "", false);
     for word in text.split_whitespace() {
-        let own = without_marks(word).chars().count();
+        let word_length = without_marks(word).chars().count();
         let operates = is_operator(word) || is_operator(before);
         let is_vector = begins_tuple(word) || word.starts_with("**");
         let are_letters = is_letter(before) && is_letter(word);
         let joins = operates || is_factor(before) && is_vector || are_letters;
-        let has_room = length + 1 + own <= UNBROKEN || !is_operator(word);
+        let has_room = length + 1 + word_length <= UNBROKEN || !is_operator(word);
         if is_in_tuple || joins && has_room && length > 0 {
             joined.push('\u{a0}');
-            length += 1 + own;
+            length += 1 + word_length;
         } else {
             if !joined.is_empty() {
                 joined.push(' ');
             }
-            length = own;
+            length = word_length;
         }
         joined.push_str(word);
         is_in_tuple = (is_in_tuple || begins_tuple(word)) && !word.contains(')');
@@ -90,8 +90,8 @@ fn without_marks(text: &str) -> String {
     text.replace(['*', '_'], "")
 }
 
-/// Returns true if a word begins a vector in coordinates: a parenthesis with a number or a letter, and
-/// a comma.
+/// Returns true if a word begins the coordinates of a vector: if it is a parenthesis, a number or a
+/// letter, and a comma.
 fn begins_tuple(word: &str) -> bool {
     let first = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(','));
     first.is_some_and(|first| {
@@ -100,7 +100,7 @@ fn begins_tuple(word: &str) -> bool {
     })
 }
 
-/// Returns a letter of the mathematical alphabets; a vector's coordinate is a scalar.
+/// Returns a mathematical letter: bold for vectors, but italic for their coordinates.
 fn letter(c: char, is_coordinate: bool) -> char {
     if VECTORS.contains(c) && !is_coordinate { letters::bold(c) } else { letters::italic(c) }
 }

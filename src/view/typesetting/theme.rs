@@ -40,11 +40,6 @@ impl Default for Look {
 }
 
 impl Look {
-    /// Returns the default look in a scheme.
-    pub(crate) fn in_scheme(scheme: Scheme) -> Look {
-        Look { scheme, ..Look::default() }
-    }
-
     /// Returns the look for the settings.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, digits, .. } = *settings;
@@ -66,7 +61,7 @@ pub(crate) fn style(ui: &Ui) -> Style {
     Style::new(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
-/// Returns a colour as pictures in this window show it: without hue in a grey style.
+/// Converts a colour to the style of this window: a grey style has no hues.
 pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
     let mut dots = [color];
     style(ui).finish(&mut dots);
@@ -78,7 +73,7 @@ pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
-/// Installs a look in a context, from its next pass on; does nothing if it is already installed.
+/// Installs a look in a context, from its next pass on, unless it is already installed.
 pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
@@ -102,8 +97,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     }
 }
 
-/// Returns the text styles. While presenting, no text is smaller than the size on which the zoom is
-/// based.
+/// Returns the text styles. While presenting, no text is smaller than the size that the zoom relies
+/// on.
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
@@ -138,8 +133,8 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     visuals
 }
 
-/// Returns the colours of the focus ring and of its casing; one of the two stands out from any
-/// background.
+/// Returns the colours of the focus ring and of its casing. At least one of the two contrasts with
+/// any background.
 fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     match (visuals.dark_mode, scheme) {
         (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
@@ -155,7 +150,7 @@ pub(crate) fn focus_ring(ui: &Ui) {
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
     let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
-    // A widget that is scrolled away has no ring; one at the window's edge has it inside.
+    // A widget that is scrolled away has no ring; at the edge of the window, the ring is inside.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
     if response.interact_rect.is_negative() || !visible.is_positive() {
         return;
@@ -170,8 +165,8 @@ const BRIGHT: f32 = 0.17;
 /// Number of corners of the spotlight's circle.
 const CORNERS: usize = 72;
 
-/// Dims everything except a circle around the pointer; with reduced motion, draws a large ring
-/// around it instead.
+/// Dims everything except a circle around the pointer. With reduced motion, draws a large ring around
+/// the pointer instead.
 pub(crate) fn spotlight(ctx: &Context) {
     let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return };
     let window = ctx.content_rect();
@@ -194,7 +189,7 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
     let mut mesh = Mesh::default();
     for corner in 0..=CORNERS {
         let direction = Vec2::angled(corner as f32 / CORNERS as f32 * std::f32::consts::TAU);
-        // A soft edge, then a dark area that extends beyond the window.
+        // The edge is soft, and the dark area extends beyond the window.
         mesh.colored_vertex(at + radius * direction, Color32::TRANSPARENT);
         mesh.colored_vertex(at + 1.06 * radius * direction, dim);
         mesh.colored_vertex(at + far * direction, dim);
@@ -212,7 +207,7 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
 /// Returns the colour of errors, legible on the theme's background.
 pub(crate) fn error_color(ui: &Ui) -> Color32 {
     if style(ui).scheme() == Scheme::Grey {
-        // Errors are also described in words.
+        // Without hues, only the words mark an error.
         ui.visuals().strong_text_color()
     } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
@@ -232,7 +227,7 @@ pub(crate) fn install_base(ctx: &Context) {
 /// Returns the program's base colours.
 fn base_visuals(theme: Theme) -> Visuals {
     let mut visuals = theme.default_visuals();
-    // egui's greys suit one reader near the screen, not the back row.
+    // egui's greys are legible near the screen, but not from the back row.
     let text = Color32::from_gray(if theme == Theme::Dark { 0xea } else { 0x10 });
     visuals.widgets.noninteractive.fg_stroke.color = text;
     visuals.widgets.inactive.fg_stroke.color = text;
@@ -240,16 +235,13 @@ fn base_visuals(theme: Theme) -> Visuals {
     visuals
 }
 
-/// Name of the bold family.
-const BOLD: &str = "bold";
-
 const SANS: &str = "Noto Sans";
 const SANS_BOLD: &str = "Noto Sans Bold";
 const MATH: &str = "Noto Sans Math";
 
 /// Returns the bold variant of the proportional family, for `FontId::new(size, theme::bold())`.
 pub fn bold() -> FontFamily {
-    FontFamily::Name(BOLD.into())
+    FontFamily::Name("bold".into())
 }
 
 /// Installs the bundled fonts in a context, from its next pass on.
@@ -257,8 +249,8 @@ pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
 
-/// Returns the bundled fonts: Noto Sans, Noto Sans Math for signs that it lacks, then egui's own
-/// fonts; for code Hack first, as in egui.
+/// Returns the bundled fonts: Noto Sans, Noto Sans Math for missing signs, then egui's own fonts. Code
+/// uses egui's font Hack first.
 pub fn font_definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let files: [(&str, &'static [u8]); 3] = [
