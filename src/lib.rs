@@ -59,10 +59,10 @@
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
-//! | a workspace of the window | `ui/workspaces/mod.rs` |
+//! | a workspace of the window | `ui/workspaces.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
-//! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |
+//! | a command, its key and its menu | `ui/commands_table/table.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name |
 //! | the built-in scenes and lessons | `exchange/scenes/builtin/`, `assets/lessons/` |

@@ -1,25 +1,29 @@
-//! Carrying out what was asked for: each action by the part that it is about.
+//! Applies the actions of a pass, each to the part of the window that it concerns; presenter mode and
+//! the window's colours and sizes among them.
 
 use std::path::Path;
 
-use egui::{Context, ViewportCommand};
+use egui::{Context, ThemePreference, ViewportCommand};
 use pinhole_exchange::scenes::SceneSource;
 
-use super::figures::Screen;
-use super::playback::Seen;
-use super::scene::Opened;
-use super::{App, answers, exchange, look};
 use crate::figures::derivation_of;
 use crate::model::files::title_of;
-use crate::model::session::ViewLayout;
+use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
+use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
-    LessonAction, PlayAction,
+    LessonAction, LookAction, PlayAction,
 };
-use crate::ui::dialogs::dialog::{Dialog, Message};
+use crate::ui::app::files::Screen;
+use crate::ui::app::playback::Seen;
+use crate::ui::app::scene::Opened;
+use crate::ui::app::{App, files};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
+use crate::ui::dialogs::{Dialog, Message};
 use crate::view::derive::Deriver;
+use crate::view::typesetting::theme::{self, Look};
 
 /// Names of the history's steps that put the camera where the ghost is, and that set it from the
 /// clipboard.
@@ -64,7 +68,7 @@ impl App {
             }
             Action::Figure(action) => return self.figure(ctx, action),
             Action::Exchange(action) => return self.exchange(ctx, action),
-            Action::Answers(action) => return answers::apply(&mut self.scene, action),
+            Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
             Action::Ghost(action) => self.ghost(ctx, action),
             Action::Give(given, value) => self.scene.give(ctx, given, value),
@@ -75,7 +79,7 @@ impl App {
             Action::Observe(observe) => self.scene.observe(observe, self.views.world_size()),
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(action) => look::apply(&mut self.scene.session, action),
+            Action::Look(action) => change_look(&mut self.scene.session, action),
             Action::Overlay(overlay) => self.over.apply(overlay),
         }
         None
@@ -307,8 +311,8 @@ impl App {
                 self.scene.session.translator.target = name;
                 self.scene.session.settings.layout = ViewLayout::Translator;
             }
-            ExchangeAction::AskSave => return exchange::ask_where_to_save(&self.scene),
-            ExchangeAction::Save(path) => return exchange::save(&self.scene, &path),
+            ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
+            ExchangeAction::Save(path) => return files::save_translation(&self.scene, &path),
         }
         None
     }
@@ -326,4 +330,102 @@ impl App {
         let seen = Seen { inspection, scene, aspect };
         self.playback.apply(ctx, action, &mut self.scene, &mut self.history, &seen);
     }
+}
+
+/// A step of the window's zoom.
+const ZOOM_STEP: f32 = 0.1;
+
+/// Changes how the scene is shown.
+fn change_look(session: &mut Session, action: LookAction) {
+    let settings = &mut session.settings;
+    match action {
+        LookAction::Layout(layout) => settings.layout = layout,
+        LookAction::Shade(shade) => settings.shade = shade,
+        LookAction::Theme(theme) => settings.theme = theme,
+        LookAction::Scheme(scheme) => settings.scheme = scheme,
+        LookAction::Method(method) => settings.method = method,
+        LookAction::Toggle(switch) => switch.toggle(session),
+        LookAction::DigitsBy(by) => {
+            let digits = settings.digits.saturating_add_signed(by as isize);
+            settings.digits = digits.clamp(DIGITS.0, DIGITS.1);
+        }
+        LookAction::ZoomBy(by) => zoom_by(session, by),
+        LookAction::Exercise(exercise) => {
+            session.exercises.show(exercise, None);
+            settings.layout = ViewLayout::Exercises;
+        }
+        LookAction::Mistake(chosen) => {
+            session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
+            settings.layout = ViewLayout::Mistakes;
+        }
+        LookAction::Vote => {
+            session.mistakes_view.wants_vote = true;
+            settings.layout = ViewLayout::Mistakes;
+        }
+        LookAction::Present => present_or_end(session),
+        LookAction::Fill(full) => {
+            let begun = Presenting::begin(session.spotlight);
+            let presenting = session.presenting.get_or_insert(begun);
+            presenting.fill(full, &mut settings.layout);
+        }
+    }
+}
+
+fn zoom_by(session: &mut Session, by: i32) {
+    let settings = &mut session.settings;
+    if session.presenting.is_some() {
+        let next = settings.smallest_text + by as f32 * SMALLEST_TEXT.step;
+        let next = if by == 0 { SMALLEST_TEXT.usual } else { next };
+        settings.smallest_text = next.clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
+    } else {
+        let next = ((settings.zoom / ZOOM_STEP).round() + by as f32) * ZOOM_STEP;
+        settings.zoom = if by == 0 { 1.0 } else { next.clamp(ZOOM.0, ZOOM.1) };
+    }
+}
+
+fn present_or_end(session: &mut Session) {
+    match session.presenting.take() {
+        None => {
+            session.presenting = Some(Presenting::begin(session.spotlight));
+            // What the open question is about is derived line by line.
+            let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
+            session.revealed_lines = (session.is_asking && derives).then_some(0);
+        }
+        Some(presenting) => {
+            session.settings.layout = presenting.before(session.settings.layout);
+            session.spotlight = presenting.spotlight_before();
+            session.pen = None;
+            session.revealed_lines = None;
+        }
+    }
+}
+
+/// Gives the window the colours and sizes that are set.
+pub(super) fn follow_look(ctx: &Context, session: &Session) {
+    let settings = &session.settings;
+    ctx.set_theme(match settings.theme {
+        ThemeName::System => ThemePreference::System,
+        ThemeName::Dark => ThemePreference::Dark,
+        ThemeName::Light => ThemePreference::Light,
+    });
+    let presenting = session.presenting.is_some();
+    theme::install(ctx, Look::new(settings, presenting));
+    let zoom = if presenting {
+        presenting::zoom(window_size(ctx), settings.smallest_text)
+    } else {
+        settings.zoom
+    };
+    // Reckoned from points, which are rounded, it would never rest.
+    if (ctx.zoom_factor() / zoom - 1.0).abs() > 0.004 {
+        ctx.set_zoom_factor(zoom);
+        ctx.request_repaint();
+    }
+}
+
+/// The window's size in points without zoom.
+fn window_size(ctx: &Context) -> [f32; 2] {
+    let size = ctx.content_rect().size() * ctx.zoom_factor();
+    // A window that is only in memory does not know its size in pixels: its points do not change.
+    let is_real = ctx.input(|input| input.viewport().inner_rect.is_some());
+    if is_real { size.into() } else { [0.0; 2] }
 }

@@ -1,28 +1,38 @@
-//! The order of a frame, and nowhere else: inputs, apply, derive, outputs.
+//! The order of a frame: inputs, actions, derivation, outputs.
 //!
-//! Panels are drawn from the top while they are edited. At the end of the pass document and session are
-//! compared with what was drawn: where something on the screen is older than the rest, egui is asked to
-//! run the pass again before anything is presented.
+//! Panels edit the document while they are drawn, from the top. At the end of the pass the document and the
+//! session are compared with those that the panels began to draw. If anything on the screen is out of date,
+//! egui runs the pass again before it presents anything. If a pass panics, the next one shows a page in its
+//! place: the scene is kept, and the user chooses how to go on.
 
-use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, UiBuilder};
+use egui::{
+    CentralPanel, Context, Key, Modifiers, Panel, Popup, RichText, ScrollArea, Ui, UiBuilder,
+};
+use pinhole_core::Camera;
+use pinhole_exchange::document::Document;
 
-use super::scene::OpenScene;
-use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
+use crate::model::panics::caught;
 use crate::model::readings::NumberStyle;
-use crate::model::session::{ViewLayout, Workspace};
-use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction, Switch};
+use crate::model::session::{Session, ViewLayout, Workspace};
+use crate::ui::action::{
+    Action, Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch,
+};
+use crate::ui::app::scene::OpenScene;
+use crate::ui::app::{App, apply, files};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, selection, top_bar};
 use crate::ui::practice::mistakes::vote;
 use crate::ui::scene::dragging::Edited;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{pen, readouts, views};
-use crate::ui::workspaces::{Desk, Page, page, second_picture};
+use crate::ui::second_picture;
+use crate::ui::workspaces::{Desk, Page, page};
+use crate::view::derive::Deriver;
 
 impl App {
     /// One frame.
-    pub(super) fn frame(&mut self, ui: &mut Ui) {
+    fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = std::mem::take(&mut self.waiting);
         let OpenScene { open, session, chosen_object, .. } = &mut self.scene;
@@ -77,10 +87,10 @@ impl App {
         // Not under a dialog: its answer would then be about another scene.
         if !self.over.covers() {
             self.keys(ctx, actions);
-            let pasted = exchange::pasted_text(ctx);
+            let pasted = files::pasted_text(ctx);
             actions.extend(pasted.map(|text| ExchangeAction::Paste(text).into()));
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
-            actions.extend(dropped.map(answers::dropped));
+            actions.extend(dropped.map(files::dropped));
         }
         if self.window.is_to_close(ctx) {
             self.playback.give_back(&mut self.scene);
@@ -160,7 +170,7 @@ impl App {
         let there = self.available();
         let scene = &mut self.scene;
         self.over.ui(ui.ctx(), scene, &self.window.recent, there, actions);
-        look::follow(ui.ctx(), &scene.session);
+        apply::follow_look(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
         if !presenting {
             let steps = [self.history.steps.undo_name(), self.history.steps.redo_name()];
@@ -315,7 +325,7 @@ impl App {
                 (page.asked)(ui, &desk);
             }
         });
-        exchange::notice(ui.ctx(), &mut self.scene);
+        files::notice(ui.ctx(), &mut self.scene);
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is
@@ -324,5 +334,116 @@ impl App {
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
             self.history.settle(ctx, &self.scene.open.document);
         }
+    }
+}
+
+/// The document and the session as the panels of a pass began to draw them.
+struct Drawn {
+    document: Document,
+    session: Session,
+    marks: [bool; 2],
+}
+
+impl OpenScene {
+    /// Returns what the panels are about to draw.
+    fn drawn(&self) -> Drawn {
+        Drawn {
+            document: self.open.document.clone(),
+            session: self.session.clone(),
+            marks: self.marks(),
+        }
+    }
+
+    /// Returns true if something that was `drawn` has changed since in a way that is seen above the
+    /// views: the pass runs again before anything is presented.
+    fn is_newer_than(&self, drawn: Drawn) -> bool {
+        let (before, now) = (&drawn.document, &self.open.document);
+        // The views take these in before they are derived, and nothing else shows them.
+        let session = Session {
+            observer: self.session.observer,
+            pointed_ray: self.session.pointed_ray,
+            hovered: self.session.hovered,
+            alt_dims: self.session.alt_dims,
+            handles: self.session.handles.clone(),
+            pen: self.session.pen.clone(),
+            ..drawn.session
+        };
+        !is_same_but_for_pose(&before.camera, &now.camera)
+            || before.spheres != now.spheres
+            || before.planes != now.planes
+            || drawn.marks != self.marks()
+            || session != self.session
+    }
+}
+
+/// Returns true if the cameras differ in eye and orientation alone, which only their own fields and the
+/// views show.
+fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
+    let moved = Camera { eye: now.eye, orientation: now.orientation, ..*before };
+    let is_same_kind = before.orientation.kind() == now.orientation.kind();
+    let can_see = || before.resolve().is_ok() && now.resolve().is_ok();
+    before == now || (moved == *now && is_same_kind && can_see())
+}
+
+impl App {
+    /// One frame, or the page about the fault of the last one.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let shown = match self.failure.take() {
+            Some(failure) => caught(|| self.failure_page(ui, failure)),
+            None => caught(|| self.frame(ui)),
+        };
+        if let Err(failure) = shown {
+            self.failure = Some(failure);
+            // Whatever was half done is done anew.
+            self.waiting.clear();
+            self.over.dialog = None;
+            self.views.deriver = Deriver::default();
+            // The pass did not come as far as to note the edit that it met its fault by.
+            self.recovery.write_changes(&self.scene.open);
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn failure_page(&mut self, ui: &mut Ui, failure: String) {
+        let ctx = ui.ctx().clone();
+        if self.window.is_to_close(&ctx) {
+            // The changes are offered at the next start.
+            self.window.let_close(&ctx, true);
+        }
+        // What was changed last may have no name yet.
+        self.history.settle(&ctx, &self.scene.open.document);
+        let mut stays = true;
+        CentralPanel::default().show(ui, |ui| {
+            ui.heading("Pinhole met a fault of its own");
+            ui.label("The scene is kept, and unsaved changes are written aside.");
+            ui.add_space(8.0);
+            ui.label(RichText::new(&failure).monospace());
+            ui.add_space(8.0);
+            ui.horizontal(|ui| {
+                stays &= !ui.button("Go on").clicked();
+                let can_undo = self.history.steps.undo_name().is_some();
+                let undo = ui.add_enabled(can_undo, egui::Button::new("Undo and go on"));
+                if undo.on_hover_text("Goes on without the last change").clicked() {
+                    self.history.apply(&ctx, HistoryAction::Undo, &mut self.scene);
+                    stays = false;
+                }
+                if ui.button("Copy a report").clicked() {
+                    ctx.copy_text(self.report_of(&failure));
+                }
+            });
+        });
+        if stays {
+            self.failure = Some(failure);
+        } else {
+            ctx.request_repaint();
+        }
+    }
+
+    /// The text for those who mend the program.
+    fn report_of(&self, failure: &str) -> String {
+        let (version, system) = (env!("CARGO_PKG_VERSION"), std::env::consts::OS);
+        let scene = pinhole_exchange::scene_file::to_text(self.document(), None);
+        let renderer = &self.window.renderer;
+        format!("Pinhole {version} on {system}, drawn by {renderer}\n{failure}\n\n{scene}")
     }
 }

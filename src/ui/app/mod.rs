@@ -1,22 +1,16 @@
 //! The window's program: small parts, each with its own state, and the order in which they take their
 //! turns in a frame (`frame`).
 
-mod answers;
 mod apply;
-mod drawn;
-mod exchange;
-mod failure;
-mod figures;
+mod files;
 mod frame;
 mod history;
 mod lessons;
-mod look;
 mod over;
 mod playback;
 mod recovery;
 mod scene;
 mod views;
-mod watch;
 mod window;
 
 use std::path::Path;
@@ -32,15 +26,15 @@ use self::playback::Playback;
 use self::recovery::Recovery;
 use self::scene::OpenScene;
 use self::views::Views;
-use self::watch::Watch;
 use self::window::AppWindow;
+use self::window::Watch;
 use crate::model::files::OpenDocument;
 use crate::model::lessons::{Lesson, OpenLesson, StepId};
 use crate::model::play::Player;
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::store::{Remembered, Store};
 use crate::ui::action::{Action, FileAction};
-use crate::ui::dialogs::dialog::Dialog;
+use crate::ui::dialogs::Dialog;
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 use crate::ui::frame_times::{FrameWork, WorkTimes};
 use crate::ui::scene::dragging::Dragging;

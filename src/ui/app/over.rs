@@ -8,10 +8,10 @@ use super::scene::OpenScene;
 use crate::model::lessons::Which;
 use crate::ui::action::{Action, Available, Leave, ObjectAction, Overlay};
 use crate::ui::commands_table::{self, Group, UiCommand};
-use crate::ui::dialogs::dialog::{self, Dialog};
+use crate::ui::dialogs::help;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::ui::dialogs::path_field::FileAnswer;
-use crate::ui::dialogs::{help, key_list};
+use crate::ui::dialogs::{self, Dialog};
 use crate::view::typesetting::theme;
 
 /// Maximum number of objects that the palette lists.
@@ -46,7 +46,7 @@ impl Over {
     /// Takes the answer of the desktop's dialog. One that does not work is not tried again.
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
-        dialog::answer(&mut self.dialog, answer);
+        dialogs::answer(&mut self.dialog, answer);
     }
 
     /// Opens the box.
@@ -68,9 +68,9 @@ impl Over {
         there: Available,
         actions: &mut Vec<Action>,
     ) {
-        dialog::ui(ctx, &mut self.dialog, actions);
+        dialogs::ui(ctx, &mut self.dialog, actions);
         if self.shows_keys {
-            self.shows_keys = key_list::ui(ctx);
+            self.shows_keys = help::ui(ctx);
         }
         if let Some(palette) = &mut self.palette {
             let extra = commands_of_what_is_open(scene, recent);

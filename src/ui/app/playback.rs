@@ -14,7 +14,7 @@ use crate::model::observer::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
 use crate::model::session::Session;
 use crate::ui::action::{Action, PlayAction, PlayEnd};
-use crate::ui::dialogs::dialog::Dialog;
+use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
 
 /// The animation that is open, and the one that is being written.

@@ -13,7 +13,7 @@ use super::window::complain;
 use crate::model::files::OpenDocument;
 use crate::model::recovery::{Found, Slot, Unsaved, in_words};
 use crate::model::store::Store;
-use crate::ui::dialogs::dialog::Dialog;
+use crate::ui::dialogs::Dialog;
 
 /// Time after the last edit, and during a long drag, after which changes are written, in seconds.
 const REST: f64 = 1.0;

@@ -20,7 +20,7 @@ use crate::model::session::ghost::Ghost;
 use crate::model::session::handles::HandleState;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
-use crate::ui::dialogs::dialog::{Dialog, Message};
+use crate::ui::dialogs::{Dialog, Message};
 use crate::ui::panels::{camera, objects};
 
 /// All that going back to a scene brings back.

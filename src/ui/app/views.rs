@@ -16,7 +16,7 @@ use crate::ui::scene::dragging::Dragging;
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
-use crate::ui::view_texture::ViewTexture;
+use crate::ui::widgets::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 

@@ -1,15 +1,16 @@
-//! The window itself: its title and place, closing it, and what the next run is to remember.
+//! The window itself: its title and place, closing it, the watch over the scene's files, and the settings for
+//! the next run.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use egui::{Context, ViewportCommand};
 
-use super::scene::OpenScene;
-use crate::model::files::{argument_of, is_text, remember, title_of};
+use crate::model::files::{Stamps, argument_of, is_text, remember, title_of};
 use crate::model::session::Settings;
 use crate::model::store::{Remembered, Store};
 use crate::model::window_geometry::WindowGeometry;
+use crate::ui::app::scene::OpenScene;
 
 /// The window's own state.
 pub(super) struct AppWindow {
@@ -130,4 +131,27 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
 /// Writes a message to standard error. Failure is ignored: where it is closed, there is nobody to tell.
 pub(crate) fn complain(text: &str) {
     let _ = writeln!(std::io::stderr(), "pinhole: {text}");
+}
+
+/// The stamps that were seen.
+#[derive(Default)]
+pub(super) struct Watch {
+    /// The files at the last look, if one was changed.
+    seen: Option<Stamps>,
+    /// The files that were told about.
+    told: Option<Stamps>,
+}
+
+impl Watch {
+    /// Takes the stamps of files of which one was changed. Returns true if that is to be told: not before it
+    /// rests from one look to the next, for it may still be written to; and only once.
+    pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {
+        let rests = touched.is_some() && touched == self.seen;
+        self.seen = touched;
+        let is_news = rests && may_tell && touched != self.told;
+        if is_news {
+            self.told = touched;
+        }
+        is_news
+    }
 }

@@ -18,7 +18,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::given::Givens;
 use crate::model::session::Session;
 use crate::ui::action::Action;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
 use crate::view::typesetting::derivation::Inks;
 use crate::view::typesetting::derivation::{

@@ -9,7 +9,7 @@ use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
 

@@ -1,6 +1,121 @@
-//! What the Help menu tells: the conventions, and what the program is.
+//! The Help menu's contents: the list of all keys, the lecture's conventions, and the text about the program.
 
-use super::dialog::Dialog;
+use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui, vec2};
+
+use crate::model::session::presenting::WRITTEN;
+use crate::ui::commands_table::{Group, sheet};
+use crate::ui::dialogs::Dialog;
+
+/// Minimum and maximum size of the text, in points; it is as large as the window has room for.
+const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
+/// Width of a column and height of a row, in sizes of the text.
+const COLUMN: f32 = 21.0;
+const ROW: f32 = 1.64;
+/// Share of a column's width that the keys get beside their names.
+const KEYS: f32 = 0.44;
+/// Margin between the list and the window, and height of the part above the columns.
+const EDGE: f32 = 16.0;
+const HEAD: f32 = 46.0;
+
+/// A group's heading with its keys and names.
+type Entries = (Group, Vec<(String, String)>);
+
+/// Shows the list. Returns true if it stays open.
+pub(crate) fn ui(ctx: &Context) -> bool {
+    let keys = [Key::Questionmark, Key::F1];
+    let again = keys.iter().any(|key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, *key)));
+    let mut is_open = !again;
+    let response = Modal::new(Id::unique("keys")).show(ctx, |ui| {
+        let size = ctx.content_rect().size() - vec2(2.0 * EDGE + 12.0, 2.0 * EDGE + 12.0);
+        ui.set_min_size(size);
+        ui.set_max_size(size);
+        let groups = sheet();
+        let room = vec2(size.x, size.y - HEAD);
+        let (columns, text) = fitting(&groups, room);
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Keys").size(text + 6.0).strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let button = ui.button(RichText::new("Close (Escape)").size(text));
+                is_open &= !button.clicked();
+            });
+        });
+        ui.separator();
+        ScrollArea::vertical().max_height(room.y).auto_shrink(false).show(ui, |ui| {
+            scroll(ui, room.y);
+            ui.columns(columns, |columns| {
+                for (k, entries) in groups.iter().enumerate() {
+                    let column = column_of(&groups, k, columns.len());
+                    group(&mut columns[column], entries, text);
+                }
+            });
+        });
+    });
+    is_open && !response.should_close()
+}
+
+/// Scrolls by arrow and page keys if not everything fits.
+fn scroll(ui: &mut Ui, page: f32) {
+    let keys = [
+        (Key::ArrowDown, -40.0),
+        (Key::ArrowUp, 40.0),
+        (Key::PageDown, -0.8 * page),
+        (Key::PageUp, 0.8 * page),
+    ];
+    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+    let by: f32 = keys.into_iter().map(|(key, by)| by * presses(key)).sum();
+    if by != 0.0 {
+        ui.scroll_with_delta(vec2(0.0, by));
+    }
+}
+
+/// Returns the height in rows; a heading takes about two.
+fn height(groups: &[Entries]) -> usize {
+    groups.iter().map(|(_, rows)| rows.len() + 2).sum()
+}
+
+/// Returns the column of a group: the one that its middle would be in if all columns were one.
+fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
+    let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
+    (columns * middle / height(groups).max(1)).min(columns - 1)
+}
+
+/// Returns the number of columns and the largest text size at which all groups fit; the smallest
+/// size if none fits.
+fn fitting(groups: &[Entries], room: egui::Vec2) -> (usize, f32) {
+    let columns = |text: f32| ((room.x / (COLUMN * text)) as usize).clamp(1, 4);
+    let fits = |text: f32| {
+        let columns = columns(text);
+        let mut rows = vec![0; columns];
+        for k in 0..groups.len() {
+            rows[column_of(groups, k, columns)] += height(&groups[k..=k]);
+        }
+        rows.into_iter().max().unwrap_or(0) as f32 * ROW * text <= room.y
+    };
+    let steps = (2.0 * (TEXT.1 - TEXT.0)) as usize;
+    let sizes = (0..=steps).map(|step| TEXT.1 - 0.5 * step as f32);
+    let text = sizes.into_iter().find(|text| fits(*text)).unwrap_or(TEXT.0);
+    (columns(text), text)
+}
+
+fn group(ui: &mut Ui, (group, entries): &Entries, text: f32) {
+    ui.add_space(0.5 * text);
+    ui.label(RichText::new(group.label()).size(text + 1.0).strong().underline());
+    ui.spacing_mut().item_spacing.y = 0.2 * text;
+    let width = ui.available_width();
+    for (keys, name) in entries {
+        ui.horizontal_top(|ui| {
+            let mut cell = |share: f32, words: RichText| {
+                let size = vec2(share * (width - 12.0), 0.0);
+                ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
+                    ui.set_width(size.x);
+                    ui.add(egui::Label::new(words).wrap());
+                });
+            };
+            cell(KEYS, RichText::new(keys).size(text).strong());
+            cell(1.0 - KEYS, RichText::new(name).size(text));
+        });
+    }
+}
 
 /// The conventions of the lecture as the program keeps them.
 const CONVENTIONS: &str = "\

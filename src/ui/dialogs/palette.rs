@@ -8,7 +8,7 @@ use egui::{
 use crate::model::session::Session;
 use crate::ui::action::{Action, LookAction};
 use crate::ui::commands_table::{UiCommand, found};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;

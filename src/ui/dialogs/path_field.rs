@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// A question for a file to read or to write.

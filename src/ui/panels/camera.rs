@@ -10,7 +10,7 @@ use super::{section, teaching};
 use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, meaning};
-use crate::ui::widgets::fault::fault_text;
+use crate::ui::widgets::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,

@@ -8,9 +8,9 @@ use egui::{Align, Button, Color32, FontId, Label, Layout, RichText, ScrollArea, 
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
-use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::marked_text;
-use crate::ui::widgets::spoken::Spoken as _;
 
 /// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 18.0;

@@ -4,8 +4,8 @@ use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{Action, FigureAction, PlayAction};
-use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.

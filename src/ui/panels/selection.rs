@@ -3,8 +3,8 @@
 use egui::{Grid, Ui};
 use pinhole_core::{Pixel, ResolvedCamera, Selection};
 
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the selection of a valid camera.
 pub(crate) fn ui(

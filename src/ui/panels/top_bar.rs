@@ -20,8 +20,8 @@ use crate::ui::action::{
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
-use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::derivation::Markup;
 
 /// Shows the bar, and writes the user's choices to `actions` and `settings`. `steps` are the names of

@@ -14,8 +14,8 @@ use crate::model::session::Session;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::sign::sign;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 

@@ -7,7 +7,7 @@ pub mod mistakes;
 use egui::{DragValue, Ui};
 
 use crate::model::practice::LARGEST_SEED;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 
 /// Shows the field of a seed, which is taken over once it is typed in full.
 fn seed_field(ui: &mut Ui, seed: &mut u64, name: &str, hint: &str) {

@@ -12,9 +12,9 @@ use crate::model::inspection::Inspection;
 use crate::model::readings::NumberStyle;
 use crate::model::session::ghost::Ghost;
 use crate::ui::action::{Action, GhostAction};
-use crate::ui::widgets::asking::Asking as _;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::{AgainstGhost, Derived};
 
 /// Size of the text, in points.

@@ -18,8 +18,8 @@ use crate::model::concept::{HoverSource, Hovered};
 use crate::model::interaction::{HANDLE_REACH, PAUSE};
 use crate::model::session::Session;
 use crate::model::session::handles::{Corner, Grabbed, Handle, HandleValues};
-use crate::ui::widgets::fault::fault_text;
-use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
+use crate::ui::widgets::fault_text;
+use crate::ui::widgets::{Spoken as _, keep_arrows};
 use crate::view::derive::Derived;
 use crate::view::handles::{PlacedHandle, label, value};
 

@@ -4,7 +4,7 @@ use egui::epaint::PathStroke;
 use egui::{Area, Color32, CursorIcon, Order, Pos2, Rect, Sense, Ui, Vec2, vec2};
 
 use crate::model::session::pen::Pen;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 
 /// Name of the area that is drawn on, for screen readers.
 pub(crate) const NAME: &str = "Pen";

@@ -17,8 +17,8 @@ use pinhole_exchange::programs::FORMATS;
 use crate::model::letters::typeset_message;
 use crate::model::translator::{MOST_OBJECTS, Notice, Row, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
-use crate::ui::widgets::asking::Asking as _;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.

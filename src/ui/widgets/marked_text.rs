@@ -4,8 +4,8 @@
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
+use super::Spoken as _;
 use super::number::vector_color;
-use super::spoken::Spoken as _;
 use crate::model::letters;
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::theme;

@@ -1,9 +1,153 @@
-//! Widgets that several panels share: number fields, marked text, signs, and reasons; their names for
-//! screen readers, and the actions that they ask for.
+//! Widgets that several panels share: number fields, marked text, buttons for actions, signs for right and
+//! wrong, error messages, and the textures of the views; with their names for screen readers.
 
-pub mod asking;
-pub mod fault;
+use std::fmt::Display;
+use std::sync::Arc;
+
+use egui::accesskit::Role;
+use egui::{
+    Align, Color32, ColorImage, Context, EventFilter, Layout, Painter, Rect, Response, RichText,
+    Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, vec2,
+};
+
+use crate::model::letters::typeset_message;
+use crate::ui::action::Action;
+use crate::view::typesetting::theme::error_color;
+
 pub mod marked_text;
 pub mod number;
-pub mod sign;
-pub mod spoken;
+
+/// Accessible name, value, description and role of a widget.
+pub(crate) trait Spoken: Sized {
+    /// Sets the name.
+    fn named(self, name: impl Into<String>) -> Self;
+
+    /// Sets the value: of a text, what is read in its place.
+    fn spoken(self, value: impl Into<String>) -> Self;
+
+    /// Sets the description: what a picture shows, or where a handle is. Of those, screen readers get no
+    /// value but a number (AT-SPI).
+    fn described(self, text: impl Into<String>) -> Self;
+
+    /// Sets the kind of widget.
+    fn with_role(self, role: Role) -> Self;
+}
+
+impl Spoken for Response {
+    fn named(self, name: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_label(name.into()));
+        self
+    }
+
+    fn spoken(self, value: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_value(value.into()));
+        self
+    }
+
+    fn described(self, text: impl Into<String>) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_description(text.into()));
+        self
+    }
+
+    fn with_role(self, role: Role) -> Self {
+        self.ctx.accesskit_node_builder(self.id, |node| node.set_role(role));
+        self
+    }
+}
+
+/// Keeps arrow keys from moving the focus away from a widget.
+pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool) {
+    let arrows = EventFilter {
+        horizontal_arrows: horizontal,
+        vertical_arrows: vertical,
+        ..EventFilter::default()
+    };
+    response.ctx.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+}
+
+/// A widget that asks for an action.
+pub(crate) trait Asking {
+    /// Adds the action if the widget was clicked.
+    fn asks(self, action: impl Into<Action>, actions: &mut Vec<Action>);
+}
+
+impl Asking for Response {
+    fn asks(self, action: impl Into<Action>, actions: &mut Vec<Action>) {
+        actions.extend(self.clicked().then(|| action.into()));
+    }
+}
+
+/// Returns a message in the colour of errors.
+pub(crate) fn fault_text(ui: &Ui, message: impl Display) -> RichText {
+    RichText::new(typeset_message(message)).color(error_color(ui))
+}
+
+/// Shows, in place of a picture, the reason why there is none.
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
+    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
+    let inside = rect.shrink(16.0);
+    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
+        ui.set_clip_rect(rect);
+        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
+        ui.label(RichText::new(reason).size(17.0).strong());
+    });
+}
+
+/// Shows a tick or a cross, as high as the text beside it.
+pub(crate) fn sign(ui: &mut Ui, is_right: bool) -> Response {
+    let side = 14.0;
+    let line = ui.text_style_height(&egui::TextStyle::Body).max(20.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(side, line), Sense::hover());
+    let rect = Rect::from_center_size(rect.center(), vec2(side, side));
+    if is_right {
+        tick(ui.painter(), rect, ui.visuals().text_color());
+    } else {
+        cross(ui.painter(), rect, error_color(ui));
+    }
+    response
+}
+
+/// Draws a tick.
+pub(crate) fn tick(painter: &Painter, rect: Rect, color: Color32) {
+    draw(painter, rect, color, [[(0.1, 0.55), (0.4, 0.85)], [(0.4, 0.85), (0.9, 0.15)]]);
+}
+
+/// Draws a cross.
+pub(crate) fn cross(painter: &Painter, rect: Rect, color: Color32) {
+    draw(painter, rect, color, [[(0.15, 0.15), (0.85, 0.85)], [(0.85, 0.15), (0.15, 0.85)]]);
+}
+
+fn draw(painter: &Painter, rect: Rect, color: Color32, lines: [[(f32, f32); 2]; 2]) {
+    let stroke = Stroke::new(0.16 * rect.width(), color);
+    for line in lines {
+        painter.line_segment(line.map(|(x, y)| rect.lerp_inside(vec2(x, y))), stroke);
+    }
+}
+
+/// The texture of one view, uploaded only when its image changes.
+#[derive(Default)]
+pub(crate) struct ViewTexture {
+    texture: Option<TextureHandle>,
+    uploaded: Option<Arc<ColorImage>>,
+}
+
+impl ViewTexture {
+    /// Returns the texture that holds `image`.
+    pub(crate) fn upload(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
+        // Nearest: one texel is one physical pixel, and a picture's pixels keep sharp edges.
+        let options = TextureOptions::NEAREST;
+        if self.uploaded.as_ref().is_none_or(|uploaded| !Arc::ptr_eq(uploaded, image)) {
+            self.uploaded = Some(Arc::clone(image));
+            match &mut self.texture {
+                // A partial update of the same size avoids a reallocation.
+                Some(texture) if texture.size() == image.size => {
+                    texture.set_partial([0, 0], Arc::clone(image), options);
+                }
+                Some(texture) => texture.set(Arc::clone(image), options),
+                None => self.texture = Some(ctx.load_texture("view", Arc::clone(image), options)),
+            }
+        }
+        self.texture.as_ref().map(TextureHandle::id).unwrap_or_default()
+    }
+}

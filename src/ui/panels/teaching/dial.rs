@@ -9,7 +9,7 @@ use pinhole_lecture::numbers::written;
 
 use super::reason;
 use crate::model::letters::typeset_message;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Number of decades of the scale, which ends at 10^6.

@@ -7,8 +7,8 @@ use egui::{CollapsingHeader, Context, Id, Label, RichText, Slider, Ui};
 use pinhole_core::{Camera, Orientation};
 
 use crate::model::session::Settings;
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Shows the teaching part, folded unless the settings say otherwise.

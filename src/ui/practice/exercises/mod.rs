@@ -15,10 +15,10 @@ use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
 use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::Session;
 use crate::ui::action::Action;
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::sign::sign;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::sign;
 use crate::view::typesetting::theme::{self, error_color};
 
 /// Sizes of the text, in points. While presenting everything is enlarged: the largest at which all

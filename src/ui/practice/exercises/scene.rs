@@ -19,7 +19,7 @@ use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::view_texture::ViewTexture;
+use crate::ui::widgets::ViewTexture;
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme;

@@ -5,8 +5,8 @@ use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::{TEXT, cell, text_width};
 use crate::model::readings::NumberStyle;
-use crate::ui::widgets::sign::sign;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::sign;
 use crate::view::typesetting::theme::error_color;
 
 /// Widths of the verdict and of the formula, in points.

@@ -16,9 +16,9 @@ use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::readings::NumberStyle;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
+use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::sign::sign;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 

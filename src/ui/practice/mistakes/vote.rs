@@ -13,8 +13,8 @@ use crate::model::practice::mistakes_view::{MistakesView, OpenVote};
 use crate::model::practice::next_seed;
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::practice::seed_field;
-use crate::ui::widgets::sign::{cross, tick};
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::{cross, tick};
 use crate::view::typesetting::theme::error_color;
 
 /// The letters of the options.

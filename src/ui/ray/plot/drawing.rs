@@ -5,7 +5,7 @@ use egui::{Align2, Color32, Key, Painter, Pos2, Rect, Sense, Stroke, Ui, Vec2, p
 use pinhole_lecture::numbers::written as number;
 
 use crate::model::session::Heights;
-use crate::ui::widgets::spoken::{Spoken as _, keep_arrows};
+use crate::ui::widgets::{Spoken as _, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};

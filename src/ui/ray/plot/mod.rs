@@ -11,9 +11,9 @@ use pinhole_lecture::numbers::written as number;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::inspection::Inspection;
-use crate::ui::widgets::fault::fault_text;
+use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::fault_text;
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::Derived;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::{notation, theme};

@@ -11,7 +11,7 @@ use crate::report::model::{Case, MethodRow};
 use crate::report::plot::marker::{lightened, marker_of};
 use crate::report::plot::panels;
 use crate::report::summary::Summary;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::typesetting::theme::{self, error_color};
 use pinhole_lecture::numbers::short;
 

@@ -15,7 +15,7 @@ use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
-use crate::ui::widgets::spoken::Spoken as _;
+use crate::ui::widgets::Spoken as _;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived};
 use crate::view::typesetting::theme;

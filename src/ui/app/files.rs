@@ -1,0 +1,258 @@
+//! Reads and writes files other than scenes: the translator's text, a student's answers, and figures
+//! of the views on the screen.
+
+use std::fs::{self, File};
+use std::io::{ErrorKind, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::{ColorImage, Context, Event};
+use pinhole_exchange::format::{ExportScene, Exported};
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{answers, atomic, limits};
+
+use crate::figures::{Content, Figure, MARGIN, Order, Subject, derivation_of};
+use crate::model::play::Kind;
+use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
+use crate::model::session::{Session, ViewLayout};
+use crate::model::translator::with;
+use crate::ui::action::{Action, AnswersAction, Leave};
+use crate::ui::app::scene::OpenScene;
+use crate::ui::derivation::DerivationPanel;
+use crate::ui::dialogs::export::{ExportForm, OnScreen};
+use crate::ui::dialogs::path_field::{FileQuestion, PathField};
+use crate::ui::dialogs::{Dialog, Message};
+use crate::ui::ray::lines;
+use crate::ui::tools::translator;
+use crate::ui::workspaces::page;
+use crate::view::derive::Derived;
+use crate::view::overlay::Style;
+
+/// A text that was pasted while nothing is typed into.
+pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
+    if ctx.text_edit_focused() {
+        return None;
+    }
+    ctx.input(|input| {
+        input.events.iter().find_map(|event| match event {
+            Event::Paste(text) => Some(text.clone()),
+            _ => None,
+        })
+    })
+}
+
+/// Tells what was done last that nobody sees else; of a camera, until it is another one.
+pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) {
+    let notice = &mut scene.session.translator.notice;
+    let camera = notice.as_ref().and_then(|said| said.camera);
+    if camera.is_some_and(|camera| camera != scene.open.document.camera) {
+        *notice = None;
+    }
+    translator::notice(ctx, notice);
+}
+
+fn translated(scene: &OpenScene) -> Option<Exported> {
+    let translator = &scene.session.translator;
+    let with = with(&scene.open.document, translator.objects);
+    let subject = ExportScene::new(&scene.open.document, with).ok()?;
+    translator.chosen().write(&subject).ok()
+}
+
+/// Asks where to write the translator's text.
+pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog> {
+    translated(scene)?;
+    let format = scene.session.translator.chosen();
+    let question = FileQuestion {
+        title: "Save the camera for another program",
+        verb: "Save",
+        endings: &[],
+        hint: "path of the file",
+        writes: Some(format.ending()),
+    };
+    Some(Dialog::Translate(PathField::new(question, scene.open.file(), format.file)))
+}
+
+/// Writes the translator's text; what there is to tell if that fails.
+pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog> {
+    let text = translated(scene)?.text.text;
+    let write = |()| {
+        let written = atomic::write(path, |file| file.write_all(text.as_bytes()));
+        written.map_err(|error| error.to_string())
+    };
+    let saved = scene.open.check_output(path).and_then(write);
+    saved.err().map(|error| Dialog::message("The camera was not saved", error))
+}
+
+/// Maximum size of a file that is graded in the window: two million answers, which take some seconds.
+const MOST_BYTES: u64 = 100_000_000;
+
+const ANSWERS: FileQuestion = FileQuestion {
+    title: "Check a student's answers",
+    verb: "Check",
+    endings: &["csv", "png"],
+    hint: "path of a .csv or .png file of answers",
+    writes: None,
+};
+
+/// Returns the action for a file that is dropped on the window: its first bytes tell.
+pub(super) fn dropped(path: PathBuf) -> Action {
+    const FIRST: u64 = 1 << 16;
+    let mut bytes = Vec::new();
+    // A pipe may never be written to.
+    let file =
+        || if path.is_file() { File::open(&path) } else { Err(ErrorKind::InvalidInput.into()) };
+    let read = file().and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
+    match read {
+        Ok(_) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
+        _ => Leave::Open(SceneSource::File(path)).into(),
+    }
+}
+
+/// Applies the action; returns a dialog if the user must answer or be told.
+pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
+    let session = &mut scene.session;
+    match action {
+        AnswersAction::Ask => {
+            // Near the last one, or the scene.
+            let last = session.answers.as_ref().map(|answers| &*answers.file.path);
+            return Some(Dialog::Answers(PathField::new(ANSWERS, last.or(scene.open.file()), "")));
+        }
+        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),
+        AnswersAction::PutAway => {
+            session.answers = None;
+            if session.settings.layout == ViewLayout::Answers {
+                session.settings.layout = ViewLayout::Both;
+            }
+        }
+    }
+    None
+}
+
+/// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
+/// the file.
+fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
+    let size = fs::metadata(path).map_or(0, |file| file.len());
+    if size > MOST_BYTES {
+        let problem = format!(
+            "{} has {} MB, and the window would stop responding: grade it with pinhole check",
+            path.display(),
+            size / 1_000_000
+        );
+        return Err(Message::new("Too many answers", problem));
+    }
+    let bytes = limits::read(path, limits::TABLE)
+        .map_err(|error| Message::new("These answers cannot be read", error))?;
+    let known = session.answers.as_ref().filter(|known| known.file.path == path);
+    let count_from = known.map_or(0, |known| known.count_from);
+    let kind = answers::kind_of(&bytes);
+    let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
+    session.answers = Some(StudentAnswers { file, count_from });
+    session.settings.layout = ViewLayout::Answers;
+    Ok(())
+}
+
+/// The larger side of a view that is not on the screen, and the size of what else is not, in points.
+const VIEW: f32 = 960.0;
+const DERIVATION: [f32; 2] = [800.0, 600.0];
+const LINES: [f32; 2] = [800.0, 640.0];
+
+/// The screen as it was derived last.
+pub(super) struct Screen<'a> {
+    pub(super) ctx: &'a Context,
+    pub(super) scene: &'a OpenScene,
+    pub(super) derived: &'a Derived,
+    pub(super) derivation: &'a DerivationPanel,
+}
+
+impl Screen<'_> {
+    /// The dialog with what the layout is about chosen.
+    pub(super) fn ask_export(&self) -> Dialog {
+        let first = self.layout_subject();
+        let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
+        subjects.sort_by_key(|shown| shown.subject != first);
+        Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, self.style()))
+    }
+
+    /// The subject of the layout.
+    fn layout_subject(&self) -> Subject {
+        page(self.scene.session.settings.layout).figure
+    }
+
+    fn style(&self) -> Style {
+        Style::new(self.scene.session.settings.scheme, self.is_dark())
+    }
+
+    /// Puts a figure of what the layout is about on the clipboard, as large as it is on the screen; what
+    /// there is to tell if that fails.
+    pub(super) fn copy(&self) -> Option<Dialog> {
+        let shown = self.on_screen(self.layout_subject());
+        let order = shown.order(shown.dots(), self.style(), false);
+        match self.figure(&order) {
+            Ok(figure) => {
+                self.ctx.copy_image(ColorImage::new(figure.size(), figure.to_pixels()));
+                None
+            }
+            Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
+        }
+    }
+
+    fn figure(&self, order: &Order) -> Result<Figure, String> {
+        let is_folded = |section: &_| self.derivation.is_folded(section);
+        order.figure(&self.scene.open.document, &self.session(), is_folded)
+    }
+
+    /// The session without what the mouse is at, which is nothing to keep.
+    fn session(&self) -> Session {
+        Session { hovered: None, ..self.scene.session.clone() }
+    }
+
+    /// The dialog of an animation, with the world view chosen.
+    pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
+        let subjects = [Subject::World, Subject::Camera].map(|subject| self.on_screen(subject));
+        let style = if self.is_dark() { Style::Dark } else { Style::Light };
+        let form = ExportForm::new(self.scene.open.file(), subjects.to_vec(), style);
+        Dialog::Export(form.animated(kind))
+    }
+
+    fn is_dark(&self) -> bool {
+        self.ctx.theme() == egui::Theme::Dark
+    }
+
+    fn on_screen(&self, subject: Subject) -> OnScreen {
+        let scale = self.ctx.pixels_per_point();
+        let view = match subject {
+            Subject::World => &self.derived.world_view,
+            _ => &self.derived.camera_view,
+        };
+        let seen = view.as_ref().map(|shown| shown.image.size.map(|dots| dots as f32 / scale));
+        let aspect = self.scene.open.document.camera.image.aspect() as f32;
+        let points = match subject {
+            Subject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
+            Subject::Camera => seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)]),
+            Subject::Derivation => {
+                let page = |width| [width + 2.0 * MARGIN, DERIVATION[1]];
+                self.derivation.width().map_or(DERIVATION, page)
+            }
+            Subject::Lines => lines::size(self.ctx).unwrap_or(LINES),
+        };
+        OnScreen { subject, points, scale }
+    }
+
+    /// Writes a figure of it; what there is to tell if that fails.
+    pub(super) fn export(&self, order: &Order, path: &Path) -> Option<Dialog> {
+        let exported = self.exported(order, path);
+        exported.err().map(|problem| Dialog::message("The figure was not exported", problem))
+    }
+
+    fn exported(&self, order: &Order, path: &Path) -> Result<(), String> {
+        self.scene.open.check_output(path)?;
+        let bytes = match Content::for_path(order.subject, path)? {
+            Content::Text(markup) => {
+                let document = &self.scene.open.document;
+                derivation_of(document, &self.session()).written_in(markup).into_bytes()
+            }
+            Content::Figure(format) => self.figure(order)?.to_file(format)?,
+        };
+        atomic::write(path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
+    }
+}

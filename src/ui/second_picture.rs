@@ -1,0 +1,71 @@
+//! The second picture of a page, along with the camera's: the error map, what a wrong camera or the
+//! ghost sees, or the marks on a student's answers.
+
+use egui::{Rect, Ui};
+
+use crate::ui::practice::{answers, mistakes};
+use crate::ui::scene::{compare, views};
+use crate::ui::tools::accuracy;
+use crate::ui::widgets::no_picture;
+use crate::ui::workspaces::Desk;
+use crate::view::derive::SecondPicture;
+
+/// Returns the picture's name, on the screen and for screen readers.
+pub(crate) fn name(second: SecondPicture) -> &'static str {
+    match second {
+        SecondPicture::ErrorMap => views::MAP,
+        SecondPicture::WrongCamera => views::WRONG,
+        SecondPicture::Ghost => views::GHOST,
+        SecondPicture::Answers => views::ANSWERS,
+    }
+}
+
+/// Shows the picture, or the reason why there is none, in `rect`, with its title above the area.
+pub(crate) fn show(
+    ui: &mut Ui,
+    desk: &mut Desk<'_>,
+    second: SecondPicture,
+    [area, rect]: [Rect; 2],
+) {
+    let (derived, session) = (desk.derived, &mut *desk.session);
+    let view = derived.second_view();
+    let (mut spoken, mut why_not) = (None, None);
+    match second {
+        SecondPicture::ErrorMap => {
+            accuracy::strip(ui, area, &mut session.settings);
+            if let (Some(compared), Some(_)) = (derived.compared(), view) {
+                spoken = Some(accuracy::summary(compared));
+                accuracy::legend(ui, area, compared);
+            }
+            why_not = derived.too_many.map(|why| format!("No error map: {why}"));
+        }
+        SecondPicture::WrongCamera => {
+            let mistakes_view = &mut session.mistakes_view;
+            mistakes::strip(ui, area, mistakes_view);
+            if let Some(wrong) = derived.wrong_camera() {
+                spoken = Some(mistakes::spoken(wrong, mistakes_view));
+                why_not = mistakes::why_not(wrong, mistakes_view);
+            }
+        }
+        SecondPicture::Ghost => {
+            compare::strip(ui, area, &mut session.ghost);
+            spoken = Some(compare::spoken(derived.against_ghost()));
+            why_not = Some(compare::why_not(session.ghost.as_ref()));
+        }
+        SecondPicture::Answers => {
+            answers::strip(ui, area, session.answers.as_ref(), view.is_some());
+            spoken = Some(answers::spoken(derived, session));
+            why_not = Some(answers::why_not(derived, session).to_owned());
+        }
+    }
+    if let Some(spoken) = spoken {
+        views::speak(ui, name(second), &spoken);
+    }
+    match (view, why_not) {
+        (Some(shown), _) => {
+            views::show(ui, rect, shown, &mut desk.tools.second, derived.fault.is_some());
+        }
+        (None, Some(why)) => no_picture(ui, rect, &why),
+        (None, None) => {}
+    }
+}

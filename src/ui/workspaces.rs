@@ -1,0 +1,298 @@
+//! The workspaces' pages: what each layout of the window shows, and where. A new one is a [`Page`] here, a
+//! line in [`page`], and a row in the model's table of layouts.
+
+use egui::{Align, Context, Layout, Rect, RichText, Ui, pos2};
+
+use crate::figures::Subject;
+use crate::model::concept::Hovered;
+use crate::model::files::{OpenDocument, title_of};
+use crate::model::lessons::{StepId, Which};
+use crate::model::overlay_items::Item;
+use crate::model::readings::NumberStyle;
+use crate::model::session::{Session, Split, ViewLayout};
+use crate::ui::action::{Action, Leave, LessonAction, LookAction};
+use crate::ui::commands_table::shortcut;
+use crate::ui::derivation::DerivationPanel;
+use crate::ui::practice::exercises::scene::QuestionScene;
+use crate::ui::practice::{answers, exercises, mistakes};
+use crate::ui::ray::{lines, plot};
+use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
+use crate::ui::scene::{compare, readouts};
+use crate::ui::tools::accuracy;
+use crate::ui::tools::measuring::Measuring;
+use crate::ui::tools::translator::TranslatorPanel;
+use crate::ui::widgets::Asking as _;
+use crate::ui::widgets::ViewTexture;
+use crate::view::derive::{Derived, SecondPicture};
+
+/// Returns the page of a layout.
+pub(crate) fn page(layout: ViewLayout) -> &'static Page {
+    match layout {
+        ViewLayout::Both => &BOTH,
+        ViewLayout::World => &WORLD,
+        ViewLayout::Camera => &CAMERA,
+        ViewLayout::Derivation => &DERIVATION,
+        ViewLayout::DerivationAlone => &ALONE,
+        ViewLayout::Plot => &PLOT,
+        ViewLayout::Lines => &LINES,
+        ViewLayout::Mistakes => &MISTAKES,
+        ViewLayout::Compare => &COMPARE,
+        ViewLayout::Translator => &TRANSLATOR,
+        ViewLayout::Exercises => &EXERCISES,
+        ViewLayout::Answers => &ANSWERS,
+        ViewLayout::Accuracy => &ACCURACY,
+    }
+}
+
+/// A page of a workspace.
+pub(crate) struct Page {
+    /// True if camera and objects can be edited beside it.
+    pub(crate) has_panel: bool,
+    /// True if the ray under the pointer is shown in place of the selected one.
+    pub(crate) follows_pointer: bool,
+    /// Lays out its parts.
+    pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
+    /// The picture beside the camera's, if it has one.
+    pub(crate) second: Option<SecondPicture>,
+    /// Shows what it has below the views, beside them or in their place.
+    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
+    /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
+    pub(crate) asked: fn(&mut Ui, &Desk<'_>),
+    /// Returns the concept that the mouse or the focus is on in that.
+    pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
+    /// The figure that it is about.
+    pub(crate) figure: Subject,
+}
+
+/// The state of the pages from one pass to the next.
+#[derive(Default)]
+pub(crate) struct Tools {
+    pub(crate) derivation: DerivationPanel,
+    pub(crate) translator: TranslatorPanel,
+    pub(crate) measuring: Measuring,
+    /// The scene of the open exercise.
+    pub(crate) question: QuestionScene,
+    /// The second picture.
+    pub(crate) second: ViewTexture,
+}
+
+/// The values that a page shows, and those that it may change.
+pub(crate) struct Desk<'a> {
+    pub(crate) open: &'a OpenDocument,
+    pub(crate) session: &'a mut Session,
+    pub(crate) derived: &'a Derived,
+    pub(crate) tools: &'a mut Tools,
+    pub(crate) style: NumberStyle,
+    /// A lesson is open.
+    pub(crate) has_lesson: bool,
+    /// Actions for the next pass.
+    pub(crate) actions: &'a mut Vec<Action>,
+}
+
+/// Size of the text in place of what is hidden, in points.
+const HIDDEN: f32 = 16.0;
+
+impl Page {
+    /// Both views, and nothing below them.
+    pub(crate) const VIEWS: Page = Page {
+        has_panel: true,
+        follows_pointer: false,
+        areas: |divider| divider.both_above(Split::Readouts),
+        second: None,
+        rest: |_, _| (),
+        asked: |ui, _| hidden(ui),
+        hovered: |_, _, _| None,
+        figure: Subject::World,
+    };
+}
+
+/// Says in the middle that something is hidden, and which key shows it, where there is room for that.
+fn hidden(ui: &mut Ui) {
+    let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
+    let room = ui.available_height();
+    if room > ui.spacing().interact_size.y {
+        ui.centered_and_justified(|ui| ui.label(RichText::new(text).size(HIDDEN).weak()));
+    }
+}
+
+const BOTH: Page = Page {
+    follows_pointer: true,
+    areas: |divider| {
+        let (views, rest) = divider.above_readouts();
+        divider.both(views, rest)
+    },
+    rest: numbers,
+    hovered: |ctx, _, _| readouts::hovered(ctx),
+    ..Page::VIEWS
+};
+
+const WORLD: Page = Page {
+    follows_pointer: true,
+    areas: |divider| {
+        let (views, rest) = divider.above_readouts();
+        Areas { world: Some(views), camera: None, second: None, rest }
+    },
+    rest: numbers,
+    hovered: |ctx, _, _| readouts::hovered(ctx),
+    ..Page::VIEWS
+};
+
+const CAMERA: Page = Page {
+    follows_pointer: true,
+    areas: |divider| {
+        let (views, rest) = divider.above_readouts();
+        Areas { world: None, camera: Some(views), second: None, rest }
+    },
+    rest: numbers,
+    hovered: |ctx, _, _| readouts::hovered(ctx),
+    figure: Subject::Camera,
+    ..Page::VIEWS
+};
+
+fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
+    if desk.session.presenting.is_some() {
+        if desk.session.settings.presents_numbers {
+            readouts::strip(ui, derived, document, style, true);
+        }
+        return;
+    }
+    let all = desk.session.settings.unfolded.numbers;
+    let mut switched = false;
+    ui.add_space(2.0);
+    if all {
+        switched = ui.small_button("Fewer numbers").clicked();
+        readouts::ui(ui, derived, document, style);
+    } else {
+        readouts::strip(ui, derived, document, style, false);
+        ui.horizontal(|ui| {
+            let shows_all = desk.session.settings.items.shows(Item::ViewAndUp);
+            let dragged = if shows_all { "eye, at or up" } else { "eye" };
+            ui.weak(format!("Drag {dragged}. Click a pixel."));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                switched = ui.button("All numbers").clicked();
+                if desk.has_lesson {
+                    return;
+                }
+                ui.button("Present").asks(LookAction::Present, desk.actions);
+                let exercises = LookAction::Layout(ViewLayout::Exercises);
+                ui.button("Practise").asks(exercises, desk.actions);
+                let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
+                ui.button("Start the lecture").asks(Leave::GoTo(lecture), desk.actions);
+            });
+        });
+    }
+    if switched {
+        desk.session.settings.unfolded.numbers = !all;
+    }
+}
+
+const DERIVATION: Page = Page {
+    follows_pointer: true,
+    areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
+    rest: derivation,
+    hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+    figure: Subject::Derivation,
+    ..Page::VIEWS
+};
+
+const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
+
+fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let Some(derivation) = &desk.derived.derivation else { return };
+    let (session, actions) = (&mut *desk.session, &mut *desk.actions);
+    desk.tools.derivation.ui(ui, derivation, &desk.open.document, session, actions);
+}
+
+const PLOT: Page = Page {
+    follows_pointer: true,
+    areas: |divider| divider.both_above(Split::Plot),
+    rest: |ui, desk| {
+        let Session { ray_point_t, settings, .. } = &mut *desk.session;
+        let compressed = &mut settings.plot_compressed;
+        plot::ui(ui, ray_point_t, compressed, desk.derived, desk.style.digits);
+    },
+    hovered: |ctx, _, derived| plot::hovered(ctx, derived),
+    ..Page::VIEWS
+};
+
+const LINES: Page = Page {
+    has_panel: false,
+    areas: |divider| divider.no_views(),
+    rest: |ui, desk| lines::ui(ui, &mut desk.session.lines, desk.style.digits),
+    asked: |ui, desk| lines::asked(ui, &desk.session.lines),
+    figure: Subject::Lines,
+    ..Page::VIEWS
+};
+
+const TRANSLATOR: Page = Page {
+    areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
+    rest: |ui, desk| {
+        let document = &desk.open.document;
+        let Session { translator, selection, settings, .. } = &mut *desk.session;
+        let panel = &mut desk.tools.translator;
+        panel.ui(ui, document, translator, *selection, settings.digits, desk.actions);
+    },
+    ..Page::VIEWS
+};
+
+const EXERCISES: Page = Page {
+    has_panel: false,
+    areas: |divider| divider.no_views(),
+    rest: |ui, desk| {
+        exercises::ui(ui, desk.session, &mut desk.tools.question, desk.actions);
+    },
+    ..Page::VIEWS
+};
+
+const ACCURACY: Page = Page {
+    areas: |divider| {
+        let (views, rest) = divider.above(Split::Accuracy);
+        // Below both, so that they are alike, room for the map's legend.
+        let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
+        let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
+        Areas { world: None, camera: Some(left), second: Some(right), rest }
+    },
+    second: Some(SecondPicture::ErrorMap),
+    rest: |ui, desk| {
+        let (document, measuring) = (&desk.open.document, &mut desk.tools.measuring);
+        measuring.step(ui.ctx(), &title_of(desk.open.origin()), &document.camera, desk.derived);
+        accuracy::ui(ui, measuring, desk.derived, document, desk.session);
+    },
+    figure: Subject::Camera,
+    ..Page::VIEWS
+};
+
+const MISTAKES: Page = Page {
+    areas: |divider| divider.three_above(Split::Mistakes),
+    second: Some(SecondPicture::WrongCamera),
+    rest: |ui, desk| {
+        let view = &mut desk.session.mistakes_view;
+        mistakes::ui(ui, desk.derived, &desk.open.document, view, desk.style);
+    },
+    figure: Subject::Camera,
+    ..Page::VIEWS
+};
+
+const COMPARE: Page = Page {
+    areas: |divider| {
+        let (views, rest) = divider.above(Split::Compare);
+        let (left, right) = divider.across(views, Split::CompareViews, "views handle");
+        let (middle, right) = halves(right);
+        Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
+    },
+    second: Some(SecondPicture::Ghost),
+    rest: |ui, desk| {
+        let (document, ghost) = (&desk.open.document, desk.session.ghost.as_ref());
+        compare::ui(ui, desk.derived, document, ghost, desk.style, desk.actions);
+    },
+    ..Page::VIEWS
+};
+
+const ANSWERS: Page = Page {
+    areas: |divider| divider.three_above(Split::Answers),
+    second: Some(SecondPicture::Answers),
+    rest: |ui, desk| answers::ui(ui, desk.derived, desk.session, desk.actions),
+    figure: Subject::Camera,
+    ..Page::VIEWS
+};
