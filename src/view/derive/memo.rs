@@ -46,16 +46,6 @@ impl<K, V> Memo<K, V> {
     }
 }
 
-/// A part of a key that compares by identity: it equals only the very same value.
-#[derive(Debug)]
-pub(super) struct Same<T>(pub(super) Arc<T>);
-
-impl<T> PartialEq for Same<T> {
-    fn eq(&self, other: &Same<T>) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
 /// The subsampling of a picture of something: a coarser picture never replaces a finer one.
 #[derive(Debug)]
 pub(super) struct Fineness<K>(Option<(K, Subsampling)>);

@@ -7,7 +7,6 @@ use egui::{Color32, ColorImage};
 use pinhole_core::{Counts, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 
-use crate::model::concept::Concept;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::practice::answer_marks::AnswerMark;
@@ -19,7 +18,7 @@ use crate::view::derive::objects::Objects;
 use crate::view::derive::picture::{GoodPicture, Pictures};
 use crate::view::derive::second_picture::SecondPictures;
 use crate::view::derive::views::{CameraViews, WorldViews};
-use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
+use crate::view::overlay::{Drawing, Highlighted, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, TooMany, Watch, Work};
@@ -119,7 +118,7 @@ impl Deriver {
     /// Derives the views, the derivation and the plot, side by side: none reads another.
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
-        let good = self.last_good.as_ref().map(|good| (good, self.pictures.made));
+        let good = self.last_good.as_ref();
         let seen = &*derived;
         let (world, (camera_view, (derivation, plot))) = rayon::join(
             || world_views.get(seen, inputs, objects, good),
@@ -147,11 +146,14 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
     vec![Color32::BLACK; width as usize * height as usize]
 }
 
-/// The highlighted concept, the number of digits of its labels, and whether it dims everything else.
-type HighlightKey = (Concept, usize, bool);
-
-fn highlight_key(session: &Session) -> Option<HighlightKey> {
-    Some((session.highlighted()?, session.settings.digits, session.dims()))
+/// Returns the highlighted concept, if there is one.
+fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlighted> {
+    Some(Highlighted {
+        concept: session.highlighted()?,
+        camera: document.camera,
+        digits: session.settings.digits,
+        dims: session.dims(),
+    })
 }
 
 /// The inputs of a derivation.

@@ -17,11 +17,11 @@ use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::memo::{Fineness, Memo, Same};
+use crate::view::derive::memo::{Fineness, Memo};
 use crate::view::derive::objects::GoodWorld;
 use crate::view::derive::second_picture::SecondPicture;
 use crate::view::derive::{Derived, Inputs, opaque};
-use crate::view::overlay::{Loupe, Picture, loupe_window};
+use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
 /// Maximum number of intersection tests that a method may do for one picture: about a second of
 /// work, during which the window does not respond.
@@ -72,7 +72,6 @@ pub struct Compared {
 pub(super) struct GoodPicture {
     pub(super) resolved: ResolvedCamera,
     pub(super) picture: Arc<Picture>,
-    pub(super) selection: Selection,
     pub(super) inspection: Arc<Inspection>,
     /// Number of decisions at each step of the ladder.
     pub(super) steps: Steps,
@@ -111,7 +110,7 @@ type TraceKey = (ResolvedCamera, u64, Raster);
 type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
 /// A picture, its decisions at each step of the ladder, and its counts of objects.
-type Made = (Arc<Picture>, Steps, Counts);
+type MadePicture = (Arc<Picture>, Steps, Counts);
 
 /// A cache of the camera's pictures.
 #[derive(Debug, Default)]
@@ -121,7 +120,7 @@ pub(super) struct Pictures {
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
     /// Frames by the picture's method, and by the map's method if it differs.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
-    picture: Memo<PictureKey, Made>,
+    picture: Memo<PictureKey, MadePicture>,
     /// The last two pictures: a frame in new memory takes twice as long, and the one before the last
     /// lends its own.
     shown: Vec<Arc<Picture>>,
@@ -129,9 +128,7 @@ pub(super) struct Pictures {
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
     fineness: Fineness<(ResolvedCamera, u64, [u32; 2])>,
-    /// Number of pictures made so far, which distinguishes one from the next.
-    pub(super) made: u64,
-    /// Number of pictures traced for that.
+    /// Number of pictures traced so far.
     pub(super) traced: u64,
 }
 
@@ -186,7 +183,6 @@ impl Pictures {
             loupe,
             resolved,
             picture,
-            selection,
             inspection,
             subsampling,
             steps,
@@ -250,13 +246,12 @@ impl Pictures {
         world: &GoodWorld,
         beside: &OtherMethods,
         watch: Watch<'_>,
-    ) -> Made {
+    ) -> MadePicture {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
+        let (traced, rough) = (&mut self.traced, &mut self.rough);
         let shown = &mut self.shown;
         let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
-            *made += 1;
             if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
                 let pixels = repainted(&by.frame, scene, colors, watch);
                 return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);

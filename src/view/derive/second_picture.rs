@@ -15,17 +15,17 @@ use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, ComparedPixels,
 
 use super::Inputs;
 use super::answer_marks::{of_answers, of_mistake};
-use super::memo::{Memo, Same};
+use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::picture::{Compared, GoodPicture, Watch, Work, trace_picture, watched};
-use super::{Derived, HighlightKey, Shown, blank, highlight_key, opaque};
+use super::{Derived, Shown, blank, highlighted, opaque};
 use crate::model::inspection::Inspection;
-use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::overlay_items::Item;
 use crate::model::practice::answer_marks::AnswerMark;
 use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::ghost::resolve;
 use crate::view::accuracy;
-use crate::view::overlay::{self, CameraView, Highlighted, Picture, Style};
+use crate::view::overlay::{self, CameraView, Picture, Same};
 
 /// The kind of a second picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +72,7 @@ pub struct AgainstGhost {
     /// Number of shown pixels, and of those among them that see another object.
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
-    pub inspection: Inspection,
+    pub inspection: Arc<Inspection>,
 }
 
 /// A grade, or the reason why there is none.
@@ -120,7 +120,7 @@ impl Derived {
 
 /// The inputs of a second picture, with the objects and their colours by number.
 #[derive(Debug, PartialEq)]
-enum Key {
+enum SecondKey {
     ErrorMap(Same<Compared>),
     WrongCamera(Camera, [u64; 2], Raster, Shade, Mistake),
     Ghost([Camera; 2], [u64; 2], Raster, Shade, Selection),
@@ -128,18 +128,15 @@ enum Key {
 }
 
 /// The data of a second picture, and the picture; of two cameras, also the map of the pixels that
-/// differ. The map of answers depends on the size of the view, and is made with it.
-type Made = (SecondData, Vec<Arc<Picture>>);
-
-/// The inputs of the view: the picture by number and the map in its place, the ray, the size, and the
-/// overlay.
-type ViewKey = ((u64, bool), Selection, [u32; 2], OverlayItems, Option<HighlightKey>, f32, Style);
+/// differ. The map of answers is made for the size of the view, and so has a cache of its own.
+type SecondMade = (SecondData, Vec<Arc<Picture>>);
 
 /// A cache of the second pictures: the last one of each kind, and the view of the one that is shown.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
-    made: [Memo<Key, Option<(u64, Made)>>; 4],
-    view: Memo<ViewKey, Option<Shown>>,
+    made: [Memo<SecondKey, Option<(u64, SecondMade)>>; 4],
+    view: Memo<CameraView, Shown>,
+    answers_map: Memo<(u64, [u32; 2]), Option<Arc<Picture>>>,
     marks: Memo<(u64, Selection), Arc<[AnswerMark]>>,
     /// Number of pictures made so far, which distinguishes one from the next.
     pub(super) count: u64,
@@ -169,7 +166,7 @@ impl SecondPictures {
         inputs: Inputs<'_>,
         good: &GoodPicture,
         world: Option<&GoodWorld>,
-    ) -> Option<(u64, Made)> {
+    ) -> Option<(u64, SecondMade)> {
         let Inputs { document, session, sizes, watch } = inputs;
         let memo = &mut self.made[kind as usize];
         let (camera, shade) = (document.camera, session.settings.shade);
@@ -178,22 +175,21 @@ impl SecondPictures {
         let raster =
             || good.subsampling.raster(good.resolved.image(), sizes.second.map_or([1; 2], |s| s.1));
         let key = match (kind, numbers) {
-            (SecondPicture::ErrorMap, _) => Key::ErrorMap(Same(good.compared.clone()?)),
+            (SecondPicture::ErrorMap, _) => SecondKey::ErrorMap(Same(good.compared.clone()?)),
             (SecondPicture::WrongCamera, Some(numbers)) => {
-                Key::WrongCamera(camera, numbers, raster(), shade, mistake)
+                SecondKey::WrongCamera(camera, numbers, raster(), shade, mistake)
             }
             // An older picture, but not under another mistake's name.
             (SecondPicture::WrongCamera, None) => {
-                let of_mistake =
-                    |key: &Key| matches!(key, Key::WrongCamera(.., of) if *of == mistake);
+                let of_mistake = |key: &SecondKey| matches!(key, SecondKey::WrongCamera(.., of) if *of == mistake);
                 return memo.known(of_mistake)?.clone();
             }
             (SecondPicture::Ghost, Some(numbers)) => {
                 let cameras = [camera, session.ghost.as_ref()?.camera];
-                Key::Ghost(cameras, numbers, raster(), shade, session.selection)
+                SecondKey::Ghost(cameras, numbers, raster(), shade, session.selection)
             }
             (SecondPicture::Answers, Some(numbers)) => {
-                let key = Key::Answers(camera, numbers, session.answers.clone()?);
+                let key = SecondKey::Answers(camera, numbers, session.answers.clone()?);
                 // Grading traces many variants of the student's program, so it waits until the drag
                 // rests.
                 if sizes.under_hand && memo.known(|known| *known == key).is_none() {
@@ -207,16 +203,16 @@ impl SecondPictures {
         memo.get(key, |key| {
             *count += 1;
             let made = match (key, world) {
-                (Key::ErrorMap(Same(compared)), _) => Some(error_map(compared)),
-                (Key::WrongCamera(.., raster, shade, mistake), Some(world)) => {
+                (SecondKey::ErrorMap(Same(compared)), _) => Some(error_map(compared)),
+                (SecondKey::WrongCamera(.., raster, shade, mistake), Some(world)) => {
                     let camera = (&camera, &good.resolved, *mistake);
                     Some(wrong_camera(camera, world, raster, *shade, watch))
                 }
-                (Key::Ghost([_, ghost], _, raster, shade, selection), Some(world)) => {
+                (SecondKey::Ghost([_, ghost], _, raster, shade, selection), Some(world)) => {
                     let cameras = ((&camera, &good.resolved), ghost);
                     ghost_picture(cameras, world, raster, *shade, *selection, watch)
                 }
-                (Key::Answers(.., answers), Some(world)) => {
+                (SecondKey::Answers(.., answers), Some(world)) => {
                     Some((SecondData::Answers(graded(document, world, answers)), Vec::new()))
                 }
                 (_, None) => None,
@@ -255,69 +251,67 @@ impl SecondPictures {
     /// Draws the picture in `size` dots, with the overlay items of the camera it belongs to.
     fn view(
         &mut self,
-        (number, (data, pictures)): (u64, &Made),
+        (number, (data, pictures)): (u64, &SecondMade),
         size: [u32; 2],
-        Inputs { document, session, sizes, watch }: Inputs<'_>,
+        inputs: Inputs<'_>,
         good: &GoodPicture,
         world: Option<&GoodWorld>,
     ) -> Option<Shown> {
-        let mut items = session.settings.items;
-        let (mut resolved, mut inspection, mut selection) =
-            (&good.resolved, &*good.inspection, good.selection);
+        let Inputs { session, sizes, watch, .. } = inputs;
+        let items = session.settings.items;
+        let mut view = CameraView {
+            resolved: good.resolved,
+            picture: Same(Arc::clone(&good.picture)),
+            inspection: Some(Same(Arc::clone(&good.inspection))),
+            size: size.map(|n| n as usize),
+            items,
+            scale: sizes.scale,
+            style: sizes.style,
+            highlighted: None,
+            loupe: None,
+            is_apart: false,
+        };
         let mut shows_differences = false;
-        let mut highlighted = None;
         match data {
             // A highlighted concept belongs to the current document.
             SecondData::ErrorMap(_) => {
-                highlighted = highlight_key(session).filter(|_| world.is_some());
+                view.highlighted = highlighted(inputs).filter(|_| world.is_some());
             }
             SecondData::WrongCamera(_) => {
                 shows_differences = session.mistakes_view.shows_differences();
                 // Both belong to the right camera; in this picture they would be elsewhere.
-                items = items.with(Item::UvAxes, false).with(Item::Hit, false);
+                view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
             }
             SecondData::Ghost(against) => {
                 shows_differences = session.ghost.is_some_and(|ghost| ghost.shows_differences);
-                items = items.with(Item::Hit, items.shows(Item::Hit) && !shows_differences);
-                (resolved, inspection, selection) =
-                    (&against.ghost, &against.inspection, session.selection);
+                view.items = items.with(Item::Hit, items.shows(Item::Hit) && !shows_differences);
+                view.resolved = against.ghost;
+                view.inspection = Some(Same(Arc::clone(&against.inspection)));
             }
             SecondData::Answers(_) => {}
         }
-        let number = (number, shows_differences);
-        let key = (number, selection, size, items, highlighted, sizes.scale, sizes.style);
-        self.view.get(key, |_| {
-            let picture = match data {
-                SecondData::Answers(graded) => Arc::new(answers_map(graded.as_ref().ok()?, size)?),
-                _ => Arc::clone(pictures.get(usize::from(shows_differences))?),
-            };
-            let highlighted = highlighted.zip(world).map(|((concept, digits, dims), world)| {
-                let (camera, scene) = (&document.camera, &*world.scene);
-                Highlighted { concept, camera, scene, digits, dims }
-            });
-            let view = CameraView {
-                picture: &picture,
-                resolved,
-                inspection: Some(inspection),
-                items,
-                size: size.map(|n| n as usize),
-                scale: sizes.scale,
-                style: sizes.style,
-                highlighted,
-                loupe: None,
-            };
-            Some(watched(watch, Work::Overlay, || {
+        let picture = match data {
+            SecondData::Answers(graded) => self.answers_map.get((number, size), |_| {
+                Some(Arc::new(answers_map(graded.as_ref().ok()?, size)?))
+            })?,
+            _ => Arc::clone(pictures.get(usize::from(shows_differences))?),
+        };
+        view.picture = Same(picture);
+        let scene = world.map(|world| &*world.scene);
+        let shown = self.view.get(view, |view| {
+            watched(watch, Work::Overlay, || {
                 let mut pixels = blank(size);
-                let drawing = overlay::camera(&view, &mut pixels);
+                let drawing = overlay::camera(view, scene, &mut pixels);
                 if let SecondData::ErrorMap(compared) = data {
                     let (comparison, width) = (&compared.comparison, size[0] as usize);
-                    let raster = &picture.raster;
+                    let raster = &view.picture.raster;
                     accuracy::mark_wrong(comparison, raster, width, sizes.scale, &mut pixels);
                 }
-                sizes.style.finish(&mut pixels);
+                view.style.finish(&mut pixels);
                 Shown::new(size, pixels, drawing)
-            }))
-        })
+            })
+        });
+        Some(shown)
     }
 }
 
@@ -325,7 +319,7 @@ fn picture(raster: &Raster, image: ImageSize, pixels: Vec<Color32>) -> Arc<Pictu
     Arc::new(Picture { raster: raster.clone(), image, pixels })
 }
 
-fn error_map(compared: &Arc<Compared>) -> Made {
+fn error_map(compared: &Arc<Compared>) -> SecondMade {
     let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
     let map = picture(raster, image, accuracy::colors(&compared.comparison));
     (SecondData::ErrorMap(Arc::clone(compared)), vec![map])
@@ -337,7 +331,7 @@ fn wrong_camera(
     raster: &Raster,
     shade: Shade,
     watch: Watch<'_>,
-) -> Made {
+) -> SecondMade {
     watched(watch, Work::Trace, || {
         let color_of = |i: u32| world.colors[i as usize];
         let paint = Paint { shade, color_of, to_pixel: opaque };
@@ -359,7 +353,7 @@ fn ghost_picture(
     shade: Shade,
     selection: Selection,
     watch: Watch<'_>,
-) -> Option<Made> {
+) -> Option<SecondMade> {
     let resolved = resolve(ghost, camera).ok()?;
     let colors = (shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
@@ -372,7 +366,11 @@ fn ghost_picture(
         ghost: resolved,
         difference: camera.difference_from(ghost).ok()?,
         seen: ComparedPixels { pixels: now_frame.object.len(), differing },
-        inspection: Inspection::new(&resolved, &world.scene, selection.inside(resolved.image())),
+        inspection: Arc::new(Inspection::new(
+            &resolved,
+            &world.scene,
+            selection.inside(resolved.image()),
+        )),
     };
     let differences = difference_map(&now_frame.object, &frame.object);
     let pictures = [pixels, differences].map(|pixels| picture(raster, camera.image, pixels));

@@ -9,79 +9,49 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, DVec3, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Selection, Shade,
-    lambert,
+    DVec3, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Shade, lambert,
 };
 use rayon::prelude::*;
 
-use crate::model::observer::{Observer, enclosing};
-use crate::model::overlay_items::OverlayItems;
-use crate::model::practice::answer_marks::AnswerMark;
+use crate::model::observer::enclosing;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::memo::{Buffers, Fineness, Memo, Same};
+use crate::view::derive::memo::{Buffers, Fineness, Memo};
 use crate::view::derive::objects::{Enclosing, Objects};
 use crate::view::derive::picture::{GoodPicture, Watch, Work, repainted, trace_picture, watched};
-use crate::view::derive::{
-    Derived, HighlightKey, Inputs, Purpose, Shown, answer_marks, highlight_key, opaque,
-};
+use crate::view::derive::{Derived, Inputs, Purpose, Shown, answer_marks, highlighted, opaque};
 use crate::view::handles::{self, Stage};
-use crate::view::overlay::{
-    self, Backdrop, Below, CameraView, GhostCamera, Handles, Highlighted, Loupe, Style, WorldView,
-};
+use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 
 /// Caches of the world view and of the pictures it is drawn over.
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
-    view: Memo<WorldKey, Shown>,
+    view: Memo<WorldView, Shown>,
     buffers: Buffers,
 }
 
-/// The world view, with what it was drawn from.
-pub(super) struct SeenWorld {
+/// The world view, with the observer's frame behind it.
+pub(super) struct ShownWorld {
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) subsampling: Subsampling,
     pub(super) view: Shown,
 }
 
-#[derive(Debug, PartialEq)]
-struct WorldKey {
-    world: Same<WorldPicture>,
-    camera: Camera,
-    observer: Observer,
-    size: [u32; 2],
-    picture: Option<u64>,
-    scanned_pixels: Option<u64>,
-    selection: Selection,
-    items: OverlayItems,
-    highlighted: Option<HighlightKey>,
-    ray_point_t: Option<f64>,
-    handles: Handles,
-    ghost: Option<GhostCamera>,
-    answer_marks: Arc<[AnswerMark]>,
-    scale: f32,
-    style: Style,
-    purpose: Purpose,
-    names_all: bool,
-}
-
 impl WorldViews {
-    /// Returns the world view with the `number`th good picture on its viewport; `None` where it is
-    /// not shown.
+    /// Returns the world view with the last good picture on its viewport; `None` if the view is not
+    /// shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
         inputs: Inputs<'_>,
         objects: &mut Objects,
-        last_good: Option<(&GoodPicture, u64)>,
-    ) -> Option<SeenWorld> {
+        last_good: Option<&GoodPicture>,
+    ) -> Option<ShownWorld> {
         let Inputs { document, session, sizes, watch } = inputs;
         let (size, observer, good) = (sizes.world?, session.observer?, objects.good()?.clone());
         let observer_camera = observer.camera(size[0], size[1]).resolve().ok()?;
-        let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let WorldViews { pictures, view, buffers } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
-        let seen = last_good.filter(|_| derived.fault.is_none());
         let stage = Stage {
             document,
             resolved: derived.resolved.as_ref(),
@@ -90,143 +60,85 @@ impl WorldViews {
             observer: world.frame.camera(),
             scale: sizes.scale,
         };
-        let key = WorldKey {
-            world: Same(Arc::clone(&world)),
+        let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
+        let is_apart = sizes.purpose != Purpose::Window;
+        let shown = WorldView {
             camera: document.camera,
+            resolved: derived.resolved,
+            picture: picture.cloned().map(Same),
+            inspection: derived.inspection.clone().map(Same),
+            generations: [good.generation, good.palette],
+            enclosing: Arc::clone(&world.enclosing),
             observer,
-            size,
-            picture: seen.map(|(_, number)| number),
-            scanned_pixels: session.scanned_pixels,
-            selection: session.shown_selection(),
+            frame: Same(Arc::clone(&world.frame)),
             items: session.settings.items,
-            highlighted: highlight_key(session),
-            ray_point_t: session.ray_point_t,
-            handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
-            ghost: answer_marks::ghost(inputs, derived),
-            answer_marks: Arc::clone(&derived.answer_marks),
             scale: sizes.scale,
             style: sizes.style,
-            purpose: sizes.purpose,
-            names_all: session.spoken.is_some() || sizes.purpose != Purpose::Window,
+            ray_point_t: session.ray_point_t,
+            ghost: answer_marks::ghost(inputs, derived),
+            answer_marks: Arc::clone(&derived.answer_marks),
+            highlighted: highlighted(inputs),
+            handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
+            is_clear: sizes.purpose.is_clear(),
+            names_all: session.spoken.is_some() || is_apart,
+            is_apart,
         };
-        let (resolved, inspection) = (derived.resolved, derived.inspection.as_deref());
-        let view = view.get(key, |key| {
-            let view = WorldView {
-                camera: &document.camera,
-                resolved: resolved.as_ref(),
-                picture: seen.map(|(seen, _)| &*seen.picture),
-                inspection,
-                scene: &good.scene,
-                enclosing: &world.enclosing,
-                color_of: &color_of,
-                observer: &observer,
-                frame: &world.frame,
-                items: key.items,
-                scale: key.scale,
-                style: key.style,
-                highlighted: key.highlighted.map(|(concept, digits, dims)| Highlighted {
-                    concept,
-                    camera: &document.camera,
-                    scene: &good.scene,
-                    digits,
-                    dims,
-                }),
-                ray_point_t: key.ray_point_t,
-                handles: &key.handles,
-                ghost: key.ghost.as_ref(),
-                answer_marks: &key.answer_marks,
-                is_clear: key.purpose.is_clear(),
-                names_all: key.names_all,
-            };
-            let backdrop = Backdrop::new(&view);
+        let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
+        let view = view.get(shown, |view| {
+            let backdrop = Backdrop::new(view, scene);
             let painted = pictures.painted(&world, &backdrop, watch);
             watched(watch, Work::Overlay, || {
                 let mut pixels = buffers.take(size);
                 let below = Below { traced: &world.pixels, painted: &painted };
-                let draw = match key.purpose {
-                    Purpose::Window => overlay::world,
-                    Purpose::Figure { .. } => overlay::world_apart,
-                };
-                let drawing = draw(&view, &backdrop, below, &mut pixels);
-                key.style.finish(&mut pixels);
+                let drawing = overlay::world(view, scene, &backdrop, below, &mut pixels);
+                view.style.finish(&mut pixels);
                 buffers.shown(size, pixels, drawing)
             })
         });
-        Some(SeenWorld { frame: Arc::clone(&world.frame), subsampling: world.subsampling, view })
+        Some(ShownWorld { frame: Arc::clone(&world.frame), subsampling: world.subsampling, view })
     }
 }
 
 /// A cache of the camera view.
 #[derive(Debug, Default)]
 pub(super) struct CameraViews {
-    view: Memo<CameraKey, Shown>,
+    view: Memo<CameraView, Shown>,
     buffers: Buffers,
 }
 
-#[derive(Debug, PartialEq)]
-struct CameraKey {
-    picture: u64,
-    scanned_pixels: Option<u64>,
-    resolved: ResolvedCamera,
-    size: [u32; 2],
-    selection: Selection,
-    items: OverlayItems,
-    highlighted: Option<HighlightKey>,
-    loupe: Option<Arc<Loupe>>,
-    scale: f32,
-    style: Style,
-    purpose: Purpose,
-}
-
 impl CameraViews {
-    /// Returns the camera view, if it is shown, of the `number`th good picture.
+    /// Returns the camera view of a good picture, if the view is shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
         inputs: Inputs<'_>,
-        (good, number): (&GoodPicture, u64),
+        good: &GoodPicture,
     ) -> Option<Shown> {
-        let Inputs { document, session, sizes, watch } = inputs;
+        let Inputs { session, sizes, watch, .. } = inputs;
         let size = sizes.camera?;
-        let key = CameraKey {
-            picture: number,
-            scanned_pixels: session.scanned_pixels,
+        let shown = CameraView {
+            picture: Same(Arc::clone(&good.picture)),
             resolved: good.resolved,
-            size,
-            selection: good.selection,
+            inspection: Some(Same(Arc::clone(&good.inspection))),
             items: session.settings.items,
-            // A highlighted concept belongs to the current document; an older picture does not show
-            // it.
-            highlighted: highlight_key(session).filter(|_| derived.fault.is_none()),
-            loupe: good.loupe.clone(),
+            size: size.map(|n| n as usize),
             scale: sizes.scale,
             style: sizes.style,
-            purpose: sizes.purpose,
+            // A highlighted concept belongs to the current document; an older picture does not show
+            // it.
+            highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
+            loupe: good.loupe.clone(),
+            is_apart: sizes.purpose != Purpose::Window,
         };
         let (scene, buffers) = (derived.scene.as_deref(), &mut self.buffers);
-        let mut draw = |key: &CameraKey| {
-            let view = CameraView {
-                picture: &good.picture,
-                resolved: &good.resolved,
-                inspection: Some(&good.inspection),
-                items: key.items,
-                size: key.size.map(|n| n as usize),
-                scale: key.scale,
-                style: key.style,
-                highlighted: scene.zip(key.highlighted).map(|(scene, (concept, digits, dims))| {
-                    Highlighted { concept, camera: &document.camera, scene, digits, dims }
-                }),
-                loupe: key.loupe.as_deref(),
-            };
-            let mut pixels = buffers.take(size);
-            let drawing = match key.purpose {
-                Purpose::Window => overlay::camera(&view, &mut pixels),
-                Purpose::Figure { .. } => overlay::camera_apart(&view, &mut pixels),
-            };
-            key.style.finish(&mut pixels);
-            buffers.shown(size, pixels, drawing)
-        };
-        Some(self.view.get(key, |key| watched(watch, Work::Overlay, || draw(key))))
+        Some(self.view.get(shown, |view| {
+            watched(watch, Work::Overlay, || {
+                let mut pixels = buffers.take(size);
+                let drawing = overlay::camera(view, scene, &mut pixels);
+                view.style.finish(&mut pixels);
+                buffers.shown(size, pixels, drawing)
+            })
+        }))
     }
 }
 
@@ -242,17 +154,17 @@ pub(super) struct WorldPicture {
 }
 
 /// The inputs of a trace: the observer, the generation of the objects, and the hidden spheres.
-type TraceKey = (ResolvedCamera, u64, Enclosing);
+type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 
 /// A cache of the observer's pictures.
 #[derive(Debug, Default)]
 pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    fineness: Fineness<TraceKey>,
+    fineness: Fineness<WorldTraceKey>,
     /// Frames that can be recoloured without a trace.
-    frame: Memo<(TraceKey, Subsampling), Arc<Frame<f32>>>,
+    frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
     /// The picture; the last part of the key is the palette's number.
-    picture: Memo<(TraceKey, Subsampling, u64), Arc<WorldPicture>>,
+    picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     /// Number of times the observer's view was traced.
     pub(super) traced: u64,

@@ -5,7 +5,7 @@
 //! view.
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Scene, Sphere};
+use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Sphere};
 use pinhole_lecture::numbers::written;
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
@@ -16,25 +16,22 @@ use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::screen::{tangents, unit};
 use crate::view::overlay::sketch::{Head, Pen, Request, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 
 /// The highlighted concept, and what is needed to draw it.
-#[derive(Clone, Copy, Debug)]
-pub struct Highlighted<'a> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Highlighted {
     /// The concept.
     pub concept: Concept,
     /// The edited camera as given.
-    pub camera: &'a Camera,
-    /// The scene of the camera.
-    pub scene: &'a Scene,
+    pub camera: Camera,
     /// Significant digits of numbers.
     pub digits: usize,
     /// True if everything else is dimmed.
     pub dims: bool,
 }
 
-impl Highlighted<'_> {
+impl Highlighted {
     /// Formats a number for a label.
     pub(super) fn number(&self, x: f64) -> String {
         written(x, self.digits.min(LABEL_DIGITS))
@@ -115,17 +112,17 @@ pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
 
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
-    pub(crate) fn highlight(&mut self, view: &WorldView, highlighted: Highlighted) {
+    pub(crate) fn highlight(&mut self, highlighted: Highlighted) {
         dim(&mut self.drawing, &mut self.requests, highlighted);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
-        self.highlight_given(view, highlighted);
-        if let Some(resolved) = view.resolved {
+        self.highlight_given(highlighted);
+        if let Some(resolved) = &self.view.resolved {
             self.highlight_camera(resolved, highlighted);
-            self.highlight_selected(resolved, view, highlighted);
+            self.highlight_selected(resolved, highlighted);
         }
         if let Concept::Object(index) = highlighted.concept {
-            self.highlight_object(view, index);
+            self.highlight_object(index);
         }
         self.items = shown;
         let own = self.requests.split_off(before);
@@ -166,7 +163,8 @@ impl Sketch<'_> {
     }
 
     /// Highlights what the camera is given by; it exists without a basis, too.
-    fn highlight_given(&mut self, view: &WorldView, highlighted: Highlighted) {
+    fn highlight_given(&mut self, highlighted: Highlighted) {
+        let view = self.view;
         let eye = view.camera.eye;
         let arrow = self.arrow_length(eye);
         let (given, ink) = (self.colors.given, self.colors.ink);
@@ -204,7 +202,7 @@ impl Sketch<'_> {
                 self.highlighted_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
             }
             (Concept::UpCrossW | Concept::WCrossU, _) => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(view.camera) else {
+                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(&view.camera) else {
                     return;
                 };
                 let [u, v, w] = self.colors.basis;
@@ -297,13 +295,9 @@ impl Sketch<'_> {
     }
 
     /// Highlights what belongs to the selected ray.
-    fn highlight_selected(
-        &mut self,
-        resolved: &ResolvedCamera,
-        view: &WorldView,
-        highlighted: Highlighted,
-    ) {
-        let Some(inspection) = view.inspection else { return };
+    fn highlight_selected(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
+        let view = self.view;
+        let Some(inspection) = &view.inspection else { return };
         let ray = &inspection.ray;
         let pen = self.highlighted_pen(highlighted, self.colors.ray);
         match highlighted.concept {
@@ -375,8 +369,9 @@ impl Sketch<'_> {
     }
 
     /// Draws a sphere's silhouette, or a square in a plane and its normal.
-    fn highlight_object(&mut self, view: &WorldView, index: u32) {
-        let Some(object) = view.scene.objects().nth(index as usize) else { return };
+    fn highlight_object(&mut self, index: u32) {
+        let view = self.view;
+        let Some(object) = self.scene.object(index) else { return };
         let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index)).on_top();
         match object {
             Object::Sphere(sphere) => {

@@ -14,6 +14,11 @@
 //! - `sketch`: lines and arrows of the world as marks, visible or hidden, and the placement of labels.
 //! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
+use pinhole_core::{Rgb, Scene};
+
 mod camera_view;
 mod drawing;
 mod flat;
@@ -27,7 +32,7 @@ mod world_view;
 
 pub use crate::model::observer::UP_LENGTH;
 pub use camera_view::loupe::{Loupe, loupe_window};
-pub use camera_view::{CameraView, camera, camera_apart, camera_position_of_uv, camera_uv_at};
+pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
 pub use drawing::{Drawing, Ink, Label, Mark, Outline, Path, Shape, Target, concept_at};
 pub use highlighted::Highlighted;
 pub use paint::{Picture, paint_paths};
@@ -37,9 +42,49 @@ pub use world_view::compared::GhostCamera;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };
-pub use world_view::{
-    Backdrop, Below, WorldView, pick, t_towards, world, world_apart, world_position_of,
-};
+pub use world_view::{Backdrop, Below, WorldView, pick, t_towards, world, world_position_of};
+
+/// A shared value that is compared by identity: it equals only the very same value.
+#[derive(Debug)]
+pub struct Same<T>(pub Arc<T>);
+
+impl<T> Clone for Same<T> {
+    fn clone(&self) -> Same<T> {
+        Same(Arc::clone(&self.0))
+    }
+}
+
+impl<T> PartialEq for Same<T> {
+    fn eq(&self, other: &Same<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl<T> Deref for Same<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+/// A scene with the colour of each of its objects.
+///
+/// Views borrow it only while they are drawn: if a view kept the scene, an edit could not replace an
+/// object in place, and would copy all of them.
+#[derive(Clone, Copy)]
+pub struct ColoredScene<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The colours.
+    pub colors: &'a [Rgb],
+}
+
+impl ColoredScene<'_> {
+    fn color_of(&self, index: u32) -> Rgb {
+        self.colors.get(index as usize).copied().unwrap_or_default()
+    }
+}
 
 #[cfg(test)]
 mod tests;

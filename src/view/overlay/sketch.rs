@@ -6,7 +6,7 @@
 //! out, so the more important labels are placed first.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3};
+use pinhole_core::{DVec2, DVec3, Scene};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
@@ -14,6 +14,7 @@ use crate::view::overlay::drawing::{Drawing, Label, Mark, Shape, circle, dot, wi
 use crate::view::overlay::layers::Layers;
 use crate::view::overlay::screen::{CutLine, Screen, Spot};
 use crate::view::overlay::style::Colors;
+use crate::view::overlay::world_view::WorldView;
 
 /// The style of a line.
 #[derive(Clone, Copy, Debug)]
@@ -47,11 +48,11 @@ pub(crate) enum Head {
 
 /// A drawing while it is built.
 pub(crate) struct Sketch<'a> {
+    pub(crate) view: &'a WorldView,
+    pub(crate) scene: &'a Scene,
     pub(crate) screen: Screen,
     pub(crate) layers: &'a Layers<'a>,
     pub(crate) items: OverlayItems,
-    /// True if everything has its name: see [`WorldView::names_all`](crate::view::overlay::WorldView).
-    pub(crate) names_all: bool,
     pub(crate) colors: &'static Colors,
     pub(crate) drawing: Drawing,
     pub(crate) requests: Vec<Request>,

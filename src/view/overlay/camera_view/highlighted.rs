@@ -10,7 +10,7 @@ use pinhole_lecture::{BasisDerivation, Cross};
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 
-use crate::view::overlay::camera_view::{Overlay, position_of};
+use crate::view::overlay::camera_view::{CameraSketch, position_of};
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
@@ -27,16 +27,16 @@ const ARROW: f64 = 0.3;
 const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
-impl Overlay<'_> {
+impl CameraSketch<'_> {
     /// Highlights a concept over everything that is already drawn. If the camera cannot see it, the
     /// picture stays as it is.
-    pub(super) fn highlight(&mut self, highlighted: Highlighted) {
+    pub(super) fn highlight(&mut self, highlighted: Highlighted, scene: &Scene) {
         let (shown, before) = (self.items, self.requests.len());
         if let Concept::Object(index) = highlighted.concept
-            && let Some(Object::Plane(_)) = highlighted.scene.object(index)
+            && let Some(Object::Plane(_)) = scene.object(index)
         {
             if highlighted.dims {
-                self.highlight_plane(highlighted, index);
+                self.highlight_plane(scene, index);
             }
             return;
         }
@@ -46,7 +46,7 @@ impl Overlay<'_> {
         self.highlight_basis(highlighted);
         self.highlight_selected(highlighted);
         if let Concept::Object(index) = highlighted.concept {
-            self.highlight_object(highlighted, index);
+            self.highlight_object(highlighted, scene, index);
         }
         self.items = shown;
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
@@ -162,7 +162,7 @@ impl Overlay<'_> {
                 self.arrow(middle, self.arrow_of(vector), pen, name, VECTOR_TEXT);
             }
             Concept::UpCrossW | Concept::WCrossU => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(highlighted.camera)
+                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(&highlighted.camera)
                 else {
                     return;
                 };
@@ -223,8 +223,8 @@ impl Overlay<'_> {
     }
 
     fn highlight_selected(&mut self, highlighted: Highlighted) {
-        let Some(inspection) = self.view.inspection else { return };
-        let (resolved, size) = (self.view.resolved, self.view.size);
+        let Some(inspection) = &self.view.inspection else { return };
+        let (resolved, size) = (&self.view.resolved, self.view.size);
         let at = position_of(resolved, size, inspection.uv);
         let pen = Self::pen(highlighted, self.colors.ray);
         let radius = 6.0 * self.view.scale;
@@ -278,7 +278,7 @@ impl Overlay<'_> {
     /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
     /// those along u and v in the picture.
     fn highlight_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
-        let (resolved, size, middle) = (self.view.resolved, self.view.size, self.middle());
+        let (resolved, size, middle) = (&self.view.resolved, self.view.size, self.middle());
         let to_dots = |uv: DVec2| position_of(resolved, size, uv);
         let (at, corner) = (to_dots(uv), to_dots(DVec2::new(uv.x, 0.0)));
         let [w, u, v] = ALONG;
@@ -301,9 +301,9 @@ impl Overlay<'_> {
     }
 
     /// Draws a sphere's outline.
-    fn highlight_object(&mut self, highlighted: Highlighted, index: u32) {
-        let Some(Object::Sphere(sphere)) = highlighted.scene.object(index) else { return };
-        let resolved = self.view.resolved;
+    fn highlight_object(&mut self, highlighted: Highlighted, scene: &Scene, index: u32) {
+        let Some(Object::Sphere(sphere)) = scene.object(index) else { return };
+        let resolved = &self.view.resolved;
         let unit = (sphere.center - resolved.eye()).length();
         let screen = Screen::of_size(resolved, self.view.extent(), unit);
         let pen = Pen { width: 4.0, ..Self::pen(highlighted, self.colors.hit) };
@@ -317,10 +317,10 @@ impl Overlay<'_> {
 
     /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
     /// picture, and what lies on it must still be seen and hovered.
-    fn highlight_plane(&mut self, highlighted: Highlighted, index: u32) {
+    fn highlight_plane(&mut self, scene: &Scene, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
-        let cells = Cells::trace(self.view.resolved, highlighted.scene, extent, CELL * scale);
+        let cells = Cells::trace(&self.view.resolved, scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
         let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         let mut others = std::mem::take(&mut self.drawing.marks);

@@ -8,7 +8,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraView, Overlay, position_of};
+use crate::view::overlay::camera_view::{CameraSketch, CameraView, position_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::paint::Picture;
 use crate::view::overlay::sketch::Pen;
@@ -63,11 +63,11 @@ struct Inset {
 
 impl Inset {
     /// Returns the open loupe, and places it for the selected position.
-    fn open<'a>(view: &CameraView<'a>) -> Option<(&'a Loupe, PixelOfUv, DVec2, Inset)> {
-        let loupe = view.loupe.filter(|loupe| loupe.picture.is_whole())?;
-        let inspection = view.inspection.filter(|_| view.items.shows(Item::Loupe))?;
+    fn open(view: &CameraView) -> Option<(&Loupe, PixelOfUv, DVec2, Inset)> {
+        let loupe = view.loupe.as_deref().filter(|loupe| loupe.picture.is_whole())?;
+        let inspection = view.inspection.as_ref().filter(|_| view.items.shows(Item::Loupe))?;
         let (position, at) =
-            (inspection.image_position?, position_of(view.resolved, view.size, inspection.uv));
+            (inspection.image_position?, position_of(&view.resolved, view.size, inspection.uv));
         Some((loupe, position, at, Inset::new(view, loupe.shown_pixels, &position, at)))
     }
 
@@ -113,7 +113,7 @@ impl Inset {
     }
 }
 
-impl Overlay<'_> {
+impl CameraSketch<'_> {
     /// Draws the loupe over everything else.
     pub(super) fn loupe(&mut self) {
         let (view, colors) = (self.view, self.colors);
@@ -172,7 +172,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     let mut texts = rows(&touched, loupe, &inset, view.scale);
     texts.extend(columns(&touched, loupe, &inset, view.scale));
     let centre = view.resolved.uv_of_pixel(position.pixel);
-    let is_centre = view.inspection.is_some_and(|inspection| inspection.uv == centre);
+    let is_centre = view.inspection.as_ref().is_some_and(|inspection| inspection.uv == centre);
     let kind = match touched.len() {
         4 => "corner of 4 pixels",
         2 => "between 2 pixels",

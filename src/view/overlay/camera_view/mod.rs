@@ -3,12 +3,15 @@
 mod highlighted;
 pub(super) mod loupe;
 
+use std::sync::Arc;
+
 use egui::Color32;
-use pinhole_core::{DVec2, Pixel, ResolvedCamera};
+use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
+use crate::view::overlay::Same;
 use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
@@ -17,15 +20,16 @@ use crate::view::overlay::paint::{Fills, Picture};
 use crate::view::overlay::sketch::{Pen, Request, place_labels};
 use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
 
-/// Everything that the camera view shows.
-#[derive(Clone, Copy, Debug)]
-pub struct CameraView<'a> {
+/// The inputs of the camera view. Two equal ones give the same picture, so its cache compares them as a
+/// whole. The scene is not one of them: another scene has another picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CameraView {
     /// The edited camera.
-    pub resolved: &'a ResolvedCamera,
+    pub resolved: ResolvedCamera,
     /// The camera's picture.
-    pub picture: &'a Picture,
+    pub picture: Same<Picture>,
     /// The selected ray.
-    pub inspection: Option<&'a Inspection>,
+    pub inspection: Option<Same<Inspection>>,
     /// Width and height of the buffer in dots. The whole image is stretched over it.
     pub size: [usize; 2],
     /// The overlay items to draw.
@@ -35,26 +39,23 @@ pub struct CameraView<'a> {
     /// The colours.
     pub style: Style,
     /// The highlighted concept, if any.
-    pub highlighted: Option<Highlighted<'a>>,
+    pub highlighted: Option<Highlighted>,
     /// The content of the loupe, if it is open.
-    pub loupe: Option<&'a Loupe>,
+    pub loupe: Option<Arc<Loupe>>,
+    /// True if the marks are not painted into the picture: a figure draws them itself.
+    pub is_apart: bool,
 }
 
 /// Least size of a pixel, in dots, at which the grid is drawn.
 const GRID_FROM: f64 = 8.0;
 
 /// Fills the buffer with the picture and paints the overlay on it. Returns the drawing; its labels
-/// are left to the caller.
-pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
-    let drawing = view.drawing();
-    view.paint(&Fills::new(&drawing), dots);
+/// are left to the caller. Without a scene, no concept is highlighted.
+pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) -> Drawing {
+    let drawing = view.drawing(scene);
+    let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
+    view.paint(&marks, dots);
     drawing
-}
-
-/// Does the same as [`camera`] without painting the drawing.
-pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
-    view.paint(&Fills::default(), dots);
-    view.drawing()
 }
 
 /// Returns the (u, v) at a position of the camera view, in dots; the position may be outside the
@@ -78,7 +79,7 @@ fn position_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2
     )
 }
 
-impl CameraView<'_> {
+impl CameraView {
     fn extent(&self) -> DVec2 {
         DVec2::new(self.size[0] as f64, self.size[1] as f64)
     }
@@ -131,9 +132,9 @@ impl CameraView<'_> {
     }
 
     /// Returns the marks and labels, without painting them.
-    pub fn drawing(&self) -> Drawing {
+    pub fn drawing(&self, scene: Option<&Scene>) -> Drawing {
         let colors = self.style.colors();
-        let mut overlay = Overlay {
+        let mut overlay = CameraSketch {
             view: self,
             items: self.items,
             colors,
@@ -143,8 +144,8 @@ impl CameraView<'_> {
         overlay.uv_axes();
         overlay.marks();
         overlay.selected();
-        if let Some(highlighted) = self.highlighted {
-            overlay.highlight(highlighted);
+        if let (Some(highlighted), Some(scene)) = (self.highlighted, scene) {
+            overlay.highlight(highlighted, scene);
         }
         let requests = std::mem::take(&mut overlay.requests);
         place_labels(requests, &mut overlay.drawing, self.extent());
@@ -169,15 +170,15 @@ fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
 }
 
 /// The camera view's drawing while it is built.
-struct Overlay<'a> {
-    view: &'a CameraView<'a>,
+struct CameraSketch<'a> {
+    view: &'a CameraView,
     items: OverlayItems,
     colors: &'static Colors,
     drawing: Drawing,
     requests: Vec<Request>,
 }
 
-impl Overlay<'_> {
+impl CameraSketch<'_> {
     fn add(&mut self, pen: Pen, shape: Shape) {
         if self.items.shows(pen.item) {
             let mark = pen.mark(shape, self.colors.halo);
@@ -250,11 +251,11 @@ impl Overlay<'_> {
     /// the centre of one. If pixels are too small to be told apart, draws only a frame around the
     /// position.
     fn selected(&mut self) {
-        let Some(inspection) = self.view.inspection else { return };
+        let Some(inspection) = &self.view.inspection else { return };
         let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).about(Concept::Pixel);
         let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
-        let resolved = self.view.resolved;
+        let resolved = &self.view.resolved;
         let at = position_of(resolved, self.view.size, inspection.uv);
         let pixel_size = self.view.dots_per_pixel().min_element() / scale;
         let touched = inspection.image_position.map(|position| position.touching(resolved.image()));

@@ -1,5 +1,7 @@
 //! The camera view.
 
+use std::sync::Arc;
+
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, Raster, Scene, Viewport};
 
@@ -15,8 +17,8 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
     let size = [63, 40];
     let inspection = None;
     let view = CameraView {
-        resolved: &resolved,
-        picture: &picture,
+        resolved,
+        picture: Same(Arc::new(picture)),
         inspection,
         size,
         items: OverlayItems::NONE,
@@ -24,11 +26,12 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         style: Style::Light,
         highlighted: None,
         loupe: None,
+        is_apart: false,
     };
     let mut plain = vec![Color32::BLACK; 63 * 40];
-    camera(&view, &mut plain);
+    camera(&view, None, &mut plain);
     let mut lined = plain.clone();
-    camera(&CameraView { items: stage.items.with(Item::Marks, false), ..view }, &mut lined);
+    camera(&CameraView { items: stage.items.with(Item::Marks, false), ..view }, None, &mut lined);
     for (k, (plain_dot, lined_dot)) in plain.iter().zip(&lined).enumerate() {
         let (row, column) = (k / 63, k % 63);
         let new_column = column > 0 && plain[k] != plain[k - 1];
@@ -41,25 +44,27 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
 fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
     let resolved =
         Camera { image: image(10, 10), ..Camera::CANONICAL }.resolve().expect("a camera");
-    let picture = Picture {
+    let picture = Arc::new(Picture {
         raster: Raster::full(resolved.image()),
         image: resolved.image(),
         pixels: vec![Color32::GRAY; 100],
-    };
+    });
     let frames_and_crosses = |uv: DVec2| {
         let inspection = Inspection::new(&resolved, &Scene::default(), Selection::Uv(uv));
         let view = CameraView {
-            resolved: &resolved,
-            picture: &picture,
-            inspection: Some(&inspection),
+            resolved,
+            picture: Same(Arc::clone(&picture)),
+            inspection: Some(Same(Arc::new(inspection))),
             size: [300, 300],
             items: OverlayItems::NONE.with(Item::Ray, true),
             scale: 1.0,
             style: Style::Dark,
             highlighted: None,
             loupe: None,
+            is_apart: false,
         };
-        let lengths: Vec<usize> = view.drawing().marks.iter().map(|m| points(m).len()).collect();
+        let lengths: Vec<usize> =
+            view.drawing(None).marks.iter().map(|m| points(m).len()).collect();
         [5, 2].map(|corners| lengths.iter().filter(|n| **n == corners).count())
     };
     assert_eq!(frames_and_crosses(DVec2::new(0.2, -0.1)), [4, 2]);

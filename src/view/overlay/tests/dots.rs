@@ -1,5 +1,7 @@
 //! Exact dots of the world view, and picking positions in it.
 
+use std::sync::Arc;
+
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, Outputs, Pixel, Raster, Scene, trace_as};
 
@@ -11,7 +13,7 @@ fn the_picture_on_the_viewport_has_its_own_colours() {
     let mut stage = Stage::new(camera, vec![sphere(0.3, 0.2, -5.0, 1.5)], vec![]);
     stage.items = OverlayItems::NONE.with(Item::Picture, true);
     let mut dots = stage.dots();
-    assert_eq!(painted(&stage.view(), &mut dots).labels, []);
+    assert_eq!(stage.painted(&stage.view(), &mut dots).labels, []);
     let picture = stage.picture.as_ref().expect("a picture");
     let mut colors = std::collections::HashSet::new();
     for pixel in (0..8).flat_map(|row| (0..8).map(move |column| Pixel { row, column })) {
@@ -31,7 +33,7 @@ fn with_nothing_on_only_the_background_changes() {
     stage.items = OverlayItems::NONE;
     let before = stage.dots();
     let mut after = before.clone();
-    assert_eq!(painted(&stage.view(), &mut after).labels, []);
+    assert_eq!(stage.painted(&stage.view(), &mut after).labels, []);
     let sphere = opaque(color_of(0));
     let background = Style::Light.colors().background;
     for (before, after) in before.iter().zip(&after) {
@@ -44,12 +46,12 @@ fn with_nothing_on_only_the_background_changes() {
 fn a_frame_of_another_size_is_no_panic() {
     let stage = canonical();
     let mut dots = vec![Color32::BLACK; 100];
-    painted(&stage.view(), &mut dots);
+    stage.painted(&stage.view(), &mut dots);
     let image = stage.frame.camera().image();
     let part = Raster::shown_on(image, 7, 5);
     let frame = trace_as(&stage.scene, stage.frame.camera(), &part, Outputs::default());
     let mut dots = stage.dots();
-    painted(&WorldView { frame: &frame, ..stage.view() }, &mut dots);
+    stage.painted(&WorldView { frame: Same(Arc::new(frame)), ..stage.view() }, &mut dots);
 }
 
 #[test]
@@ -89,11 +91,12 @@ fn seen_from_behind_the_picture_is_mirrored() {
     let mut stage = Stage::seen_by(camera, scene, Observer::new(DVec3::ZERO, 0.0, 0.0, 4.0));
     let (left, right) = (Color32::from_rgb(9, 8, 7), Color32::from_rgb(1, 2, 3));
     let raster = Raster::full(camera.image);
-    stage.picture = Some(Picture { raster, image: camera.image, pixels: vec![left, right] });
+    stage.picture =
+        Some(Arc::new(Picture { raster, image: camera.image, pixels: vec![left, right] }));
     stage.items = OverlayItems::NONE.with(Item::Picture, true);
     let seen = |stage: &Stage| {
         let mut dots = stage.dots();
-        painted(&stage.view(), &mut dots);
+        stage.painted(&stage.view(), &mut dots);
         let row = &dots[SIZE.0 as usize * (SIZE.1 as usize / 2)..][..SIZE.0 as usize];
         let at = |color: Color32| row.iter().position(|dot| *dot == color);
         (at(left).expect("a left pixel"), at(right).expect("a right pixel"))
@@ -113,10 +116,10 @@ fn a_sphere_around_the_camera_is_painted_cut_away() {
     let scene = Scene::new(vec![around], vec![]).expect("a scene");
     let observer = from_the_right(around.center, 16.0);
     let stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
-    assert_eq!(stage.enclosing, [0]);
+    assert_eq!(*stage.enclosing, [0]);
     let mut dots = stage.dots();
     let background = Style::Light.colors().background;
-    painted(&stage.view(), &mut dots);
+    stage.painted(&stage.view(), &mut dots);
     let at = |y: f64| {
         let spot = stage.to_screen(DVec3::new(0.0, y, -2.3));
         dots[spot.y as usize * SIZE.0 as usize + spot.x as usize]
@@ -130,5 +133,5 @@ fn a_sphere_around_the_camera_is_painted_cut_away() {
     assert!(nearness(at(2.9)) < nearness(background) - 60, "{:?}", at(2.9));
     assert_eq!(at(5.0), background, "beside it");
     // Nothing of it hides the camera.
-    assert!(!stage.view().drawing().marks.iter().any(|mark| mark.item == Item::Eye && mark.hidden));
+    assert!(!stage.drawing().marks.iter().any(|mark| mark.item == Item::Eye && mark.hidden));
 }

@@ -9,8 +9,8 @@ fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
     let ghost =
         Camera { eye: DVec3::new(0.6, 0.4, 0.3), ..stage.camera }.resolve().expect("a camera");
     let ghost = GhostCamera::frozen(&ghost);
-    let alone = stage.view().drawing();
-    let both = WorldView { ghost: Some(&ghost), ..stage.view() }.drawing();
+    let alone = stage.drawing();
+    let both = WorldView { ghost: Some(ghost), ..stage.view() }.drawing(stage.scene());
     let more: Vec<_> = both.marks.iter().filter(|mark| !alone.marks.contains(mark)).collect();
     let lines = more.iter().filter(|mark| match &mark.shape {
         // The thinnest ones lead to labels.

@@ -30,27 +30,29 @@ const CONCEPTS: [Concept; 21] = [
     Concept::Normal,
 ];
 
-fn highlighted<'a>(stage: &'a Stage, concept: Concept) -> Option<Highlighted<'a>> {
-    Some(Highlighted { concept, camera: &stage.camera, scene: &stage.scene, digits: 5, dims: true })
+fn highlighted(stage: &Stage, concept: Concept) -> Option<Highlighted> {
+    Some(Highlighted { concept, camera: stage.camera, digits: 5, dims: true })
 }
 
 fn world_drawing(stage: &Stage, concept: Concept) -> Drawing {
-    WorldView { scale: 0.3, highlighted: highlighted(stage, concept), ..stage.view() }.drawing()
+    WorldView { scale: 0.3, highlighted: highlighted(stage, concept), ..stage.view() }
+        .drawing(stage.scene())
 }
 
 fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
     CameraView {
-        resolved: stage.resolve(),
-        picture: stage.picture.as_ref().expect("a picture"),
-        inspection: stage.inspection.as_ref(),
+        resolved: *stage.resolve(),
+        picture: Same(stage.picture.clone().expect("a picture")),
+        inspection: stage.inspection.clone().map(Same),
         size: [240, 240],
         items: stage.items,
         scale: 0.5,
         style: Style::Dark,
         highlighted: concept.and_then(|concept| highlighted(stage, concept)),
         loupe: None,
+        is_apart: false,
     }
-    .drawing()
+    .drawing(Some(&stage.scene))
 }
 
 #[test]
@@ -97,14 +99,14 @@ fn a_plane_is_hatched_where_it_is_seen() {
 #[test]
 fn what_is_lit_needs_no_item_and_the_rest_is_dimmed() {
     let mut stage = canonical();
-    let plain = stage.view().drawing();
+    let plain = stage.drawing();
     let ink = |drawing: &Drawing| {
         drawing.marks.iter().find(|mark| mark.item == Item::Frustum).map(|mark| mark.color)
     };
     let dimmed = ink(&world_drawing(&stage, Concept::W)).expect("a frustum");
     assert!(dimmed.a() < ink(&plain).expect("a frustum").a());
     stage.items = OverlayItems::NONE;
-    assert!(stage.view().drawing().marks.is_empty());
+    assert!(stage.drawing().marks.is_empty());
     let highlighted = world_drawing(&stage, Concept::W);
     assert!(
         highlighted.marks.iter().all(|mark| mark.concept == Some(Concept::W))
@@ -192,7 +194,8 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let uv = DVec2::new(0.45, 0.4);
-    stage.inspection = Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(uv)));
+    let inspection = Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(uv));
+    stage.inspection = Some(Arc::new(inspection));
     let drawing = world_drawing(&stage, Concept::AlongU);
     for concept in [Concept::AlongU, Concept::AlongV, Concept::AlongW] {
         assert!(drawing.targets().iter().any(|target| target.concept == concept), "{concept:?}");

@@ -1,5 +1,7 @@
 //! The loupe in the camera view.
 
+use std::sync::Arc;
+
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, PixelOfUv, Raster, Scene};
 
@@ -17,17 +19,18 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
     let picture = Picture { raster, image: resolved.image(), pixels };
     let loupe = Loupe { picture: picture.clone(), shown_pixels: 9, count_from_one };
     let view = CameraView {
-        resolved: &resolved,
-        picture: &picture,
-        inspection: Some(&inspection),
+        resolved,
+        picture: Same(Arc::new(picture)),
+        inspection: Some(Same(Arc::new(inspection))),
         size: [size, size],
         items: OverlayItems::NONE.with(Item::Loupe, true),
         scale: 1.0,
         style: Style::Light,
         highlighted: None,
-        loupe: Some(&loupe),
+        loupe: Some(Arc::new(loupe)),
+        is_apart: false,
     };
-    (view.drawing(), position)
+    (view.drawing(None), position)
 }
 
 fn texts(drawing: &Drawing) -> Vec<&str> {

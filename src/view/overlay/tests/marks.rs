@@ -29,8 +29,8 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
     let ray = Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO));
     assert_eq!(ray.first, None);
-    stage.inspection = Some(ray);
-    let drawing = stage.view().drawing();
+    stage.inspection = Some(Arc::new(ray));
+    let drawing = stage.drawing();
     // The tangents from the observer, 5 away, meet the ray at 10 * 0.5 / sqrt(25 - 0.25) from the
     // middle.
     let half = 10.0 * 0.5 / (24.75f64).sqrt();
@@ -55,9 +55,9 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
     stage.inspection =
-        Some(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO)));
+        Some(Arc::new(Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO))));
     let to_screen = |z: f64| stage.to_screen(DVec3::new(0.0, 0.0, z)).x.round() as i64;
-    let ray: Vec<_> = runs(&stage.view().drawing(), Item::Ray)
+    let ray: Vec<_> = runs(&stage.drawing(), Item::Ray)
         .into_iter()
         .filter(|(_, from, to)| to - from > 20)
         .collect();
@@ -67,7 +67,7 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
 #[test]
 fn the_picture_hides_what_is_behind_it_and_not_what_is_drawn_on_it() {
     let stage = canonical();
-    let drawing = stage.view().drawing();
+    let drawing = stage.drawing();
     let hidden = |item: Item| drawing.marks.iter().any(|m| m.item == item && m.hidden);
     assert!(hidden(Item::Ray));
     assert!(!hidden(Item::Viewport));
@@ -82,7 +82,7 @@ fn a_wall_between_observer_and_camera_does_not_hide_the_camera() {
     let scene = Scene::new(vec![], vec![behind]).expect("a scene");
     let observer = Observer::new(DVec3::ZERO, 0.3, 0.3, 8.0);
     let stage = Stage::seen_by(camera, scene, observer);
-    let drawing = stage.view().drawing();
+    let drawing = stage.drawing();
     let basis: Vec<_> = drawing.marks.iter().filter(|m| m.item == Item::Basis).collect();
     assert!(!basis.is_empty() && basis.iter().all(|mark| !mark.hidden));
     let mut eye = drawing.marks.iter().filter(|m| m.item == Item::Eye);
@@ -96,7 +96,7 @@ fn lines_behind_a_wall_are_dashed() {
     let at = DVec3::new(0.0, 0.0, -5.0);
     let camera = Camera { orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL };
     let stage = Stage::seen_by(camera, scene, Observer::new(DVec3::ZERO, 0.6, 0.3, 14.0));
-    let drawing = stage.view().drawing();
+    let drawing = stage.drawing();
     let at = drawing.marks.iter().find(|m| m.item == Item::At).map(|m| &m.shape);
     assert!(matches!(at, Some(Shape::Line { .. })), "a ring, not {at:?}");
 }
@@ -107,8 +107,8 @@ fn each_item_can_be_drawn_alone_and_left_out() {
     let eye = HandleMark { at: DVec3::ZERO, knob: Knob::Round, state: KnobState::Plain };
     let handles = Handles { marks: vec![eye], ..Handles::default() };
     let of_marks = |stage: &Stage| {
-        let view = WorldView { handles: &handles, ..stage.view() };
-        let Drawing { marks, labels, .. } = view.drawing();
+        let view = WorldView { handles: handles.clone(), ..stage.view() };
+        let Drawing { marks, labels, .. } = view.drawing(stage.scene());
         let items: Vec<Item> =
             marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
         items
@@ -136,7 +136,7 @@ fn handles_keep_their_size_and_stand_out_by_form() {
             marks: vec![HandleMark { at, knob: Knob::Round, state }],
             ..Handles::default()
         };
-        let drawing = WorldView { handles: &handles, ..stage.view() }.drawing();
+        let drawing = WorldView { handles, ..stage.view() }.drawing(stage.scene());
         let own = drawing.marks.into_iter().filter(|mark| mark.item == Item::Handles);
         own.map(|mark| mark.shape).collect::<Vec<_>>()
     };
@@ -160,7 +160,8 @@ fn handles_keep_their_size_and_stand_out_by_form() {
 #[test]
 fn labels_name_everything_in_the_canonical_scene() {
     // The picture is small; so is everything that is measured in points.
-    let drawing = WorldView { scale: 0.3, ..canonical().view() }.drawing();
+    let stage = canonical();
+    let drawing = WorldView { scale: 0.3, ..stage.view() }.drawing(stage.scene());
     let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
     texts.sort_unstable();
     let expected = ["at", "eye", "hit", "n", "u", "up", "v", "view", "w", "x", "y", "z"];
@@ -176,7 +177,7 @@ fn a_camera_without_a_basis_is_drawn_as_far_as_it_is_known() {
     };
     let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
     assert_eq!(stage.resolved, None);
-    let drawing = stage.view().drawing();
+    let drawing = stage.drawing();
     let has = |item: Item| drawing.marks.iter().any(|mark| mark.item == item);
     assert!(has(Item::Eye) && has(Item::At) && has(Item::ViewAndUp));
     assert!(!has(Item::Basis) && !has(Item::Frustum) && !has(Item::Viewport));

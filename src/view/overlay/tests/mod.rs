@@ -8,6 +8,8 @@ mod loupe;
 mod marks;
 mod wild;
 
+use std::sync::Arc;
+
 use egui::Color32;
 use pinhole_core::{
     Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, Raster, ResolvedCamera, Rgb, Scene,
@@ -24,16 +26,14 @@ struct Stage {
     camera: Camera,
     resolved: Option<ResolvedCamera>,
     scene: Scene,
-    enclosing: Vec<u32>,
+    colors: Vec<Rgb>,
+    enclosing: Arc<Vec<u32>>,
     observer: Observer,
-    frame: Frame<f32>,
-    picture: Option<Picture>,
-    inspection: Option<Inspection>,
+    frame: Arc<Frame<f32>>,
+    picture: Option<Arc<Picture>>,
+    inspection: Option<Arc<Inspection>>,
     items: OverlayItems,
 }
-
-static NO_HANDLES: Handles =
-    Handles { marks: Vec::new(), stems: Vec::new(), guides: Vec::new(), arrow: None, up: None };
 
 const SIZE: (u32, u32) = (240, 180);
 
@@ -67,37 +67,65 @@ impl Stage {
             let raster = Raster::shown_on(resolved.image(), 40, 40);
             let frame = trace_as::<f32>(&scene, resolved, &raster, Outputs::default());
             let pixels = shade(&frame, &scene, Shade::Lambert, color_of, opaque);
-            Picture { raster, image: resolved.image(), pixels }
+            Arc::new(Picture { raster, image: resolved.image(), pixels })
         });
         let inspection = resolved.as_ref().map(|resolved| {
-            Inspection::new(resolved, &scene, Selection::Uv(DVec2::new(0.02, 0.01)))
+            let selection = Selection::Uv(DVec2::new(0.02, 0.01));
+            Arc::new(Inspection::new(resolved, &scene, selection))
         });
         let items = OverlayItems::default();
-        Stage { camera, resolved, scene, enclosing, observer, frame, picture, inspection, items }
+        Stage {
+            camera,
+            resolved,
+            colors: (0..scene.len() as u32).map(color_of).collect(),
+            scene,
+            enclosing: Arc::new(enclosing),
+            observer,
+            frame: Arc::new(frame),
+            picture,
+            inspection,
+            items,
+        }
     }
 
-    fn view(&self) -> WorldView<'_> {
+    fn view(&self) -> WorldView {
         WorldView {
-            camera: &self.camera,
-            resolved: self.resolved.as_ref(),
-            picture: self.picture.as_ref(),
-            inspection: self.inspection.as_ref(),
-            scene: &self.scene,
-            enclosing: &self.enclosing,
-            color_of: &color_of,
-            observer: &self.observer,
-            frame: &self.frame,
+            camera: self.camera,
+            resolved: self.resolved,
+            picture: self.picture.clone().map(Same),
+            inspection: self.inspection.clone().map(Same),
+            generations: [0; 2],
+            enclosing: Arc::clone(&self.enclosing),
+            observer: self.observer,
+            frame: Same(Arc::clone(&self.frame)),
             items: self.items,
             scale: 1.0,
             style: Style::Light,
             highlighted: None,
             ray_point_t: None,
-            handles: &NO_HANDLES,
+            handles: Handles::default(),
             ghost: None,
-            answer_marks: &[],
+            answer_marks: Arc::default(),
             is_clear: false,
             names_all: true,
+            is_apart: false,
         }
+    }
+
+    fn scene(&self) -> ColoredScene<'_> {
+        ColoredScene { scene: &self.scene, colors: &self.colors }
+    }
+
+    fn drawing(&self) -> Drawing {
+        self.view().drawing(self.scene())
+    }
+
+    /// Paints a world view over the observer's shaded picture.
+    fn painted(&self, view: &WorldView, dots: &mut [Color32]) -> Drawing {
+        let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view, self.scene()));
+        backdrop.paint(&view.frame, dots);
+        let painted = dots.to_vec();
+        world(view, self.scene(), &backdrop, Below { traced: &traced, painted: &painted }, dots)
     }
 
     /// Returns the observer's picture with flat shading.
@@ -154,12 +182,4 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
             assert!(apart.max_element() > -1e-3, "{:?}", drawing.labels[k]);
         }
     }
-}
-
-/// Paints the world view over the observer's shaded picture.
-fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view));
-    backdrop.paint(view.frame, dots);
-    let painted = dots.to_vec();
-    world(view, &backdrop, Below { traced: &traced, painted: &painted }, dots)
 }

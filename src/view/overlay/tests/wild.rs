@@ -78,7 +78,7 @@ proptest! {
         observer.orbit(turn.0, turn.1);
         observer.zoom(turn.2);
         let stage = Stage::seen_by(camera, scene, observer);
-        check_drawing(&stage.view().drawing());
+        check_drawing(&stage.drawing());
     }
 }
 
@@ -89,7 +89,7 @@ proptest! {
     fn wild_cameras_are_painted(camera in wild_camera(), scene in wild_scene()) {
         let stage = Stage::new(camera, scene.spheres().to_vec(), scene.planes().to_vec());
         let mut dots = stage.dots();
-        painted(&stage.view(), &mut dots);
+        stage.painted(&stage.view(), &mut dots);
         prop_assert!(dots.iter().all(|dot| dot.is_opaque()));
     }
 }

@@ -17,7 +17,6 @@ use crate::view::overlay::layers::{Patch, mix};
 use crate::view::overlay::screen::{PixelRays, tangents, unit};
 use crate::view::overlay::sketch::{Head, Pen, Sketch, Tip};
 use crate::view::overlay::style::{Colors, MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::WorldView;
 
 /// Size of the viewport on the screen, in points, below which the camera has a body: its handles
 /// would lie over each other, and its frustum could hardly be seen.
@@ -34,25 +33,26 @@ const T_DIGITS: usize = 4;
 
 impl Sketch<'_> {
     /// Draws the whole camera, from the back of the drawing to its front.
-    pub(crate) fn camera_in_space(&mut self, view: &WorldView) {
+    pub(crate) fn camera_in_space(&mut self) {
+        let view = self.view;
         let eye = view.camera.eye;
         let usual = self.arrow_length(eye);
         let arrow = view.handles.arrow.unwrap_or(usual);
         self.axes();
-        if let Some(resolved) = view.resolved {
-            self.frustum(resolved, view);
+        if let Some(resolved) = &view.resolved {
+            self.frustum(resolved);
             self.body(resolved);
             self.outline(resolved);
             self.marks(resolved);
-            if let Some(inspection) = view.inspection {
-                self.selected(resolved, inspection, view);
+            if let Some(inspection) = &view.inspection {
+                self.selected(resolved, inspection);
             }
         }
-        self.given(view, arrow);
-        if let Some(resolved) = view.resolved {
+        self.given(arrow);
+        if let Some(resolved) = &view.resolved {
             self.basis(resolved, arrow);
         }
-        self.eye_and_at(view);
+        self.eye_and_at();
     }
 
     /// Returns one world unit at a point, limited to a range of points on the screen.
@@ -92,16 +92,31 @@ impl Sketch<'_> {
         }
     }
 
+    /// Returns the t of the corner rays up to which the frustum is drawn: past every sphere of ordinary
+    /// size.
+    fn reach(&self, resolved: &ResolvedCamera) -> f64 {
+        const ASKED_SPHERES: usize = 1024;
+        const LEAST: f64 = 2.2;
+        let distance = resolved.viewport().distance;
+        let limit = 8.0 * self.view.observer.distance() / distance;
+        let far_sides = self.scene.spheres().iter().take(ASKED_SPHERES).filter_map(|sphere| {
+            let depth = resolved.project(sphere.center).depth;
+            (sphere.radius < depth).then_some((depth + sphere.radius) / distance)
+        });
+        let planes = if self.scene.planes().is_empty() { 1.0 } else { 1.2 };
+        far_sides.filter(|t| *t < limit).fold(LEAST, f64::max) * 1.1 * planes
+    }
+
     /// Draws the edges from the eye through the viewport's corners, as far as the nearest plane or
     /// past the spheres.
-    fn frustum(&mut self, resolved: &ResolvedCamera, view: &WorldView) {
+    fn frustum(&mut self, resolved: &ResolvedCamera) {
         let ink = self.colors.ink;
         let near = Pen::new(Item::Frustum, ink, 1.8);
         let far = Pen::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
-        let reach = reach(resolved, view);
+        let (scene, reach) = (self.scene, self.reach(resolved));
         let rays = corners(resolved).map(|uv| resolved.ray(uv));
         let ends = rays.map(|ray| {
-            let planes = view.scene.planes().iter().take(64);
+            let planes = scene.planes().iter().take(64);
             let hits = planes.filter_map(|plane| plane.roots(&ray).first_positive());
             let wall = hits.fold(f64::INFINITY, f64::min);
             (ray.at(wall.min(reach)), wall <= reach)
@@ -189,7 +204,7 @@ impl Sketch<'_> {
         for (text, uv) in named {
             if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
                 && points > 90.0
-                && self.names_all
+                && self.view.names_all
             {
                 self.label(pen, text, spot, spot - center, font);
             }
@@ -197,7 +212,8 @@ impl Sketch<'_> {
     }
 
     /// Draws the selected pixel on the viewport, its ray, the hit and the normal there.
-    fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection, view: &WorldView) {
+    fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
+        let view = self.view;
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
@@ -222,7 +238,7 @@ impl Sketch<'_> {
         let ink = self.colors.hit;
         let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         // Where it has no name it would only be one arrow more.
-        if self.names_all {
+        if self.view.names_all {
             let length = self.normal_length(hit.point);
             let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
             self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
@@ -264,7 +280,8 @@ impl Sketch<'_> {
     }
 
     /// Draws view and up as they are given; a basis given by hand has neither.
-    fn given(&mut self, view: &WorldView, arrow: f64) {
+    fn given(&mut self, arrow: f64) {
+        let view = self.view;
         let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
         else {
             return;
@@ -279,7 +296,7 @@ impl Sketch<'_> {
             if let Some(direction) = unit(vector) {
                 let pen = Pen::new(Item::ViewAndUp, color, 1.9).about(concept);
                 let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
-                if self.names_all || concept == Concept::Up {
+                if self.view.names_all || concept == Concept::Up {
                     self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
                 }
             }
@@ -296,7 +313,8 @@ impl Sketch<'_> {
         }
     }
 
-    fn eye_and_at(&mut self, view: &WorldView) {
+    fn eye_and_at(&mut self) {
+        let view = self.view;
         let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
             let color = self.colors.given;
@@ -329,21 +347,6 @@ pub(crate) fn basis_arrows(
 pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
-}
-
-/// Returns the t of the corner rays up to which the frustum is drawn: past every sphere of ordinary
-/// size.
-fn reach(resolved: &ResolvedCamera, view: &WorldView) -> f64 {
-    const ASKED_SPHERES: usize = 1024;
-    const LEAST: f64 = 2.2;
-    let distance = resolved.viewport().distance;
-    let limit = 8.0 * view.observer.distance() / distance;
-    let far_sides = view.scene.spheres().iter().take(ASKED_SPHERES).filter_map(|sphere| {
-        let depth = resolved.project(sphere.center).depth;
-        (sphere.radius < depth).then_some((depth + sphere.radius) / distance)
-    });
-    let planes = if view.scene.planes().is_empty() { 1.0 } else { 1.2 };
-    far_sides.filter(|t| *t < limit).fold(LEAST, f64::max) * 1.1 * planes
 }
 
 /// Radius of a patch, as a share of the observer's distance to the target plus the target's to the

@@ -10,7 +10,6 @@ use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::view::overlay::screen::unit;
 use crate::view::overlay::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::camera_in_space::corners;
 
 /// Length of the drawn frustum edges, in viewport distances.
@@ -108,16 +107,16 @@ const ITEM: Item = Item::Eye;
 
 impl Sketch<'_> {
     /// Draws the answers, on top of what belongs to the camera.
-    pub(crate) fn answer_marks(&mut self, view: &WorldView) {
+    pub(crate) fn answer_marks(&mut self) {
         // The right ones first: a student's lies over them.
-        let mut marks: Vec<&AnswerMark> = view.answer_marks.iter().collect();
+        let mut marks: Vec<&AnswerMark> = self.view.answer_marks.iter().collect();
         marks.sort_by_key(|mark| mark.is_dashed);
         for mark in marks {
-            self.answer_mark(mark, view);
+            self.answer_mark(mark);
         }
     }
 
-    fn answer_mark(&mut self, mark: &AnswerMark, view: &WorldView) {
+    fn answer_mark(&mut self, mark: &AnswerMark) {
         let pen = |color: Color32, width: f32| {
             let pen = Pen::new(ITEM, color, if mark.is_dashed { 0.85 * width } else { width });
             if mark.is_dashed { pen.dashed() } else { pen }
@@ -125,7 +124,7 @@ impl Sketch<'_> {
         let ray_pen = pen(self.colors.ray, 3.0);
         match mark.shape {
             MarkShape::BasisVector(index, vector) => {
-                let (eye, color) = (view.camera.eye, self.colors.basis[index]);
+                let (eye, color) = (self.view.camera.eye, self.colors.basis[index]);
                 let head = [Head::Filled, Head::Open, Head::Double][index];
                 let arrow = (eye, vector, self.arrow_length(eye));
                 self.mark_vector(mark, arrow, head, pen(color, 3.4), VECTOR_TEXT);
@@ -135,7 +134,7 @@ impl Sketch<'_> {
                 let font = (ray_pen.color, POINT_TEXT, true);
                 self.label_tip(ray_pen, mark.label.as_str(), tip, font);
             }
-            MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen, view),
+            MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen),
             MarkShape::OnRay(ray, t) => {
                 let at = ray.at(t);
                 self.line(ray.origin, at, Pen { width: 1.6, ..ray_pen }.without_halo());
@@ -166,18 +165,11 @@ impl Sketch<'_> {
     }
 
     /// Draws a ray up to its t, or to what it hits, and names it where it passes the viewport.
-    fn mark_ray(
-        &mut self,
-        mark: &AnswerMark,
-        ray: Ray,
-        t: Option<f64>,
-        pen: Pen,
-        view: &WorldView,
-    ) {
-        let hit = t.or_else(|| view.scene.first_hit(&ray).map(|hit| hit.t));
+    fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: Pen) {
+        let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {
             (Some(t), _) => ray.at(t),
-            (None, Some(d)) => ray.origin + 100.0 * view.observer.distance() * d,
+            (None, Some(d)) => ray.origin + 100.0 * self.view.observer.distance() * d,
             (None, None) => return,
         };
         self.line(ray.origin, end, pen);

@@ -116,7 +116,8 @@ fn screen_at(observer: &ResolvedCamera, at: DVec3) -> Screen {
 
 impl Sketch<'_> {
     /// Draws all handles, with the hovered and held ones last.
-    pub(crate) fn handles(&mut self, handles: &Handles) {
+    pub(crate) fn handles(&mut self) {
+        let handles = &self.view.handles;
         if !self.items.shows(Item::Handles) {
             return;
         }

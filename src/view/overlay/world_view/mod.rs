@@ -4,8 +4,10 @@ pub(super) mod camera_in_space;
 pub(super) mod compared;
 pub(super) mod handles;
 
+use std::sync::Arc;
+
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
+use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera};
 
 use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
@@ -23,30 +25,30 @@ use crate::view::overlay::style::Style;
 use crate::view::overlay::world_view::camera_in_space::Onlooker;
 use crate::view::overlay::world_view::compared::GhostCamera;
 use crate::view::overlay::world_view::handles::Handles;
+use crate::view::overlay::{ColoredScene, Same};
 
-/// Everything that the world view shows.
-#[derive(Clone, Copy)]
-pub struct WorldView<'a> {
+/// The inputs of the world view. Two equal ones give the same picture, so its cache compares them as a
+/// whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldView {
     /// The edited camera as given, maybe without a basis.
-    pub camera: &'a Camera,
-    /// The edited camera, where it has a basis.
-    pub resolved: Option<&'a ResolvedCamera>,
+    pub camera: Camera,
+    /// The edited camera, if it has a basis.
+    pub resolved: Option<ResolvedCamera>,
     /// The picture of the edited camera.
-    pub picture: Option<&'a Picture>,
+    pub picture: Option<Same<Picture>>,
     /// The selected ray.
-    pub inspection: Option<&'a Inspection>,
-    /// The whole scene.
-    pub scene: &'a Scene,
+    pub inspection: Option<Same<Inspection>>,
+    /// The generation numbers of the objects and of their colours, in place of the scene that is drawn.
+    pub generations: [u64; 2],
     /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
     /// drawn cut away.
-    pub enclosing: &'a [u32],
-    /// The colour of each object of the scene.
-    pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
+    pub enclosing: Arc<Vec<u32>>,
     /// The observer.
-    pub observer: &'a Observer,
+    pub observer: Observer,
     /// The observer's picture of [`observer::traced_scene`](crate::model::observer::traced_scene), with
     /// every pixel traced.
-    pub frame: &'a Frame<f32>,
+    pub frame: Same<Frame<f32>>,
     /// The overlay items to draw.
     pub items: OverlayItems,
     /// Dots per point.
@@ -56,18 +58,20 @@ pub struct WorldView<'a> {
     /// The t of the point that moves along the selected ray.
     pub ray_point_t: Option<f64>,
     /// The camera to compare with.
-    pub ghost: Option<&'a GhostCamera>,
+    pub ghost: Option<GhostCamera>,
     /// A student's answers, and the right ones.
-    pub answer_marks: &'a [AnswerMark],
+    pub answer_marks: Arc<[AnswerMark]>,
     /// The highlighted concept, if any.
-    pub highlighted: Option<Highlighted<'a>>,
+    pub highlighted: Option<Highlighted>,
     /// The handles that can be dragged.
-    pub handles: &'a Handles,
+    pub handles: Handles,
     /// True if the picture is transparent where the observer sees nothing.
     pub is_clear: bool,
     /// True if everything drawn has its name, as in lessons and figures; else only the camera's parts
-    /// and what is highlighted.
+    /// and the highlighted concept are named.
     pub names_all: bool,
+    /// True if the marks are not painted into the picture: a figure draws them itself.
+    pub is_apart: bool,
 }
 
 /// The picture behind the camera and its marks: the observer's picture with the spheres around the
@@ -81,8 +85,10 @@ pub struct Backdrop {
 
 impl Backdrop {
     /// Returns the backdrop of a world view.
-    pub fn new(view: &WorldView) -> Backdrop {
-        Backdrop { patches: view.patches(), bowls: view.bowls(), background: view.background() }
+    pub fn new(view: &WorldView, scene: ColoredScene<'_>) -> Backdrop {
+        let background =
+            if view.is_clear { Color32::TRANSPARENT } else { view.style.colors().background };
+        Backdrop { patches: view.patches(scene), bowls: view.bowls(scene), background }
     }
 
     /// Paints it over the observer's traced and shaded picture.
@@ -110,26 +116,16 @@ pub struct Below<'a> {
 /// Paints the world view. Returns the drawing; its labels are left to the caller.
 pub fn world(
     view: &WorldView,
+    scene: ColoredScene<'_>,
     backdrop: &Backdrop,
     below: Below<'_>,
     dots: &mut [Color32],
 ) -> Drawing {
     let layers = view.layers(backdrop);
-    let drawing = view.sketch(&layers);
-    view.paint(&layers, &Fills::new(&drawing), below, dots);
+    let drawing = view.sketch(scene, &layers);
+    let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
+    view.paint(&layers, &marks, below, dots);
     drawing
-}
-
-/// Does the same as [`world`] without painting the drawing.
-pub fn world_apart(
-    view: &WorldView,
-    backdrop: &Backdrop,
-    below: Below<'_>,
-    dots: &mut [Color32],
-) -> Drawing {
-    let layers = view.layers(backdrop);
-    view.paint(&layers, &Fills::default(), below, dots);
-    view.sketch(&layers)
 }
 
 /// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` beside the
@@ -183,10 +179,10 @@ fn viewport_layer<'a>(
 /// second, fifth, tenth...
 const GRID_SPACING: f64 = 7.0;
 
-impl<'a> WorldView<'a> {
+impl WorldView {
     /// Returns the marks and labels, without painting them.
-    pub fn drawing(&self) -> Drawing {
-        self.sketch(&self.layers(&Backdrop::new(self)))
+    pub fn drawing(&self, scene: ColoredScene<'_>) -> Drawing {
+        self.sketch(scene, &self.layers(&Backdrop::new(self, scene)))
     }
 
     fn size(&self) -> [usize; 2] {
@@ -210,11 +206,7 @@ impl<'a> WorldView<'a> {
         Screen::new(self.frame.camera(), self.observer.distance())
     }
 
-    fn background(&self) -> Color32 {
-        if self.is_clear { Color32::TRANSPARENT } else { self.style.colors().background }
-    }
-
-    fn patches(&self) -> Vec<Patch> {
+    fn patches(&self, scene: ColoredScene<'_>) -> Vec<Patch> {
         if !self.items.shows(Item::Planes) {
             return Vec::new();
         }
@@ -225,28 +217,28 @@ impl<'a> WorldView<'a> {
             camera_eye: self.camera.eye,
             scale: f64::from(self.scale),
         };
-        let first = self.scene.spheres().len();
-        let color_of = |index: usize| (self.color_of)((first + index) as u32);
-        camera_in_space::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
+        let first = scene.scene.spheres().len();
+        let color_of = |index: usize| scene.color_of((first + index) as u32);
+        camera_in_space::patches(scene.scene.planes(), color_of, &onlooker, self.style.colors())
     }
 
-    fn bowls(&self) -> Vec<Bowl> {
+    fn bowls(&self, scene: ColoredScene<'_>) -> Vec<Bowl> {
         let rays = self.screen().pixel_rays();
-        let spheres = self.scene.spheres();
+        let spheres = scene.scene.spheres();
         let around = self.enclosing.iter().filter_map(|index| {
             let sphere = *spheres.get(*index as usize)?;
-            Some(Bowl { sphere, color: (self.color_of)(*index), rays })
+            Some(Bowl { sphere, color: scene.color_of(*index), rays })
         });
         around.collect()
     }
 
-    fn layers(&self, backdrop: &Backdrop) -> Layers<'a> {
-        let mut layers = backdrop.layers(self.frame);
-        if let Some(resolved) = self.resolved {
+    fn layers(&self, backdrop: &Backdrop) -> Layers<'_> {
+        let mut layers = backdrop.layers(&self.frame);
+        if let Some(resolved) = &self.resolved {
             let behind = self.style.colors().background;
             layers.viewport = viewport_layer(resolved, self.frame.camera(), behind);
             if let Some(layer) = &mut layers.viewport {
-                let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
+                let picture = self.picture.as_ref().filter(|_| self.items.shows(Item::Picture));
                 layer.picture = picture.and_then(|p| PictureLookup::new(p, resolved.image()));
                 if self.items.shows(Item::PixelGrid) {
                     layer.grid = pixel_grid(&self.screen(), resolved, f64::from(self.scale));
@@ -256,35 +248,36 @@ impl<'a> WorldView<'a> {
         layers
     }
 
-    fn sketch(&self, layers: &Layers<'a>) -> Drawing {
+    fn sketch(&self, scene: ColoredScene<'_>, layers: &Layers<'_>) -> Drawing {
         let colors = self.style.colors();
         let screen = self.screen();
         let mut sketch = Sketch {
+            view: self,
+            scene: scene.scene,
             screen,
             layers,
             items: self.items,
-            names_all: self.names_all,
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
         };
-        for index in self.enclosing {
-            if let Some(sphere) = self.scene.spheres().get(*index as usize) {
-                sketch.cut_away(*index, sphere, (self.color_of)(*index), screen.pixel_rays().eye);
+        for index in &*self.enclosing {
+            if let Some(sphere) = scene.scene.spheres().get(*index as usize) {
+                sketch.cut_away(*index, sphere, scene.color_of(*index), screen.pixel_rays().eye);
             }
         }
-        if let Some(ghost) = self.ghost {
+        if let Some(ghost) = &self.ghost {
             sketch.ghost(ghost);
         }
         let of_ghost = std::mem::take(&mut sketch.requests);
-        sketch.camera_in_space(self);
-        sketch.answer_marks(self);
+        sketch.camera_in_space();
+        sketch.answer_marks();
         // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
-            sketch.highlight(self, highlighted);
+            sketch.highlight(highlighted);
         }
-        sketch.handles(self.handles);
+        sketch.handles();
         let Sketch { mut drawing, requests, .. } = sketch;
         place_labels(requests, &mut drawing, screen.size);
         drawing
