@@ -8,9 +8,7 @@ use egui::{
     UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
-use pinhole_lecture::lines::{
-    Crossing, ImplicitLine, LineError, Meeting, ParametricLine, Substitution,
-};
+use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::written as number;
 
 use crate::model::letters::typeset_message;
@@ -53,7 +51,11 @@ pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
-        Err(error) => return no_line(ui, &error),
+        Err(error) => {
+            let text = RichText::new(typeset_message(error)).size(TEXT + 2.0).strong();
+            ui.label(text.color(error_color(ui)));
+            return;
+        }
     };
     for step in steps(&substitution, digits) {
         ui.horizontal_wrapped(|ui| {
@@ -74,11 +76,6 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     };
     let (t, f) = (number(lab.t, digits), number(f, digits));
     text(ui, &format!("at t = {t}:  f = {f} {compared}"));
-}
-
-fn no_line(ui: &mut Ui, error: &LineError) {
-    let text = RichText::new(typeset_message(error)).size(TEXT + 2.0).strong();
-    ui.label(text.color(error_color(ui)));
 }
 
 /// One step of the substitution.

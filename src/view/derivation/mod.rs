@@ -11,10 +11,9 @@
 
 use std::fmt::{self, Write as _};
 
-use pinhole_core::{ExactRay, ResolvedCamera, Scene, SceneError, Selection};
+use pinhole_core::{ExactRay, Ray, ResolvedCamera, Scene, SceneError, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::is_hidden;
-use pinhole_lecture::numbers::Rounding;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use crate::model::concept::Concept;
@@ -22,8 +21,10 @@ use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
-use crate::view::derivation::numbers::{NumberFormat, related};
+use crate::view::derivation::numbers::related;
 use crate::view::formula::{Formula, latex, row, word};
+
+pub use numbers::NumberFormat;
 
 mod camera;
 mod numbers;
@@ -177,34 +178,29 @@ pub struct DerivationSettings {
     pub selection: Selection,
     /// The sections to show.
     pub sections: DerivationSections,
-    /// The rounding of decimals.
-    pub rounding: Rounding,
-    /// True if short exact forms are written in place of decimals.
-    pub exact: bool,
-    /// True if rows and columns are counted from 1.
-    pub from_one: bool,
+    /// The format of numbers.
+    pub numbers: NumberFormat,
     /// The reason why there is no new picture, if there is none.
     pub fault: Option<Fault>,
 }
 
 /// Computes the derivation.
 pub fn derivation(inputs: &DerivationInputs) -> Derivation {
-    let DerivationSettings { rounding, exact, from_one, .. } = inputs.settings;
-    let numbers = NumberFormat { rounding, exact, from_one };
+    let DerivationSettings { selection, sections, numbers, fault } = inputs.settings;
     let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<Line>| {
         let title = section.label().to_owned();
         derivation.sections.push(Section { section, object: None, title, lines });
     };
-    if inputs.settings.sections.shows(DerivationSection::Basis) {
+    if sections.shows(DerivationSection::Basis) {
         add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
     }
-    let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, inputs.settings.selection));
+    let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, selection));
     let derived = exact
         .as_ref()
         .and_then(|(_, derived)| Some((inputs.resolved?, derived, inputs.inspection?)));
-    if inputs.settings.sections.shows(DerivationSection::PixelToRay) {
+    if sections.shows(DerivationSection::PixelToRay) {
         add(
             DerivationSection::PixelToRay,
             match derived {
@@ -212,26 +208,21 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
                     camera::ray_lines(camera, resolved, derived, inspection, numbers)
                 }
                 None => {
-                    let selection = inputs.settings.selection.inside(camera.image);
+                    let selection = selection.inside(camera.image);
                     let mut lines = camera::ray_givens(camera, selection, None, numbers);
-                    lines.extend(inputs.settings.fault.as_ref().map(fault_line));
+                    lines.extend(fault.as_ref().map(fault_line));
                     lines
                 }
             },
         );
     }
-    if inputs.settings.sections.shows(DerivationSection::Objects) {
+    if sections.shows(DerivationSection::Objects) {
         match (exact, inputs.scene, inputs.inspection) {
             (Some((exact, derived)), Some(scene), Some(inspection)) => {
-                add_objects(
-                    &mut derivation,
-                    inputs,
-                    (&exact, &derived),
-                    (scene, inspection),
-                    numbers,
-                );
+                let ray = (&exact, derived.ray());
+                add_objects(&mut derivation, inputs, ray, (scene, inspection));
             }
-            _ => add_given_objects(&mut derivation, inputs, numbers),
+            _ => add_given_objects(&mut derivation, inputs),
         }
     }
     derivation
@@ -261,13 +252,9 @@ fn fault_line(fault: &impl fmt::Display) -> Line {
 }
 
 /// Adds only the given numbers of the objects, and the reason why there is no derivation.
-fn add_given_objects(
-    derivation: &mut Derivation,
-    inputs: &DerivationInputs,
-    numbers: NumberFormat,
-) {
-    let document = inputs.document;
-    let faulty = match inputs.settings.fault {
+fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
+    let DerivationInputs { document, settings, .. } = *inputs;
+    let faulty = match settings.fault {
         Some(Fault::Scene(
             SceneError::Sphere { index, error } | SceneError::Plane { index, error },
         )) => Some((index as u32, error)),
@@ -280,7 +267,7 @@ fn add_given_objects(
     };
     derivation.left_out = count - listed.len();
     for object in listed {
-        let mut lines = objects::givens(document, object, numbers);
+        let mut lines = objects::givens(document, object, settings.numbers);
         if let Some((_, error)) = faulty.filter(|(index, _)| *index == object) {
             lines.push(Line { formula: word("no picture"), ..fault_line(&error) });
         }
@@ -296,18 +283,17 @@ fn object_section(document: &Document, object: u32, lines: Vec<Line>) -> Section
 fn add_objects(
     derivation: &mut Derivation,
     inputs: &DerivationInputs,
-    (exact, derived): (&ExactRay, &RayDerivation),
+    (exact, ray): (&ExactRay, Ray),
     (scene, inspection): (&Scene, &Inspection),
-    numbers: NumberFormat,
 ) {
     let listed = listed(scene, inspection);
     derivation.left_out = scene.len() - listed.len();
     for object in listed {
         let Some(shape) = scene.object(object) else { continue };
         let Ok(steps) = ObjectDerivation::new(&shape, object, exact) else { continue };
-        let lines =
-            objects::lines(inputs.document, object, &steps, derived.ray(), inspection, numbers);
-        derivation.sections.push(object_section(inputs.document, object, lines));
+        let DerivationInputs { document, settings, .. } = *inputs;
+        let lines = objects::lines(document, object, &steps, ray, inspection, settings.numbers);
+        derivation.sections.push(object_section(document, object, lines));
     }
 }
 

@@ -16,15 +16,15 @@ use crate::view::formula::{
     word,
 };
 
-/// The number format.
+/// The format of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct NumberFormat {
+pub struct NumberFormat {
     /// The rounding of decimals.
-    pub(super) rounding: Rounding,
+    pub rounding: Rounding,
     /// True if short exact forms are written in place of decimals.
-    pub(super) exact: bool,
+    pub exact: bool,
     /// True if rows and columns are counted from 1, as some courses do.
-    pub(super) from_one: bool,
+    pub from_one: bool,
 }
 
 /// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as

@@ -1,6 +1,7 @@
 use expect_test::{Expect, expect};
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel};
 use pinhole_exchange::scenes::SceneSource;
+use pinhole_lecture::numbers::Rounding;
 
 use super::*;
 
@@ -39,9 +40,7 @@ fn derive_as(
         settings: DerivationSettings {
             selection,
             sections: DerivationSections::default(),
-            rounding,
-            exact,
-            from_one,
+            numbers: NumberFormat { rounding, exact, from_one },
             fault,
         },
     })

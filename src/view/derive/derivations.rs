@@ -7,7 +7,9 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::Rounding;
 
 use crate::model::session::{Heights, ViewLayout};
-use crate::view::derivation::{Derivation, DerivationInputs, DerivationSettings, derivation};
+use crate::view::derivation::{
+    Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
+};
 use crate::view::derive::memo::Memo;
 use crate::view::derive::{Derived, Inputs};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
@@ -35,12 +37,14 @@ impl Derivations {
         let settings = DerivationSettings {
             selection: session.shown_selection(),
             sections: session.sections,
-            rounding: match session.presenting {
-                Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
-                None => Rounding::Significant(session.settings.digits),
+            numbers: NumberFormat {
+                rounding: match session.presenting {
+                    Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
+                    None => Rounding::Significant(session.settings.digits),
+                },
+                exact: session.settings.exact_forms,
+                from_one: session.settings.count_from_one,
             },
-            exact: session.settings.exact_forms,
-            from_one: session.settings.count_from_one,
             fault: derived.fault,
         };
         // The document is compared before it is cloned, because it can be large.

@@ -147,18 +147,10 @@ fn row(parts: &[Formula]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Ink;
-    use super::super::fraction;
-    use super::super::index;
-    use super::super::negative;
-    use super::super::norm;
-    use super::super::number;
-    use super::super::parentheses;
-    use super::super::power;
-    use super::super::row;
-    use super::super::square_root;
-    use super::super::tuple;
-    use super::super::word;
+    use super::super::{
+        Ink, fraction, index, negative, norm, number, parentheses, power, row, square_root, tuple,
+        word,
+    };
     use super::*;
 
     const UP: Formula = Formula::Vector("up", Ink::Given);

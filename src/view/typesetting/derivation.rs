@@ -12,7 +12,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::letters::plain_scalars;
 use crate::model::symbols::{Kind, meaning};
 use crate::view::derivation::{Derivation, Line, Section, left_out};
-use crate::view::formula::{Column, Face, Formula, Ink, Layout, TextMeasure, TextRun, lines};
+use crate::view::formula::{Column, Face, Ink, Layout, TextMeasure, TextRun, left_width, lines};
 use crate::view::overlay::Colors;
 use crate::view::typesetting::theme::{self, error_color};
 
@@ -61,7 +61,7 @@ pub(crate) fn laid_lines(
     id: impl Fn(&Section, usize) -> Id,
 ) -> Vec<Vec<LaidLine>> {
     let inner = (width - 2.0 * PAD.x).max(20.0);
-    let left = |line: &Line| left_width(ui.ctx(), &line.formula, SIZE);
+    let left = |line: &Line| left_width(&line.formula, SIZE, &mut Fonts(ui.ctx()));
     let indent_of = |kind: DerivationSection| {
         let sections = derivation.sections.iter().filter(|section| section.section == kind);
         let lefts = sections.flat_map(|section| &section.lines).map(left);
@@ -78,14 +78,14 @@ pub(crate) fn laid_lines(
 
 fn laid_line(ui: &Ui, line: &Line, id: Id, column: Column) -> LaidLine {
     let Column { width: inner, indent, .. } = column;
-    let layout = set(ui.ctx(), &line.formula, column);
+    let layout = lines(&line.formula, column, &mut Fonts(ui.ctx()));
     let height = layout.ascent + layout.descent;
     let mut whole = LaidLine { id, text: line.to_string(), layout, note: PAD, height };
     if !line.note.is_empty() {
         let note = note_galley(ui, line, inner - indent).size();
-        let beside = whole.layout.width + 18.0;
-        if beside + note.x <= inner && height < 2.4 * SIZE {
-            whole.note.x += beside;
+        let behind = whole.layout.width + 18.0;
+        if behind + note.x <= inner && height < 2.4 * SIZE {
+            whole.note.x += behind;
             whole.note.y += whole.layout.ascent - 0.78 * note.y;
         } else {
             whole.note += vec2(indent, height + 1.0);
@@ -151,16 +151,7 @@ pub(crate) fn draw(
     at.y - column.top()
 }
 
-/// Lays a formula out in the lines of `column`, with the window's fonts.
-pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
-    lines(formula, column, &mut Fonts(ctx))
-}
-
-/// Returns the width of the part before a formula's first relation, with the gap behind it.
-pub(crate) fn left_width(ctx: &Context, formula: &Formula, size: f32) -> f32 {
-    crate::view::formula::left_width(formula, size, &mut Fonts(ctx))
-}
-
+/// Measures text in the window's fonts.
 struct Fonts<'a>(&'a Context);
 
 impl TextMeasure for Fonts<'_> {

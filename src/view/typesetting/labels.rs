@@ -56,7 +56,12 @@ impl LabelLayout {
         font: Font,
         anchors: impl IntoIterator<Item = (Pos2, Align2)>,
     ) -> Option<Rect> {
-        let galley = self.galley(text, font);
+        let galley = if font.bold {
+            let id = FontId::new(font.size, theme::bold());
+            self.painter.layout_no_wrap(text.to_owned(), id, font.color)
+        } else {
+            self.painter.layout_job(formula(text, font.size, font.color))
+        };
         for (at, align) in anchors {
             let rect = align.anchor_size(at, galley.size());
             // Without a distance, two numbers side by side would read as one.
@@ -64,25 +69,13 @@ impl LabelLayout {
             let free = self.taken.iter().all(|taken| !taken.intersects(room));
             let clear = !points.iter().any(|point| rect.contains(*point));
             if free && clear && self.within.contains_rect(rect) {
-                self.put(galley, rect, font.color);
+                let text = HaloText::new(rect.min, galley, font.color, self.halo);
+                self.painter.add(text.into_shape());
+                self.taken.push(rect);
                 return Some(rect);
             }
         }
         None
-    }
-
-    fn galley(&self, text: &str, font: Font) -> Arc<Galley> {
-        if font.bold {
-            let id = FontId::new(font.size, theme::bold());
-            self.painter.layout_no_wrap(text.to_owned(), id, font.color)
-        } else {
-            self.painter.layout_job(formula(text, font.size, font.color))
-        }
-    }
-
-    fn put(&mut self, galley: Arc<Galley>, rect: Rect, color: Color32) {
-        self.painter.add(HaloText::new(rect.min, galley, color, self.halo).into_shape());
-        self.taken.push(rect);
     }
 }
 
