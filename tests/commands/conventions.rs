@@ -91,7 +91,7 @@ fn standard_input_and_output_are_one_each() {
         ),
         (
             "figure canonical --view world --play orbit -o -",
-            "-o writes animations as PNG or GIF: end the name with .png or .gif",
+            "-o writes animations as GIF: end the name with .gif",
         ),
     ];
     for (line, message) in refused {
