@@ -1,6 +1,7 @@
 //! `pinhole check`: a student's answers against a scene, and the mistake that explains them.
 
 use std::fmt::Write as _;
+use std::io::BufWriter;
 use std::path::Path;
 
 use pinhole_core::ImageSize;
@@ -12,8 +13,7 @@ use pinhole_lecture::grading::{
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::console::{is_standard, named, read, to_json, to_stdout};
-use super::error::{CommandError, scene_fault};
+use super::console::{CommandError, is_standard, named, read, scene_fault, to_json, to_stdout};
 use super::load::{apart, files_of, load, once, pose};
 use crate::cli::arguments::CheckArguments;
 
@@ -90,7 +90,8 @@ fn save_map(path: &Path, graded: &Graded, image: ImageSize) -> Result<(), FileEr
     let cells = graded.map().unwrap_or_default();
     let opaque = |[r, g, b]: [u8; 3]| [r, g, b, 255];
     let pixels: Vec<[u8; 4]> = cells.iter().map(|cell| opaque(cell.color())).collect();
-    png::save(path, image.width(), image.height(), &pixels)
+    let size = [image.width(), image.height()];
+    atomic::write(path, |file| png::encode(BufWriter::new(file), size, &pixels, false))
 }
 
 fn text(graded: &Graded) -> String {

@@ -3,10 +3,9 @@
 use std::io::Write as _;
 
 use pinhole_exchange::atomic;
-use pinhole_exchange::format::{ExportScene, Include};
+use pinhole_exchange::export_scene::{ExportScene, Include};
 
-use super::console::{is_standard, to_stdout, warn};
-use super::error::{CommandError, scene_fault};
+use super::console::{CommandError, is_standard, scene_fault, to_stdout, warn};
 use super::load::{apart, files_of, load, pose};
 use crate::cli::arguments::ExportArguments;
 

@@ -7,8 +7,7 @@ use pinhole_core::{DVec2, ImageSize, Selection};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
-use super::console::{is_standard, to_stdout};
-use super::error::{CommandError, scene_fault, unmade};
+use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{apart, files_of, follow, load, pose, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;

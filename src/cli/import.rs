@@ -8,8 +8,7 @@ use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::{Importer, file_text};
 use pinhole_exchange::{atomic, limits, scene_file};
 
-use super::console::{is_standard, read, to_stdout, warn};
-use super::error::CommandError;
+use super::console::{CommandError, is_standard, read, to_stdout, warn};
 use super::load::apart;
 use crate::cli::arguments::ImportArguments;
 

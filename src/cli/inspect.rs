@@ -8,8 +8,7 @@ use pinhole_core::{
 use pinhole_exchange::document::Document;
 use serde::Serialize;
 
-use super::console::{to_json, to_stdout};
-use super::error::{CommandError, scene_fault};
+use super::console::{CommandError, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::concept::Concept;

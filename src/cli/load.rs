@@ -8,8 +8,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, limits, scene_file};
 
-use super::console::{is_standard, read};
-use super::error::{CommandError, scene_fault};
+use super::console::{CommandError, is_standard, read, scene_fault};
 
 /// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {

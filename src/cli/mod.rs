@@ -1,11 +1,10 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 //!
-//! `error`, `load`, `console` and `progress` are what they share.
+//! They share `load`, `console` (with the errors) and `progress`.
 
 pub mod arguments;
 mod check;
 mod console;
-mod error;
 mod export;
 mod figure;
 mod import;
@@ -19,9 +18,8 @@ mod scenes;
 mod trace;
 
 pub use self::arguments::mistyped;
-pub use self::console::print;
 use self::console::to_stdout;
-pub use self::error::{CommandError, exit_code};
+pub use self::console::{CommandError, exit_code, print};
 use crate::cli::arguments::{Command, Shell};
 
 /// Runs a command.
@@ -38,7 +36,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         #[cfg(feature = "report")]
         Command::Report(arguments) => report::run(arguments),
         #[cfg(not(feature = "report"))]
-        Command::Report(_) => Err(error::not_built("report", "report")),
+        Command::Report(_) => Err(console::not_built("report", "report")),
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Import(arguments) => import::run(arguments),

@@ -9,8 +9,7 @@ use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png;
 
-use super::console::{is_standard, named, to_stdout};
-use super::error::{CommandError, not_built, scene_fault};
+use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout};
 use super::load::{apart, files_of, load, pose, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
@@ -70,8 +69,8 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     progress.go_on("writing");
     let mut batch = Batch::default();
-    let encode =
-        |out: &mut dyn Write| png::encode(out, image.width(), image.height(), &rendering.pixels);
+    let size = [image.width(), image.height()];
+    let encode = |out: &mut dyn Write| png::encode(out, size, &rendering.pixels, false);
     if let Some(output) = output {
         batch.add(output, |file| encode(&mut BufWriter::new(file)))?;
     }

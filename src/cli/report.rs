@@ -4,10 +4,9 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 
-use super::console::{is_standard, named, to_json, to_stdout};
-use super::error::{CommandError, scene_fault, unmade};
+use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_stdout, unmade};
 use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
@@ -136,7 +135,7 @@ fn json_file(arguments: &ReportArguments) -> Option<&Path> {
 /// Returns true for a path that is meant to be read, not written.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    ends_as_one || path.to_str().is_some_and(|name| builtin::find(name).is_some())
+    ends_as_one || path.to_str().is_some_and(|name| BuiltinScene::find(name).is_some())
 }
 
 /// The format of a plot's file, by the ending of its name.

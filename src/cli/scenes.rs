@@ -1,10 +1,9 @@
 //! `pinhole scenes`: the built-in scenes, a line each.
 
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 use serde::Serialize;
 
-use super::console::{to_json, to_stdout};
-use super::error::CommandError;
+use super::console::{CommandError, to_json, to_stdout};
 use crate::cli::arguments::ScenesArguments;
 
 /// The list as JSON.
@@ -20,7 +19,7 @@ struct Listed {
 }
 
 pub(super) fn run(arguments: &ScenesArguments) -> Result<(), CommandError> {
-    let scenes = builtin::all();
+    let scenes = BuiltinScene::all();
     if arguments.json {
         let listed =
             scenes.iter().map(|scene| Listed { name: scene.name, summary: scene.summary() });

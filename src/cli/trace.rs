@@ -7,8 +7,7 @@ use pinhole_exchange::csv;
 use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
-use super::console::{is_standard, read, to_stdout};
-use super::error::{CommandError, scene_fault};
+use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
 use super::load::{apart, files_of, load, once};
 use crate::cli::arguments::TraceArguments;
 

@@ -17,8 +17,9 @@ use std::ops::RangeInclusive;
 
 use pinhole_core::DVec3;
 
-use crate::format::text::{commas_of, n, point};
-use crate::format::{ExportScene, Format, Unsupported};
+use crate::export_scene::{ExportScene, Unsupported};
+use crate::format::Format;
+use crate::format::{commas_of, n, point};
 
 /// Every language.
 pub static LANGUAGES: [Format; 6] = [JULIA, NUMPY, GLM, GLSL, GLAM, JAVASCRIPT];

@@ -6,9 +6,9 @@ use std::path::Path;
 use pinhole_core::{DVec3, Ray, Sphere};
 
 use crate::document::Item;
-use crate::error::one_line;
-use crate::images::color;
-use crate::{FileError, Location, limits, suggest};
+use crate::error::{nearest, one_line};
+use crate::images;
+use crate::{FileError, Location, limits};
 
 const SPHERE: &[&str] = &["x", "y", "z", "r", "color", "name"];
 const R: usize = 3;
@@ -37,7 +37,7 @@ pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError
             return Err(row.error(R, "it must be greater than 0"));
         }
         let right = "it must be a colour such as #e69f00";
-        let color = |text| color::parse(text).ok_or_else(|| row.error(COLOR, right));
+        let color = |text| images::parse_color(text).ok_or_else(|| row.error(COLOR, right));
         let color = row.text(COLOR)?.map(color).transpose()?;
         let name = row.text(NAME)?.map(str::to_owned);
         spheres.push(Item { name, color, shape: Sphere { center, radius } });
@@ -285,7 +285,7 @@ impl CsvRow<'_, '_> {
 
 fn unknown_column(name: &str, names: &[&'static str]) -> String {
     let name = &*one_line(name);
-    let hint = match suggest::nearest(name, names.iter().copied()).first() {
+    let hint = match nearest(name, names.iter().copied()).first() {
         Some(near) => format!("did you mean {near}?"),
         None => format!("the first line must name columns out of {}", names.join(",")),
     };

@@ -16,44 +16,44 @@ pub struct Document {
     /// The edited camera.
     pub camera: Camera,
     /// The `[[sphere]]`s.
-    pub spheres: Shared<Item<Sphere>>,
+    pub spheres: SharedList<Item<Sphere>>,
     /// The spheres of the file that `spheres = "..."` names.
     pub csv_spheres: Option<CsvSpheres>,
     /// The `[[plane]]`s.
-    pub planes: Shared<Item<Plane>>,
+    pub planes: SharedList<Item<Plane>>,
 }
 
 /// A list that clones of the document share until one of them writes to it: every step of the history
 /// holds a document.
 #[derive(Clone, Debug)]
-pub struct Shared<T>(Arc<Vec<T>>);
+pub struct SharedList<T>(Arc<Vec<T>>);
 
-impl<T> Shared<T> {
+impl<T> SharedList<T> {
     /// Returns true where both are one list, and not only alike.
-    pub fn is_same(&self, other: &Shared<T>) -> bool {
+    pub fn is_same(&self, other: &SharedList<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
-impl<T> Default for Shared<T> {
+impl<T> Default for SharedList<T> {
     fn default() -> Self {
-        Shared(Arc::default())
+        SharedList(Arc::default())
     }
 }
 
-impl<T> From<Vec<T>> for Shared<T> {
+impl<T> From<Vec<T>> for SharedList<T> {
     fn from(items: Vec<T>) -> Self {
-        Shared(Arc::new(items))
+        SharedList(Arc::new(items))
     }
 }
 
-impl<T> FromIterator<T> for Shared<T> {
+impl<T> FromIterator<T> for SharedList<T> {
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         items.into_iter().collect::<Vec<T>>().into()
     }
 }
 
-impl<'a, T> IntoIterator for &'a Shared<T> {
+impl<'a, T> IntoIterator for &'a SharedList<T> {
     type Item = &'a T;
     type IntoIter = std::slice::Iter<'a, T>;
 
@@ -62,13 +62,13 @@ impl<'a, T> IntoIterator for &'a Shared<T> {
     }
 }
 
-impl<T: PartialEq> PartialEq for Shared<T> {
+impl<T: PartialEq> PartialEq for SharedList<T> {
     fn eq(&self, other: &Self) -> bool {
         self.is_same(other) || self.0 == other.0
     }
 }
 
-impl<T> Deref for Shared<T> {
+impl<T> Deref for SharedList<T> {
     type Target = Vec<T>;
 
     fn deref(&self) -> &Vec<T> {
@@ -76,7 +76,7 @@ impl<T> Deref for Shared<T> {
     }
 }
 
-impl<T: Clone> DerefMut for Shared<T> {
+impl<T: Clone> DerefMut for SharedList<T> {
     fn deref_mut(&mut self) -> &mut Vec<T> {
         Arc::make_mut(&mut self.0)
     }
@@ -141,9 +141,9 @@ impl Default for Document {
         Document {
             note: String::new(),
             camera: Camera::CANONICAL,
-            spheres: Shared::default(),
+            spheres: SharedList::default(),
             csv_spheres: None,
-            planes: Shared::default(),
+            planes: SharedList::default(),
         }
     }
 }

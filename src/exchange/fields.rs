@@ -6,11 +6,11 @@ use std::path::Path;
 use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
-use crate::error::one_line;
-use crate::{FileError, Location, suggest};
+use crate::error::{nearest, one_line};
+use crate::{FileError, Location};
 
 /// The text that is read, and what messages call it.
-pub struct Source<'a> {
+pub struct TomlSource<'a> {
     /// Text of the file.
     pub text: &'a str,
     /// Path of the file, for messages.
@@ -19,28 +19,28 @@ pub struct Source<'a> {
 
 /// A table: `camera`, `sphere[3]`, or the file itself, whose name is empty.
 pub struct Section<'a> {
-    source: &'a Source<'a>,
+    source: &'a TomlSource<'a>,
     name: String,
     table: &'a dyn TableLike,
     span: Range<usize>,
 }
 
 /// A field with a value.
-pub struct Field<'a> {
-    source: &'a Source<'a>,
+pub struct TomlField<'a> {
+    source: &'a TomlSource<'a>,
     name: String,
-    item: Entry<'a>,
+    item: FieldItem<'a>,
     span: Range<usize>,
 }
 
 #[derive(Clone, Copy)]
-enum Entry<'a> {
+enum FieldItem<'a> {
     Value(&'a Value),
     Table(&'a dyn TableLike),
     Tables(&'a ArrayOfTables),
 }
 
-impl Source<'_> {
+impl TomlSource<'_> {
     /// Returns an error at a position of the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
         FileError::at(self.path, Location::of_byte(self.text.as_bytes(), span.start), problem)
@@ -49,7 +49,7 @@ impl Source<'_> {
 
 impl<'a> Section<'a> {
     /// The file itself.
-    pub fn root(source: &'a Source<'a>, table: &'a dyn TableLike) -> Section<'a> {
+    pub fn root(source: &'a TomlSource<'a>, table: &'a dyn TableLike) -> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
@@ -65,7 +65,7 @@ impl<'a> Section<'a> {
             return Ok(());
         };
         let span = self.table.key(key).and_then(|key| key.span()).unwrap_or(self.span.clone());
-        let near = suggest::nearest(key, known.iter().copied());
+        let near = nearest(key, known.iter().copied());
         let hint = if !self.name.is_empty() && top.contains(&key) {
             "it belongs at the top of the file, before the first [table]".to_owned()
         } else if let Some(near) = near.first() {
@@ -77,22 +77,22 @@ impl<'a> Section<'a> {
     }
 
     /// A field, if it is there.
-    pub fn get(&self, key: &str) -> Option<Field<'a>> {
+    pub fn get(&self, key: &str) -> Option<TomlField<'a>> {
         let item = self.table.get(key)?;
         let entry = match item {
-            Item::Value(Value::InlineTable(table)) => Entry::Table(table),
-            Item::Value(value) => Entry::Value(value),
-            Item::Table(table) => Entry::Table(table),
-            Item::ArrayOfTables(tables) => Entry::Tables(tables),
+            Item::Value(Value::InlineTable(table)) => FieldItem::Table(table),
+            Item::Value(value) => FieldItem::Value(value),
+            Item::Table(table) => FieldItem::Table(table),
+            Item::ArrayOfTables(tables) => FieldItem::Tables(tables),
             Item::None => return None,
         };
         let key_span = || self.table.key(key).and_then(|key| key.span());
         let span = item.span().or_else(key_span).unwrap_or(self.span.clone());
-        Some(Field { source: self.source, name: self.path_of(key), item: entry, span })
+        Some(TomlField { source: self.source, name: self.path_of(key), item: entry, span })
     }
 
     /// A field that must be there; `such_as` is a line that would do.
-    pub fn need(&self, key: &str, such_as: &str) -> Result<Field<'a>, FileError> {
+    pub fn need(&self, key: &str, such_as: &str) -> Result<TomlField<'a>, FileError> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
@@ -102,13 +102,13 @@ impl<'a> Section<'a> {
     }
 }
 
-impl<'a> Field<'a> {
+impl<'a> TomlField<'a> {
     /// `camera.eye[2] is nan: ` and what would be right.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
-            Entry::Value(_) => one_line(&self.source.text[self.span.clone()]),
-            Entry::Table(_) => "a table".to_owned(),
-            Entry::Tables(_) => "a list of tables".to_owned(),
+            FieldItem::Value(_) => one_line(&self.source.text[self.span.clone()]),
+            FieldItem::Table(_) => "a table".to_owned(),
+            FieldItem::Tables(_) => "a list of tables".to_owned(),
         };
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
@@ -126,9 +126,11 @@ impl<'a> Field<'a> {
     /// A finite number; an integer will do.
     pub fn number(&self) -> Result<f64, FileError> {
         match self.item {
-            Entry::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
-            Entry::Value(Value::Float(float)) if float.value().is_finite() => Ok(*float.value()),
-            Entry::Value(Value::Float(_)) => Err(self.error("it must be a finite number")),
+            FieldItem::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
+            FieldItem::Value(Value::Float(float)) if float.value().is_finite() => {
+                Ok(*float.value())
+            }
+            FieldItem::Value(Value::Float(_)) => Err(self.error("it must be a finite number")),
             _ => Err(self.error("it must be a number")),
         }
     }
@@ -142,7 +144,7 @@ impl<'a> Field<'a> {
     /// An integer as it stands.
     pub fn integer(&self) -> Option<i64> {
         match self.item {
-            Entry::Value(value) => value.as_integer(),
+            FieldItem::Value(value) => value.as_integer(),
             _ => None,
         }
     }
@@ -157,7 +159,7 @@ impl<'a> Field<'a> {
     /// Yes or no.
     pub fn boolean(&self) -> Result<bool, FileError> {
         match self.item {
-            Entry::Value(Value::Boolean(value)) => Ok(*value.value()),
+            FieldItem::Value(Value::Boolean(value)) => Ok(*value.value()),
             _ => Err(self.error("it must be true or false")),
         }
     }
@@ -179,24 +181,24 @@ impl<'a> Field<'a> {
     }
 
     /// The elements of a list of values; `None` where this is none.
-    pub fn elements(&self) -> Option<Vec<Field<'a>>> {
-        let Entry::Value(Value::Array(array)) = self.item else { return None };
+    pub fn elements(&self) -> Option<Vec<TomlField<'a>>> {
+        let FieldItem::Value(Value::Array(array)) = self.item else { return None };
         Some(array.iter().enumerate().map(|(k, value)| self.element(k, value)).collect())
     }
 
-    fn element(&self, k: usize, value: &'a Value) -> Field<'a> {
+    fn element(&self, k: usize, value: &'a Value) -> TomlField<'a> {
         let item = match value {
-            Value::InlineTable(table) => Entry::Table(table),
-            value => Entry::Value(value),
+            Value::InlineTable(table) => FieldItem::Table(table),
+            value => FieldItem::Value(value),
         };
         let span = value.span().unwrap_or(self.span.clone());
-        Field { source: self.source, name: format!("{}[{k}]", self.name), item, span }
+        TomlField { source: self.source, name: format!("{}[{k}]", self.name), item, span }
     }
 
     /// A string.
     pub fn text(&self) -> Result<&'a str, FileError> {
         match self.item {
-            Entry::Value(Value::String(text)) => Ok(text.value()),
+            FieldItem::Value(Value::String(text)) => Ok(text.value()),
             _ => Err(self.error("it must be text in quotes")),
         }
     }
@@ -208,7 +210,7 @@ impl<'a> Field<'a> {
         if let Some(name) = known.iter().find(|name| **name == text) {
             return Ok(name);
         }
-        Err(match suggest::nearest(text, known.iter().copied()).first() {
+        Err(match nearest(text, known.iter().copied()).first() {
             Some(near) => self.error(&format!("did you mean \"{near}\"?")),
             None => self.error(&choices()),
         })
@@ -217,7 +219,7 @@ impl<'a> Field<'a> {
     /// One table.
     pub fn section(&self) -> Result<Section<'a>, FileError> {
         match self.item {
-            Entry::Table(table) => {
+            FieldItem::Table(table) => {
                 let (source, name, span) = (self.source, self.name.clone(), self.span.clone());
                 Ok(Section { source, name, table, span })
             }
@@ -244,14 +246,14 @@ impl<'a> Field<'a> {
     ) -> Result<Vec<Section<'a>>, FileError> {
         let right = format!("each one must be a table that begins with [[{}]]", self.name);
         match self.item {
-            Entry::Tables(tables) => {
+            FieldItem::Tables(tables) => {
                 let section = |(k, table): (usize, &'a toml_edit::Table)| {
                     let span = table.span().unwrap_or(self.span.clone());
                     Section { source: self.source, name: name(k), table, span }
                 };
                 Ok(tables.iter().enumerate().map(section).collect())
             }
-            Entry::Value(Value::Array(array)) => array
+            FieldItem::Value(Value::Array(array)) => array
                 .iter()
                 .enumerate()
                 .map(|(k, value)| {

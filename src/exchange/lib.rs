@@ -7,12 +7,13 @@
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, GIF and OpenEXR.
-//! - [`format`](mod@format): what every other program's format has: conventions, a scene to export, what is imported.
+//! - [`format`](mod@format): the parts of every other program's format.
+//! - [`export_scene`]: the scene to export.
 //! - [`programs`]: other programs' cameras and scenes, written; and a camera from a glTF or from numbers.
 //! - [`code`]: the camera at hand as a short program in six languages.
 //!
 //! Whatever is wrong with a file is a [`FileError`], which says where and what would be right. A file is
-//! written as a whole or not at all ([`atomic`]), by way of [`temporary`] ones, and read up to a size
+//! written as a whole or not at all ([`atomic`]), and read up to a maximum size
 //! ([`limits`]). Nothing here knows a window.
 
 pub mod answers;
@@ -21,6 +22,7 @@ pub mod code;
 pub mod csv;
 pub mod document;
 mod error;
+pub mod export_scene;
 pub mod fields;
 pub mod format;
 pub mod images;
@@ -28,12 +30,10 @@ pub mod limits;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;
-mod suggest;
-pub mod temporary;
 
 pub use error::{FileError, Location, is_hidden, legible};
 
 /// The README's example is run with the others.
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
-struct Readme;
+struct ExchangeReadme;

@@ -119,9 +119,9 @@ impl Figure {
 /// Encodes premultiplied pixels as PNG, with an alpha channel if `transparent`.
 fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
-    let [width, height] = size.map(|n| n as u32);
-    let encode = if transparent { png::encode_transparent } else { png::encode };
-    encode(&mut bytes, width, height, &to_srgba(pixels)).map_err(|error| error.to_string())?;
+    let size = size.map(|n| n as u32);
+    png::encode(&mut bytes, size, &to_srgba(pixels), transparent)
+        .map_err(|error| error.to_string())?;
     Ok(bytes)
 }
 

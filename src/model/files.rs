@@ -268,8 +268,8 @@ impl OpenDocument {
             self.check_output(path)?;
         }
         let saved = match self.text_on_disk(path) {
-            Some(text) => scene_file::save_over(&self.document, path, Some(&text)),
-            None => scene_file::save_over(&self.document, path, self.text.as_deref()),
+            Some(text) => scene_file::save(&self.document, path, Some(&text)),
+            None => scene_file::save(&self.document, path, self.text.as_deref()),
         };
         let saved = saved.map_err(|error| error.to_string())?;
         // The document as written: its reference to a file of spheres is relative to the scene's

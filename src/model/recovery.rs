@@ -300,7 +300,7 @@ mod tests {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join(std::ffi::OsStr::from_bytes(name));
             let mut document = Document::default();
-            scene_file::save(&document, &path).unwrap();
+            scene_file::save(&document, &path, None).unwrap();
             document.camera.eye.x = 0.5;
             let source = Some(SceneSource::File(path.clone()));
             let open = OpenDocument::changed(document.clone(), source, None);

@@ -1,6 +1,6 @@
 //! The window on the screen, drawn by the graphics driver, or by our own painter if there is none.
 //!
-//! [`program::run`] opens the window and shows the app in it. It is drawn by:
+//! [`run`] opens the window and shows the app in it. It is drawn by:
 //!
 //! - a hardware graphics adapter, through wgpu, if there is one;
 //! - otherwise [`painter`](crate::view::painter), on the CPU: if there is no adapter, if the adapter fails
@@ -14,6 +14,20 @@
 //! eframe, egui's own framework for windows, has no renderer on the CPU and cannot hand an open window
 //! to another renderer when the adapter fails, so the event loop is our own.
 
+use std::path::Path;
+
+use etcetera::{BaseStrategy as _, choose_base_strategy};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
+
+use crate::cli::CommandError;
+use crate::cli::arguments::WindowArguments;
+use crate::model::files::OpenDocument;
+use crate::model::store::{Remembered, Store};
+use crate::platform::frames::FrameLog;
+use crate::ui::app::App;
+
 mod cpu;
 mod display;
 mod file_dialog;
@@ -21,9 +35,144 @@ mod frames;
 #[cfg(feature = "wgpu")]
 mod gpu;
 mod open;
-pub mod program;
 #[cfg_attr(not(unix), path = "no_signals.rs")]
 pub mod signals;
 mod start;
 mod surface;
 mod window;
+
+/// Opens the window on the named scene or lesson, otherwise on that of the last run, otherwise on
+/// the lecture's own scene. Returns when the window is closed.
+///
+/// # Errors
+/// Returns an error if the named scene or lesson cannot be read, or if there is no display.
+pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
+    let WindowArguments { scene, lesson, renderer } = arguments;
+    share_this_thread();
+    let store = Store::of_user();
+    let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    if store.as_ref().is_none_or(Store::is_new) {
+        remembered.settings.reduced_motion = wants_less_motion();
+    }
+    let lesson = match (lesson, scene) {
+        (Some(lesson), _) => Some(lesson.load()?),
+        (None, Some(_)) => None,
+        (None, None) => remembered.lesson_step().map(|id| (id, None)),
+    };
+    let Start { open, remembered, trouble } = start(scene.as_deref(), remembered)?;
+    let geometry = remembered.window;
+    let mut app = App::new(open, remembered, store);
+    if let Some((id, file)) = lesson {
+        app.open_lesson(id, file);
+    }
+    if let Some(trouble) = trouble {
+        app.tell("The last scene cannot be opened again", trouble);
+    }
+    let log = FrameLog::from_environment();
+    if log.is_some() {
+        app.time_frames();
+    }
+    window::run(*renderer, geometry, app, log)
+        .map_err(|error| CommandError::Input(error.to_string()))
+}
+
+/// Makes this thread, which the window runs on, one of those that share parallel work. It would wait for
+/// the others to wake up for each picture otherwise, and do nothing meanwhile.
+fn share_this_thread() {
+    // An error says that there are such threads already, and they do.
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
+}
+
+/// Returns true if the desktop's settings ask for less motion.
+fn wants_less_motion() -> bool {
+    choose_base_strategy().is_ok_and(|folders| is_reduced(&folders.config_dir()))
+}
+
+/// The document and state that the window opens with.
+struct Start {
+    open: OpenDocument,
+    remembered: Remembered,
+    /// The reason why it is not the scene of the last run.
+    trouble: Option<String>,
+}
+
+/// Reads the scene to open: the named one, otherwise the last run's, otherwise the lecture's own.
+fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileError> {
+    let load = |argument: &Path| {
+        let source = SceneSource::from_argument(argument)?;
+        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
+    };
+    if let Some(argument) = scene {
+        // A ray selected in another scene has no meaning in this one.
+        let remembered = Remembered { selection: None, ..remembered };
+        return Ok(Start { open: load(argument)?, remembered, trouble: None });
+    }
+    let last = remembered.last.as_deref().map(load);
+    match last {
+        Some(Ok(open)) => Ok(Start { open, remembered, trouble: None }),
+        Some(Err(error)) => Ok(Start {
+            open: canonical()?,
+            remembered: Remembered { selection: None, ..remembered },
+            trouble: Some(error.to_string()),
+        }),
+        None => Ok(Start { open: canonical()?, remembered, trouble: None }),
+    }
+}
+
+fn canonical() -> Result<OpenDocument, FileError> {
+    match BuiltinScene::find("canonical") {
+        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
+        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+    }
+}
+
+/// Files below the user's configuration folder, each with the key and value that switch animations
+/// off.
+const SETTINGS: [(&str, &str, &str); 3] = [
+    ("gtk-4.0/settings.ini", "gtk-enable-animations", "false"),
+    ("gtk-3.0/settings.ini", "gtk-enable-animations", "false"),
+    ("kdeglobals", "AnimationDurationFactor", "0"),
+];
+
+/// Returns true if the desktop's settings in this folder switch animations off; false if they do
+/// not mention them.
+fn is_reduced(folder: &Path) -> bool {
+    SETTINGS.iter().any(|(file, key, off)| {
+        let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+        text.lines().any(|line| {
+            let said = line.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
+            said.is_some_and(|(said, value)| said == *key && (value == *off || is_zero(off, value)))
+        })
+    })
+}
+
+/// Returns true for GTK's other notation of false, 0.
+fn is_zero(off: &str, value: &str) -> bool {
+    off == "false" && value == "0"
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot write its input has failed")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn either_desktop_can_switch_motion_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| {
+            let path = folder.path().join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations=true\n");
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations = 0\n");
+        assert!(is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "");
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0.5\n");
+        assert!(!is_reduced(folder.path()));
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0\n");
+        assert!(is_reduced(folder.path()));
+    }
+}

@@ -44,7 +44,7 @@ pub fn watch() {
                 }
                 None if ended.is_some_and(|ended| ended.elapsed() < TOGETHER) => {}
                 None => {
-                    pinhole_exchange::temporary::abandon();
+                    pinhole_exchange::atomic::abandon();
                     // It does what the signal would have done, and so does not return.
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
                 }

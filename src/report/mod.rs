@@ -2,9 +2,7 @@
 //!
 //! [`model`] is what was measured; everything else turns it into text and pictures.
 
-pub mod columns;
 #[cfg(feature = "report")]
-pub mod machine;
 #[cfg(feature = "report")]
 pub mod measure;
 pub mod model;

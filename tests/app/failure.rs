@@ -11,7 +11,7 @@ use pinhole::model::files::OpenDocument;
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use super::harness::{assert_says, copied_text, says, texts_with, type_into, unfolded};
 use crate::support::{self, whole_window};
@@ -20,7 +20,7 @@ const HEADING: &str = "Pinhole met a fault of its own";
 
 /// A window in which the next frame that asks for another one panics, once it is told to.
 fn window(store: &Store, panics: &Arc<AtomicBool>) -> Harness<'static, App> {
-    let source = SceneSource::Builtin(builtin::find("look-at").unwrap());
+    let source = SceneSource::Builtin(BuiltinScene::find("look-at").unwrap());
     let settings = unfolded();
     let remembered = Remembered { settings, ..Remembered::default() };
     let open = OpenDocument::new(source.load().unwrap(), source);

@@ -10,7 +10,7 @@ use clap_mangen::roff::{Roff, bold, roman};
 use expect_test::expect_file;
 use pinhole::cli::arguments::Arguments;
 use pinhole::ui::commands_table;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 
 use super::{entries, run};
 
@@ -129,7 +129,7 @@ fn the_completions_are_current() {
 
 /// With the built-in scenes where one may stand, for which clap offers files alone.
 fn with_scenes(shell: Shell, mut text: String) -> String {
-    let scenes: Vec<&str> = builtin::all().iter().map(|scene| scene.name).collect();
+    let scenes: Vec<&str> = BuiltinScene::all().iter().map(|scene| scene.name).collect();
     let scenes = scenes.join(" ");
     let definition = definition();
     let commands = definition.get_subcommands().filter(|command| takes_scene(command));

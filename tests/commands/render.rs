@@ -9,7 +9,7 @@ use pinhole::cli::render::{RenderOptions, render_view};
 use pinhole::figures::Subject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 
 use super::{Run, entries, run_in};
 
@@ -28,7 +28,7 @@ fn decode(path: &Path) -> (u32, u32, Vec<Rgb>) {
 }
 
 fn document(name: &str, width: u32, height: u32) -> Document {
-    let mut document = builtin::find(name).unwrap().load().unwrap();
+    let mut document = BuiltinScene::find(name).unwrap().load().unwrap();
     document.camera.image = ImageSize::new(width, height).unwrap();
     document
 }

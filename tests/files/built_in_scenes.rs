@@ -3,10 +3,10 @@
 use pinhole::model::inspection::Inspection;
 use pinhole_core::{Basis, DVec2, DVec3, Orientation, Selection};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 
 fn inspect(name: &str, uv: [f64; 2]) -> (Document, Inspection) {
-    let document = builtin::find(name).unwrap().load().unwrap();
+    let document = BuiltinScene::find(name).unwrap().load().unwrap();
     let camera = document.camera.resolve().unwrap();
     let inspection =
         Inspection::new(&camera, &document.scene().unwrap(), Selection::Uv(DVec2::from_array(uv)));

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pinhole::model::files::OpenDocument;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 const SCENE: &str = "# Many balls.\n\npinhole = 1\nspheres = \"data/balls.csv\" # measured\n\n\
                      [camera] # by hand\neye = [0, 0, 0] # here\nview = [0, 0, -1]\nup = [0, 1, 0]\n";
@@ -80,7 +80,7 @@ fn the_comments_go_along_to_another_name() {
 #[test]
 fn a_built_in_scene_takes_its_comments_along() {
     let folder = tempfile::tempdir().unwrap();
-    for scene in builtin::all() {
+    for scene in BuiltinScene::all() {
         let path = folder.path().join(format!("{}.toml", scene.name));
         fs::write(&path, STRANGER).unwrap();
         let mut open = OpenDocument::new(scene.load().unwrap(), SceneSource::Builtin(scene));

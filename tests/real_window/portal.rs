@@ -9,7 +9,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 use pollster::block_on;
 use zbus::connection::Builder;
 use zbus::fdo::{self, DBusProxy};
@@ -221,7 +221,7 @@ impl Portal {
 }
 
 fn write_scene(path: &Path, name: &str) {
-    fs::write(path, builtin::find(name).unwrap().text).unwrap();
+    fs::write(path, BuiltinScene::find(name).unwrap().text).unwrap();
 }
 
 fn wait_for_title(heard: &Heard, begins: &str) {
@@ -282,13 +282,13 @@ pub(crate) fn opens_saves_and_exports() {
     assert_eq!((request.method, &*request.title), ("SaveFile", "Save the scene as"));
     assert_eq!(request.option::<String>("current_name"), "50% größer.toml");
     wait_for_title(&heard, "copy.toml - ");
-    let look_at = builtin::find("look-at").unwrap().load().unwrap();
+    let look_at = BuiltinScene::find("look-at").unwrap().load().unwrap();
     assert_eq!(scene_file::load(&copy).unwrap(), look_at);
     let third = at("third.toml");
     write_scene(&third, "canonical");
     portal.asked(Reply::Choose(at("third")), || key("ctrl+shift+s"));
     heard.wait_for_text(&format!("{} exists. Save once more to replace it.", third.display()));
-    assert_eq!(fs::read_to_string(&third).unwrap(), builtin::find("canonical").unwrap().text);
+    assert_eq!(fs::read_to_string(&third).unwrap(), BuiltinScene::find("canonical").unwrap().text);
     wait_for_field(&heard);
     heard.key("Return");
     wait_for_title(&heard, "third.toml - ");
@@ -351,7 +351,7 @@ pub(crate) fn is_open_once_and_may_be_closed() {
     heard.window.signal("TERM");
     portal.wait_for_end(&request);
     heard.window.wait();
-    assert_eq!(fs::read_to_string(&scene).unwrap(), builtin::find("canonical").unwrap().text);
+    assert_eq!(fs::read_to_string(&scene).unwrap(), BuiltinScene::find("canonical").unwrap().text);
 }
 
 pub(crate) fn is_missing_or_does_not_work() {

@@ -8,7 +8,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use egui::{Pos2, Vec2, vec2};
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::BuiltinScene;
 
 use crate::screen::{Running, Screen, signal, wait_for};
 
@@ -38,7 +38,7 @@ pub(crate) fn binary() -> PathBuf {
 /// Writes a built-in scene into a folder, as a file that may be changed.
 pub(crate) fn built_in(folder: &Path, name: &str) -> PathBuf {
     let path = folder.join("scene.toml");
-    fs::write(&path, builtin::find(name).unwrap().text).unwrap();
+    fs::write(&path, BuiltinScene::find(name).unwrap().text).unwrap();
     path
 }
 

@@ -57,7 +57,7 @@ impl<W: Write> Animated<W> {
         let before = mem::replace(&mut self.before, pixels.to_vec());
         let is_same = |at: usize| before.get(at) == Some(&pixels[at]);
         let changed = (0..pixels.len()).filter(|at| !is_same(*at)).map(|at| pixels[at]);
-        let Palette { mut colors, indices } = Palette::new(changed);
+        let FramePalette { mut colors, indices } = FramePalette::new(changed);
         let unchanged = (colors.len() / 3) as u8;
         colors.extend([0; 3]);
         let index = |at| if is_same(at) { unchanged } else { indices[&rgb(pixels[at])] };
@@ -90,17 +90,17 @@ impl<W: Write> Animated<W> {
 }
 
 /// The colours of a frame.
-struct Palette {
+struct FramePalette {
     /// Red, green and blue of each.
     colors: Vec<u8>,
     /// The index of the colour that each of the frame's is shown as.
     indices: HashMap<[u8; 3], u8>,
 }
 
-impl Palette {
+impl FramePalette {
     /// The pixels' own colours if they are few, otherwise those that a neural net learns from them
     /// (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
-    fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> Palette {
+    fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> FramePalette {
         /// Share of the pixels that the net learns from: one of so many.
         const SAMPLED: i32 = 10;
         let mut indices = HashMap::new();
@@ -121,7 +121,7 @@ impl Palette {
                 .iter_mut()
                 .for_each(|(color, index)| *index = net.index_of(&opaque(*color)) as u8);
         }
-        Palette { colors, indices }
+        FramePalette { colors, indices }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pictures as PNG.
 
-use std::io::{self, BufWriter, Cursor, Write};
+use std::io::{self, Cursor, Write};
 use std::path::Path;
 
 use pinhole_core::{ImageSize, Rgb};
@@ -9,42 +9,16 @@ use png::{
     Transformations,
 };
 
-use crate::{FileError, atomic};
+use crate::FileError;
 
-/// Writes a picture of `width` x `height` opaque sRGB pixels, row by row from the top, as a whole
-/// or not at all.
-///
-/// # Errors
-/// Returns an error if the file cannot be written.
-pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<(), FileError> {
-    atomic::write(path, |file| encode(BufWriter::new(file), width, height, pixels))
-}
-
-/// Writes the bytes of such a file.
+/// Writes a picture of sRGB pixels, row by row from the top: with their opacity if `transparent`, otherwise opaque.
+/// The colours are not premultiplied.
 ///
 /// # Errors
 /// Returns an error if writing to `out` fails.
-pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
-    encode_as(out, width, height, pixels, false)
-}
-
-/// Writes a PNG with the pixels' opacity; their colours are not premultiplied.
-///
-/// # Errors
-/// Returns an error if writing to `out` fails.
-pub fn encode_transparent(
+pub fn encode(
     out: impl Write,
-    width: u32,
-    height: u32,
-    pixels: &[[u8; 4]],
-) -> io::Result<()> {
-    encode_as(out, width, height, pixels, true)
-}
-
-fn encode_as(
-    out: impl Write,
-    width: u32,
-    height: u32,
+    [width, height]: [u32; 2],
     pixels: &[[u8; 4]],
     transparent: bool,
 ) -> io::Result<()> {

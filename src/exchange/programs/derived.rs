@@ -6,7 +6,7 @@ use pinhole_core::{
     fov_of_extent,
 };
 
-use crate::format::text::n;
+use crate::format::n;
 
 /// Note on a mirrored camera: the picture stays, the world is seen in a mirror.
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \

@@ -8,10 +8,9 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pinhole_core::Rgb;
 
-use crate::format::text::{commas, light, n, quotable};
-use crate::format::{
-    Conventions, ExportScene, Format, Include, PixelConvention, Unsupported, square_note,
-};
+use crate::export_scene::{ExportScene, Include, Unsupported, square_note};
+use crate::format::{Conventions, Format, PixelConvention};
+use crate::format::{commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {
     name: "gltf",

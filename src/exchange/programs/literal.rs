@@ -13,7 +13,7 @@ use super::derived::{
 };
 use crate::FileError;
 use crate::error::one_line;
-use crate::format::text::n;
+use crate::format::n;
 use crate::format::{Imported, Input};
 
 /// Names of a matrix from camera to world whose camera looks along its own -z with y up.

@@ -1,7 +1,7 @@
 //! Other programs' cameras: the camera and the scene in each one's own words, and a camera from a glTF or
 //! from literal numbers.
 //!
-//! Nothing here knows a window or a disk. A format is a file, and a row of [`FORMATS`]: how it is written, and
+//! Nothing here knows a window or a disk. A format is a constant, and a row of [`FORMATS`]: how it is written, and
 //! its [`Conventions`](crate::format::Conventions), by which its axes, pixels and field of view differ from
 //! those here.
 //!
@@ -9,19 +9,13 @@
 //! the camera is given so that the same coordinates make the same picture. What a format has no word
 //! for is refused with a reason, or told in a note; nothing is put in its place silently.
 
-mod blender;
-mod course;
 mod derived;
 mod gltf;
 mod gltf_read;
+mod libraries;
 mod literal;
-mod mitsuba;
-mod opencv;
-mod opengl;
-mod pbrt;
-mod povray;
-mod three;
-mod weekend;
+mod renderers;
+mod teaching;
 
 use std::path::Path;
 
@@ -35,15 +29,15 @@ use crate::{FileError, legible};
 /// Every format that a camera is written in.
 pub static FORMATS: [Format; 10] = [
     gltf::FORMAT,
-    three::FORMAT,
-    mitsuba::FORMAT,
-    povray::FORMAT,
-    blender::FORMAT,
-    weekend::FORMAT,
-    opengl::FORMAT,
-    course::FORMAT,
-    opencv::FORMAT,
-    pbrt::FORMAT,
+    libraries::THREE,
+    renderers::MITSUBA,
+    renderers::POVRAY,
+    renderers::BLENDER,
+    teaching::WEEKEND,
+    libraries::OPENGL,
+    teaching::COURSE,
+    libraries::OPENCV,
+    renderers::PBRT,
 ];
 
 impl Format {

@@ -4,14 +4,14 @@ use std::path::Path;
 
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
-use super::{note, read, write};
+use super::{note_to_block, read, split_note, write};
 use crate::document::Document;
 
 /// The previous text with the document's values; `None` where it is no scene file.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
     let old = read::document(previous, Path::new(""), None).ok()?;
-    let (block, rest) = note::split(previous);
+    let (block, rest) = split_note(previous);
     let mut toml: DocumentMut = rest.parse().ok()?;
     let plain = |document: &Document| write::fresh(document).parse::<DocumentMut>().ok();
     edit(&mut *toml, &*plain(&old)?, &*plain(document)?)?;
@@ -19,7 +19,7 @@ pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let text = if old.note == document.note {
         format!("{block}{rest}")
     } else {
-        format!("{}{rest}", note::to_block(&document.note))
+        format!("{}{rest}", note_to_block(&document.note))
     };
     Some(if previous.contains("\r\n") { with_carriage_returns(&text) } else { text })
 }

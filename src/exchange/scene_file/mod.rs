@@ -42,20 +42,20 @@
 //! not orthonormal) is no error of the file: it loads, and whoever needs the basis says why there
 //! is none. What can be no value at all, such as a radius of 0, is an error here.
 
-mod edit;
-mod fault;
-mod note;
-mod read;
-mod write;
-
 use std::path::{Path, PathBuf};
 
+use pinhole_core::{BasisError, CameraError};
+
 use crate::document::Document;
+use crate::fields::{Section, TomlSource};
 use crate::{FileError, Location, atomic, limits};
 
-pub use fault::camera_fault;
 pub use read::{TABLES, tables, toml};
 pub use write::to_text;
+
+mod edit;
+mod read;
+mod write;
 
 /// The format version that this program reads and writes.
 pub const VERSION: i64 = 1;
@@ -100,24 +100,12 @@ pub struct Saved {
     pub text: String,
 }
 
-/// Writes a scene file, as a whole or not at all: [`save_over`] the file that is there.
-///
-/// # Errors
-/// Returns the errors of [`save_over`].
-pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
-    save_over(document, path, limits::read_text(path).ok().as_deref())
-}
-
 /// Writes a scene file, as a whole or not at all.
 ///
 /// # Errors
 /// Returns the errors of [`prepare`], or an error if the file cannot be written; the old file is then as
 /// it was.
-pub fn save_over(
-    document: &Document,
-    path: &Path,
-    previous: Option<&str>,
-) -> Result<Saved, FileError> {
+pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<Saved, FileError> {
     let saved = prepare(document, path, previous)?;
     atomic::write(path, |file| std::io::Write::write_all(file, saved.text.as_bytes()))?;
     Ok(saved)
@@ -179,4 +167,99 @@ fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     }
     let up = folder.components().skip(shared).map(|_| std::path::Component::ParentDir);
     Some(up.chain(file.components().skip(shared)).collect())
+}
+
+/// Splits a scene file's text into its note and the rest. The block ends before the first line
+/// that is no comment.
+fn split_note(text: &str) -> (&str, &str) {
+    let mut end = 0;
+    for line in text.split_inclusive('\n').take_while(|line| line.starts_with('#')) {
+        end += line.len();
+    }
+    text.split_at(end)
+}
+
+/// The note in a comment block: its lines without `# `.
+fn note_of_block(block: &str) -> String {
+    let line = |line: &str| -> String {
+        let line = line.strip_prefix('#').unwrap_or(line);
+        line.strip_prefix(' ').unwrap_or(line).trim_end_matches('\r').to_owned()
+    };
+    let block = block.strip_suffix('\n').unwrap_or(block);
+    block.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// The comment block of a note, with a newline at its end; empty for an empty note.
+///
+/// Control characters, which TOML has no place for in comments, become blanks.
+fn note_to_block(note: &str) -> String {
+    if note.is_empty() {
+        return String::new();
+    }
+    let clean = |c: char| if c.is_control() && c != '\t' { ' ' } else { c };
+    note.split('\n')
+        .map(|line| {
+            let line: String = line.chars().map(clean).collect();
+            if line.is_empty() { "#\n".to_owned() } else { format!("# {line}\n") }
+        })
+        .collect()
+}
+
+/// The error of a file's camera at the position of the field at fault, as
+/// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.
+///
+/// The file is read again: a document, which is edited, knows nothing of places. `None` where the
+/// field is not there, be it that the file has changed or that it has the value by default.
+pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
+    let text = limits::read_text(path).ok()?;
+    let source = TomlSource { text: &text, path };
+    let toml = toml(&source).ok()?;
+    let field = field_at_fault(error)?;
+    let (tables, key) = field.rsplit_once('.')?;
+    let mut section = Section::root(&source, toml.as_table());
+    for table in tables.split('.') {
+        section = section.get(table)?.section().ok()?;
+    }
+    Some(section.get(key)?.fault(error))
+}
+
+/// The field with its tables, as messages call it.
+fn field_at_fault(error: &CameraError) -> Option<String> {
+    Some(match error {
+        CameraError::Basis(error) => match error {
+            BasisError::NotFinite { field, .. } => format!("camera.{field}"),
+            BasisError::EyeIsAt { .. } => "camera.at".to_owned(),
+            BasisError::ViewIsZero => "camera.view".to_owned(),
+            BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "camera.up".to_owned(),
+            BasisError::NotUnit { vector, .. } => format!("camera.basis.{vector}"),
+            BasisError::NotOrthogonal { .. } | BasisError::LeftHanded => "camera.basis".to_owned(),
+            _ => return None,
+        },
+        CameraError::Viewport(error) => format!("viewport.{}", error.field),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_ends_at_the_first_line_without_a_hash() {
+        let text = "# one\n#\n#  three\n\n# not this\npinhole = 1\n";
+        let (block, rest) = split_note(text);
+        assert_eq!(note_of_block(block), "one\n\n three");
+        assert_eq!(rest, "\n# not this\npinhole = 1\n");
+        assert_eq!(split_note("\n# late\n"), ("", "\n# late\n"));
+    }
+
+    #[test]
+    fn notes_survive() {
+        for note in ["one line", "two\nlines", "an end\n", "\n", " indented", "#hash", "tab\there"]
+        {
+            assert_eq!(note_of_block(split_note(&note_to_block(note)).0), note);
+        }
+        assert_eq!(note_to_block(""), "");
+        assert_eq!(note_to_block("a\r\nb"), "# a \n# b\n");
+    }
 }

@@ -7,12 +7,12 @@ use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sph
 use toml_edit::Document as Toml;
 use toml_parser::lexer::TokenKind;
 
-use super::{VERSION, note};
+use super::{VERSION, note_of_block, split_note};
 use crate::csv::load_spheres;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::error::one_line;
-use crate::fields::{Field, Section, Source};
-use crate::images::color;
+use crate::fields::{Section, TomlField, TomlSource};
+use crate::images;
 use crate::{FileError, limits};
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
@@ -27,14 +27,14 @@ pub(super) fn document(
     path: &Path,
     base: Option<&Path>,
 ) -> Result<Document, FileError> {
-    let source = Source { text, path };
+    let source = TomlSource { text, path };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
     root.only(TOP, &[])?;
     root.need("camera", "[camera] with eye, at and up")?;
     let mut document = Document {
-        note: note::of_block(note::split(text.trim_start_matches('\u{feff}')).0),
+        note: note_of_block(split_note(text.trim_start_matches('\u{feff}')).0),
         ..Document::default()
     };
     tables(&root, &mut document)?;
@@ -69,7 +69,7 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
 ///
 /// # Errors
 /// Returns the first bracket of those that are too deep, or the first syntax error.
-pub fn toml<'t>(source: &Source<'t>) -> Result<Toml<&'t str>, FileError> {
+pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     if let Some(at) = too_deep(source.text) {
         let problem = format!(
             "from this bracket on they are nested more than {} deep: is it closed?",
@@ -104,7 +104,7 @@ fn too_deep(text: &str) -> Option<usize> {
 }
 
 /// Says a syntax error in the words of someone who does not know the grammar, where that is common.
-fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
+fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
     let found = &*one_line(source.text.get(span.clone()).unwrap_or_default());
     let message = match error.message() {
@@ -133,7 +133,7 @@ fn version(root: &Section) -> Result<(), FileError> {
 fn read_camera(section: &Section) -> Result<Camera, FileError> {
     section.only(&["eye", "at", "view", "up", "basis"], BEFORE_TABLES)?;
     let eye = section.need("eye", "eye = [0.0, 0.0, 0.0]")?.vector()?;
-    let ways: Vec<(&str, Field)> = ["at", "view", "basis"]
+    let ways: Vec<(&str, TomlField)> = ["at", "view", "basis"]
         .into_iter()
         .filter_map(|way| Some((way, section.get(way)?)))
         .collect();
@@ -200,7 +200,7 @@ fn image(section: &Section) -> Result<ImageSize, FileError> {
 }
 
 fn objects<S>(
-    field: &Field,
+    field: &TomlField,
     read: impl Fn(&Section) -> Result<S, FileError>,
 ) -> Result<Vec<Item<S>>, FileError> {
     let item = |section: &Section| {
@@ -231,13 +231,13 @@ fn plane(section: &Section) -> Result<Plane, FileError> {
     Ok(Plane { point, normal })
 }
 
-fn read_color(field: &Field) -> Result<Rgb, FileError> {
+fn read_color(field: &TomlField) -> Result<Rgb, FileError> {
     const RIGHT: &str = "it must be a colour such as \"#e69f00\"";
     let text = field.text().map_err(|_| field.error(RIGHT))?;
-    color::parse(text).ok_or_else(|| field.error(RIGHT))
+    images::parse_color(text).ok_or_else(|| field.error(RIGHT))
 }
 
-fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
+fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
     let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
     let items = match base {

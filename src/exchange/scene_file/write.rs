@@ -4,10 +4,10 @@ use std::path::Path;
 
 use pinhole_core::{Basis, Camera, DVec3, Orientation, Plane, Sphere};
 
-use super::{VERSION, edit, note, read};
+use super::{VERSION, edit, note_to_block, read};
 use crate::document::{Document, Item};
 use crate::error::is_hidden;
-use crate::images::color;
+use crate::images;
 
 /// The text of a scene file; where there is a previous one, its comments and layout stay as far as
 /// the values have not changed.
@@ -27,7 +27,7 @@ fn reads_back_as(text: &str, fresh_text: &str) -> bool {
 
 /// The text without regard to a previous one: the same for documents that are the same to the bit.
 pub(super) fn fresh(document: &Document) -> String {
-    let mut text = note::to_block(&document.note);
+    let mut text = note_to_block(&document.note);
     if !text.is_empty() {
         text.push('\n');
     }
@@ -70,7 +70,7 @@ fn camera_fields(camera: &Camera) -> String {
 
 fn fields<S>(item: &Item<S>, shape: String) -> String {
     let name = item.name.as_ref().map(|name| format!("name = {}\n", string(name)));
-    let color = item.color.map(|rgb| format!("color = \"{}\"\n", color::to_text(rgb)));
+    let color = item.color.map(|rgb| format!("color = \"{}\"\n", images::color_to_text(rgb)));
     [name, Some(shape), color].into_iter().flatten().collect()
 }
 

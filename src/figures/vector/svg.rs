@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::{Color32, ColorImage};
-use pinhole_exchange::images::color;
+use pinhole_exchange::images;
 use pinhole_exchange::is_hidden;
 
 use super::{CasedText, LetterRun};
@@ -138,7 +138,7 @@ fn paint(name: &str, color: Color32) -> String {
         255 => String::new(),
         a => format!(" {name}-opacity=\"{}\"", short(f32::from(a) / 255.0)),
     };
-    format!(" {name}=\"{}\"{opacity}", color::to_text([r, g, b]))
+    format!(" {name}=\"{}\"{opacity}", images::color_to_text([r, g, b]))
 }
 
 /// Rounds a number to three decimals.

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::fields::{Field, Section, Source};
+use pinhole_exchange::fields::{Section, TomlField, TomlSource};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use pinhole_exchange::{FileError, limits};
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
@@ -45,7 +45,7 @@ pub fn load(path: &Path) -> Result<Lesson, FileError> {
 /// Returns true if a file claims to be a lesson, valid or not.
 pub fn is_lesson(path: &Path) -> bool {
     let text = limits::read_text(path).unwrap_or_default();
-    toml(&Source { text: &text, path }).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
+    toml(&TomlSource { text: &text, path }).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
 }
 
 /// Parses a lesson file's text. `path` is for error messages. The paths of scenes are relative to
@@ -54,7 +54,7 @@ pub fn is_lesson(path: &Path) -> bool {
 /// # Errors
 /// Returns the same errors as [`load`].
 pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, FileError> {
-    let source = Source { text, path };
+    let source = TomlSource { text, path };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
@@ -91,7 +91,7 @@ const LONGEST_ANSWER: usize = 300;
 
 /// Reads text that is not empty, joins its lines, and checks its length of at most `longest`
 /// letters.
-fn line(field: &Field, longest: usize) -> Result<String, FileError> {
+fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
     match text.chars().count() {
         0 => Err(field.error("it must say something")),
@@ -165,13 +165,13 @@ fn question(section: &Section) -> Result<Option<Question>, FileError> {
     }
 }
 
-fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
+fn scene(field: &TomlField, base: Option<&Path>) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
-    let source = match (builtin::find(name), base) {
+    let source = match (BuiltinScene::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
         (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
         (None, _) => {
-            let near = builtin::nearest(name);
+            let near = BuiltinScene::nearest(name);
             let hint = near.first().map_or_else(
                 || "it must be a built-in scene, or the path of a .toml file".to_owned(),
                 |near| format!("did you mean \"{near}\"?"),
@@ -204,7 +204,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
     let right = "row and column, counted from 0, such as [99, 199]";
     let [row, column] = field
         .elements()
-        .and_then(|elements| <[Field; 2]>::try_from(elements).ok())
+        .and_then(|elements| <[TomlField; 2]>::try_from(elements).ok())
         .ok_or_else(|| field.error(&format!("it must be {right}")))?;
     let row = row.whole(0..=i64::from(image.height()) - 1, "a row of the image")?;
     let column = column.whole(0..=i64::from(image.width()) - 1, "a column of the image")?;
@@ -217,7 +217,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         section: &Section<'a>,
         key: &str,
         said: &mut Option<T>,
-        read: impl Fn(&Field<'a>) -> Result<T, FileError>,
+        read: impl Fn(&TomlField<'a>) -> Result<T, FileError>,
     ) -> Result<(), FileError> {
         if let Some(field) = section.get(key) {
             *said = Some(read(&field)?);
@@ -233,19 +233,19 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     say(section, "shade", &mut view.shade, |field| {
         choice(field, Shade::ALL.map(|one| (one.name(), one)))
     })?;
-    say(section, "count_from_one", &mut view.count_from_one, Field::boolean)?;
+    say(section, "count_from_one", &mut view.count_from_one, TomlField::boolean)?;
     say(section, "digits", &mut view.digits, |field| {
         let range = DIGITS.0 as i64..=DIGITS.1 as i64;
         Ok(field.whole(range, "a number of significant digits")? as usize)
     })?;
-    say(section, "keep_picture", &mut view.keep_picture, Field::boolean)?;
-    say(section, "teaching", &mut view.teaching, Field::boolean)?;
+    say(section, "keep_picture", &mut view.keep_picture, TomlField::boolean)?;
+    say(section, "teaching", &mut view.teaching, TomlField::boolean)?;
     say(section, "derivation", &mut view.derivation, derivation)?;
     say(section, "highlight", &mut view.highlighted, |field| highlighted(field, objects))?;
     say(section, "mistake", &mut view.mistake, |field| {
         choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
     })?;
-    say(section, "t", &mut view.t, Field::number)?;
+    say(section, "t", &mut view.t, TomlField::number)?;
     // The camera is another one, so no animation is taken over from the previous step.
     view.play = None;
     say(section, "play", &mut view.play, |field| {
@@ -285,7 +285,7 @@ fn observer(section: &Section) -> Result<Observer, FileError> {
 
 /// Reads one of the `known` values by its name.
 fn choice<T>(
-    field: &Field,
+    field: &TomlField,
     known: impl IntoIterator<Item = (&'static str, T)>,
 ) -> Result<T, FileError> {
     let (names, mut values): (Vec<&str>, Vec<T>) = known.into_iter().unzip();
@@ -294,18 +294,18 @@ fn choice<T>(
     index.map(|k| values.swap_remove(k)).ok_or_else(|| field.error("it has no such value"))
 }
 
-fn items(field: &Field) -> Result<OverlayItems, FileError> {
+fn items(field: &TomlField) -> Result<OverlayItems, FileError> {
     let elements = elements(field, "[\"eye\", \"basis\", \"ray\"]")?;
     elements.iter().try_fold(OverlayItems::NONE, |shown, element| {
         Ok(shown.with(choice(element, Item::ALL.map(|item| (item.name(), item)))?, true))
     })
 }
 
-fn elements<'a>(field: &Field<'a>, such_as: &str) -> Result<Vec<Field<'a>>, FileError> {
+fn elements<'a>(field: &TomlField<'a>, such_as: &str) -> Result<Vec<TomlField<'a>>, FileError> {
     field.elements().ok_or_else(|| field.error(&format!("it must be a list, such as {such_as}")))
 }
 
-fn derivation(field: &Field) -> Result<DerivationSections, FileError> {
+fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
     let known = DerivationSection::ALL.map(|section| (section.name(), section));
     elements(field, "[\"basis\"]")?.iter().map(|element| choice(element, known)).collect()
 }
@@ -319,7 +319,7 @@ fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
 }
 
 /// Reads a concept of a scene with this number of objects, or none.
-fn highlighted(field: &Field, objects: usize) -> Result<Option<Concept>, FileError> {
+fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {
         Some(_) if is_in_scene(numbered, objects) => return Ok(numbered),
@@ -340,7 +340,7 @@ const NOTHING: &str = "nothing";
 
 fn lines(section: &Section) -> Result<LinesLab, FileError> {
     section.only(&["implicit", "p", "d", "t"], &[])?;
-    let pair = |field: &Field| -> Result<DVec2, FileError> {
+    let pair = |field: &TomlField| -> Result<DVec2, FileError> {
         Ok(DVec2::from_array(field.numbers("two numbers, such as [1.0, 1.0]")?))
     };
     let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;

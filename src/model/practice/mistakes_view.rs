@@ -90,13 +90,13 @@ impl MistakesView {
 
 #[cfg(test)]
 mod tests {
-    use pinhole_exchange::scenes::builtin;
+    use pinhole_exchange::scenes::BuiltinScene;
 
     use super::*;
 
     #[test]
     fn a_vote_keeps_its_secret_and_the_gallery_follows_it() {
-        let document = builtin::find("look-at").expect("built in").load().expect("a scene");
+        let document = BuiltinScene::find("look-at").expect("built in").load().expect("a scene");
         let (camera, scene) = (document.camera, document.scene().expect("a scene"));
         let resolved = camera.resolve().expect("a camera");
         let mut view = MistakesView { wants_differences: true, ..MistakesView::default() };

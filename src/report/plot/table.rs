@@ -7,9 +7,9 @@ use pinhole_lecture::numbers::grouped;
 
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
-use crate::report::columns::lines;
 use crate::report::model::Digits;
 use crate::report::summary::{Overall, Summary, Worst, least_middle_most};
+use crate::report::table::lines;
 use crate::view::chart::{Scale, columns};
 use pinhole_lecture::numbers::short_plain;
 

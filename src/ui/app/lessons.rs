@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use egui::{Panel, Ui};
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
@@ -176,7 +176,7 @@ impl OpenScene {
         }
         let before = self.lessons.scene_before.iter();
         let before = before.filter_map(|path| SceneSource::from_argument(path).ok());
-        self.open.leave_lesson(before.chain(builtin::all().iter().map(SceneSource::Builtin)));
+        self.open.leave_lesson(before.chain(BuiltinScene::all().iter().map(SceneSource::Builtin)));
     }
 
     /// Returns true if anything was changed since the step of the open lesson was set.

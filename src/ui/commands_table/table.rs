@@ -7,7 +7,7 @@ use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 use pinhole_exchange::format::Format;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
 
@@ -311,7 +311,7 @@ fn looks() -> Vec<UiCommand> {
 
 fn destinations() -> Vec<UiCommand> {
     let mut commands = Vec::new();
-    for scene in builtin::all() {
+    for scene in BuiltinScene::all() {
         let action = Leave::Open(SceneSource::Builtin(scene));
         commands.push(command(Group::Scene, scene.name, scene.summary(), action));
     }

@@ -2,7 +2,7 @@
 
 use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
-use pinhole_exchange::document::{Document, Item, Shared};
+use pinhole_exchange::document::{Document, Item, SharedList};
 
 use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::fault_text;
@@ -160,7 +160,7 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
 /// history, and copied when it is written to. Returns true if it was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
-    items: &mut Shared<Item<S>>,
+    items: &mut SharedList<Item<S>>,
     index: usize,
     colors: [Rgb; 2],
     fields: fn(&mut Ui, &mut S),

@@ -4,7 +4,7 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
@@ -146,7 +146,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     );
     ui.separator();
     ui.menu_button("Scenes", |ui| {
-        for scene in builtin::all() {
+        for scene in BuiltinScene::all() {
             ui.button(scene.name)
                 .on_hover_text(scene.summary())
                 .asks(Leave::Open(SceneSource::Builtin(scene)), actions);

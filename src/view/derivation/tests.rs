@@ -360,7 +360,7 @@ fn an_object_that_is_none_keeps_its_numbers() {
 
 #[test]
 fn nothing_is_no_number() {
-    for scene in pinhole_exchange::scenes::builtin::all() {
+    for scene in pinhole_exchange::scenes::BuiltinScene::all() {
         let document = document(scene.name);
         for selection in [WARM_UP, Selection::Pixel(Pixel { row: 0, column: 0 })] {
             let text = derive(&document, selection, 17, false).to_string();

@@ -37,7 +37,7 @@ fn answer(window: &mut Harness<'_, App>, answer: FileAnswer) {
 fn a_chosen_scene_opens_after_the_question_about_changes() {
     let folder = tempfile::tempdir().unwrap();
     let other = folder.path().join("other.toml");
-    scene_file::save(&Document::default(), &other).unwrap();
+    scene_file::save(&Document::default(), &other, None).unwrap();
     let mut window = on_desktop("look-at");
     type_into(&mut window, "eye x", "7");
     press(&mut window, Modifiers::COMMAND, Key::O);
@@ -82,7 +82,7 @@ fn nothing_is_written_over_what_the_scene_is_read_from() {
 fn a_folder_and_a_dialog_that_does_not_work_leave_the_list() {
     let folder = tempfile::tempdir().unwrap();
     let listed = folder.path().join("listed.toml");
-    scene_file::save(&Document::default(), &listed).unwrap();
+    scene_file::save(&Document::default(), &listed, None).unwrap();
     for given in [FileAnswer::Chosen(folder.path().to_owned()), FileAnswer::Unavailable] {
         let works = given != FileAnswer::Unavailable;
         let mut window = on_desktop(&listed);

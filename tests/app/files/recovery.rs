@@ -11,7 +11,7 @@ use pinhole::model::files::OpenDocument;
 use pinhole::model::session::Settings;
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use crate::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
 use crate::support::{self, whole_window};
@@ -171,7 +171,7 @@ fn each_window_s_changes_are_offered_whatever_else_there_is_to_tell() {
 fn changes_are_offered_after_what_is_told_at_the_start() {
     let (_folder, store) = store();
     drop(changed(&store, "look-at"));
-    let source = SceneSource::Builtin(builtin::find("canonical").unwrap());
+    let source = SceneSource::Builtin(BuiltinScene::find("canonical").unwrap());
     let open = OpenDocument::new(source.load().unwrap(), source);
     let mut app = App::new(open, Remembered::default(), Some(store.clone()));
     app.tell("The last scene cannot be opened again", "It is gone.".to_owned());

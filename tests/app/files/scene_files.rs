@@ -53,7 +53,7 @@ fn a_scene_is_edited_and_saved_as_a_file() {
 fn a_number_that_is_being_typed_is_saved_too() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.toml");
-    scene_file::save(&Document::default(), &path).unwrap();
+    scene_file::save(&Document::default(), &path, None).unwrap();
     let mut window = window(&path);
     window.get_by_role_and_label(Role::SpinButton, "eye y").click();
     window.run();
@@ -75,7 +75,7 @@ fn a_built_in_scene_opens_from_the_menu() {
 fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
     let folder = tempfile::tempdir().unwrap();
     let good = folder.path().join("good.toml");
-    scene_file::save(&Document::default(), &good).unwrap();
+    scene_file::save(&Document::default(), &good, None).unwrap();
     let bad = folder.path().join("bad.toml");
     fs::write(&bad, "pinhole = 1\n[camera]\neye = [0.0, 0.0]\n").unwrap();
     let mut window = window("canonical");
@@ -173,7 +173,7 @@ fn a_file_name_that_is_no_text_costs_no_settings() {
 
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(std::ffi::OsStr::from_bytes(b"\xff.toml"));
-    scene_file::save(&Document::default(), &path).unwrap();
+    scene_file::save(&Document::default(), &path, None).unwrap();
     let store = Store::at(&folder.path().join("state.json"));
     let recent = vec![path.clone(), folder.path().join("other.toml")];
     let remembered = Remembered { recent, settings: unfolded(), ..Remembered::default() };

@@ -11,7 +11,7 @@ use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::Shown;
 use pinhole::view::overlay::Shape;
-use pinhole_exchange::scenes::builtin as scenes;
+use pinhole_exchange::scenes::BuiltinScene;
 
 use crate::harness::window_with;
 
@@ -130,7 +130,7 @@ fn nothing_covers_anything_else_in_any_scene_or_step() {
     let mut looked_at = 0;
     for size in SIZES {
         let [width, height] = [size.x, size.y];
-        for scene in scenes::all() {
+        for scene in BuiltinScene::all() {
             let mut harness = window_with(scene.name, Remembered::default(), None);
             harness.set_size(size);
             look(&mut harness, &format!("{} at {width} x {height}", scene.name), &mut found);

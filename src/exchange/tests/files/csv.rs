@@ -165,14 +165,14 @@ fn the_reference_is_kept_and_follows_the_scene() {
     fs::write(&scene, SCENE).unwrap();
     let document = scene_file::load(&scene).unwrap();
 
-    scene_file::save(&document, &scene).unwrap();
+    scene_file::save(&document, &scene, Some(SCENE)).unwrap();
     assert_eq!(fs::read_to_string(&scene).unwrap(), SCENE);
 
     for (path, reference) in [
         (other.join("copy.toml"), "spheres = \"../../data/balls.csv\"\n"),
         (data.join("copy.toml"), "spheres = \"balls.csv\"\n"),
     ] {
-        scene_file::save(&document, &path).unwrap();
+        scene_file::save(&document, &path, None).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         assert!(text.contains(reference), "{text}");
         let copy = scene_file::load(&path).unwrap();

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use pinhole_core::{Camera, ImageSize};
 use pinhole_exchange::csv::{rays, spheres};
-use pinhole_exchange::format::{ExportScene, Include, Input};
+use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::Input;
 use pinhole_exchange::images::png;
 use pinhole_exchange::programs::{FORMATS, Importer};
 use pinhole_exchange::{FileError, answers, scene_file, scenes};
@@ -63,7 +64,7 @@ fn every_importer(text: &str) -> Vec<String> {
 /// What people write.
 fn samples() -> Vec<Vec<u8>> {
     let mut all: Vec<Vec<u8>> = Vec::new();
-    for builtin in scenes::builtin::all() {
+    for builtin in scenes::BuiltinScene::all() {
         all.push(builtin.text.into());
         let document = builtin.load().unwrap();
         let Ok(subject) = ExportScene::new(&document, Include::Objects) else { continue };
@@ -85,7 +86,7 @@ fn samples() -> Vec<Vec<u8>> {
     ];
     all.extend(texts.map(|text| text.as_bytes().to_vec()));
     let mut picture = Vec::new();
-    png::encode(&mut picture, 40, 30, &[[1, 2, 3, 255]; 1200]).unwrap();
+    png::encode(&mut picture, [40, 30], &[[1, 2, 3, 255]; 1200], false).unwrap();
     all.push(picture);
     all
 }

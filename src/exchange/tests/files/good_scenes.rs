@@ -5,7 +5,7 @@ use std::path::Path;
 use pinhole_core::{Camera, CameraError, DVec3, ImageSize, Orientation, Viewport};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::{SceneSource, builtin};
+use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 fn read(text: &str) -> Document {
     scene_file::parse(text, Path::new("scene.toml"), Path::new("")).unwrap()
@@ -147,11 +147,11 @@ fn a_file_that_is_no_text_is_refused() {
 
 #[test]
 fn built_in_scenes_load_and_can_be_seen() {
-    let names: Vec<&str> = builtin::all().iter().map(|builtin| builtin.name).collect();
+    let names: Vec<&str> = BuiltinScene::all().iter().map(|builtin| builtin.name).collect();
     let wanted = "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up \
                   planet grazing tiny-far inside non-square";
     assert_eq!(names.join(" "), wanted);
-    for builtin in builtin::all() {
+    for builtin in BuiltinScene::all() {
         let document = builtin.load().unwrap();
         assert!(!document.note.is_empty() && !document.spheres.is_empty(), "{}", builtin.name);
         document.camera.resolve().unwrap();

@@ -1,12 +1,12 @@
 //! Pictures as PNG and GIF: what a viewer is told of them.
 
 use pinhole_exchange::images::gif;
-use pinhole_exchange::images::png::encode_transparent;
+use pinhole_exchange::images::png;
 
 #[test]
 fn a_picture_says_that_it_is_srgb() {
     let mut picture = Vec::new();
-    encode_transparent(&mut picture, 1, 1, &[[200, 100, 50, 255]]).unwrap();
+    png::encode(&mut picture, [1, 1], &[[200, 100, 50, 255]], true).unwrap();
     assert!(picture.windows(4).any(|bytes| bytes == b"sRGB"));
 }
 

@@ -168,7 +168,7 @@ fn a_document_that_could_not_be_read_back_is_not_saved() {
     let refused = |edit: &dyn Fn(&mut Document), expected: &str| {
         let mut document = read(COMMENTED);
         edit(&mut document);
-        let message = scene_file::save(&document, &path).unwrap_err().to_string();
+        let message = scene_file::save(&document, &path, Some(COMMENTED)).unwrap_err().to_string();
         assert_eq!(message, format!("{}: not saved: {expected}", path.display()));
         assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED);
     };
@@ -232,7 +232,7 @@ fn a_file_marked_read_only_is_not_replaced() {
     let mut permissions = fs::metadata(&path).unwrap().permissions();
     permissions.set_readonly(true);
     fs::set_permissions(&path, permissions).unwrap();
-    let message = scene_file::save(&read(COMMENTED), &path).unwrap_err().to_string();
+    let message = scene_file::save(&read(COMMENTED), &path, None).unwrap_err().to_string();
     assert_eq!(message, format!("{}: cannot be written: the file is read-only", path.display()));
     assert_eq!(fs::read_to_string(&path).unwrap(), "old");
     assert_eq!(entries(folder.path()), ["scene.toml"]);
@@ -241,7 +241,8 @@ fn a_file_marked_read_only_is_not_replaced() {
 #[test]
 fn a_folder_is_no_file_and_none_is_made() {
     let folder = tempfile::tempdir().unwrap();
-    let message = |path: &Path| scene_file::save(&read(COMMENTED), path).unwrap_err().to_string();
+    let message =
+        |path: &Path| scene_file::save(&read(COMMENTED), path, None).unwrap_err().to_string();
     let missing = folder.path().join("missing").join("scene.toml");
     assert_eq!(
         message(&missing),
@@ -269,7 +270,7 @@ mod unix {
         symlink("file.toml", &link).unwrap();
         let mut document = read(COMMENTED);
         document.camera.eye.y = 2.5;
-        scene_file::save(&document, &link).unwrap();
+        scene_file::save(&document, &link, Some(COMMENTED)).unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::metadata(&file).unwrap().mode() & 0o777, 0o640);
         assert_eq!(fs::read_to_string(&file).unwrap(), COMMENTED.replace("0.0, 0x0", "2.5, 0x0"));
@@ -280,7 +281,7 @@ mod unix {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("link.toml");
         symlink("file.toml", &link).unwrap();
-        scene_file::save(&Document::default(), &link).unwrap();
+        scene_file::save(&Document::default(), &link, None).unwrap();
         assert!(folder.path().join("file.toml").is_file());
         // Others may read a new file as they may read any other.
         let plain = folder.path().join("plain");

@@ -12,7 +12,8 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::{Document, Item};
-use pinhole_exchange::format::{ExportScene, Exported, Format, Imported, Include, Input};
+use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::{Exported, Format, Imported, Input};
 use pinhole_exchange::programs::Importer;
 
 fn format(name: &str) -> &'static Format {

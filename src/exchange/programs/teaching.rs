@@ -1,12 +1,14 @@
-//! *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set
-//! up its `camera`.
+//! Cameras of teaching: those of *Ray Tracing in One Weekend* and of the course.
 
 use pinhole_core::Sphere;
 
-use crate::format::text::{commas, light, n, real};
-use crate::format::{Conventions, ExportScene, Format, PixelConvention, Unsupported};
+use crate::export_scene::{ExportScene, Unsupported};
+use crate::format::{Conventions, Format, PixelConvention};
+use crate::format::{commas, light, n, real};
 
-pub(super) const FORMAT: Format = Format {
+/// *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set up its
+/// `camera`.
+pub(super) const WEEKEND: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
     short: "One Weekend",
@@ -21,10 +23,10 @@ pub(super) const FORMAT: Format = Format {
         shape: "square only; image_height = int(image_width / aspect_ratio)",
         lengths: "f64",
     }),
-    write,
+    write: weekend,
 };
 
-fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
+fn weekend(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
     subject.square_pixels("Ray Tracing in One Weekend")?;
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
@@ -73,4 +75,53 @@ fn aspect_ratio(width: u32, height: u32) -> String {
     }
     // The quotient is rounded up, and a row is lost: a little less keeps it.
     real((w / h).next_down())
+}
+
+/// The course's own camera, a call in Julia: `PerspectiveCamera(eye, view, up, focal, H, W)`, whose viewport is 1
+/// wide and H / W high.
+pub(super) const COURSE: Format = Format {
+    name: "course",
+    label: "PerspectiveCamera of the course",
+    short: "Course",
+    file: "camera.jl",
+    conventions: Some(Conventions {
+        axes: Conventions::OURS,
+        given_by: "eye, view, up",
+        pixels: PixelConvention::FromOne,
+        view: "focal: distance / width",
+        field: |subject| n(focal(subject)),
+        distance: "focal; the viewport is 1 wide",
+        shape: "square only: the viewport is H / W high",
+        lengths: "f64",
+    }),
+    write: course,
+};
+
+fn focal(subject: &ExportScene) -> f64 {
+    subject.viewport().distance / subject.viewport().width
+}
+
+fn course(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
+    subject.square_pixels("the course's camera")?;
+    let camera = subject.camera();
+    let [width, height] = subject.size();
+    let text = format!(
+        "PerspectiveCamera(\n    Vec3({}), # eye\n    Vec3({}), # view\n    Vec3({}), # up\n    {}, # focal\n    \
+         {height}, {width}) # H, W\n",
+        commas(camera.eye),
+        commas(camera.view()),
+        commas(camera.up()),
+        real(focal(subject)),
+    );
+    let scale = subject.viewport().width;
+    if scale != 1.0 {
+        notes.push(format!(
+            "the course's viewport is 1 wide, this one {}: the same rays, and every t is {} times \
+             as large there",
+            n(scale),
+            n(scale)
+        ));
+    }
+    notes.extend(subject.objects_left_out("the call makes a camera only"));
+    Ok(text)
 }

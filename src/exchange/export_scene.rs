@@ -8,7 +8,7 @@ use pinhole_core::{
     Sphere, Viewport,
 };
 
-use super::text::n;
+use crate::format::n;
 use crate::document::Document;
 
 /// A reason why a format cannot say it, with what would have to be otherwise.

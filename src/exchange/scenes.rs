@@ -1,0 +1,132 @@
+//! The built-in scenes, and the scene that an argument on the command line names: a file or a built-in one.
+
+use std::path::{Path, PathBuf};
+
+use crate::document::Document;
+use crate::error::nearest;
+use crate::{FileError, scene_file};
+
+/// Origin of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SceneSource {
+    /// A scene file.
+    File(PathBuf),
+    /// A scene that comes with the program.
+    Builtin(&'static BuiltinScene),
+}
+
+impl SceneSource {
+    /// A path if there is such a file, or if it can only be one (it has a folder, or ends in
+    /// `.toml`); else the name of a built-in scene.
+    ///
+    /// # Errors
+    /// Returns an error, with the names that are near, if there is no such scene.
+    pub fn from_argument(argument: &Path) -> Result<SceneSource, FileError> {
+        let has_folder = argument.components().count() != 1 || argument.is_absolute();
+        let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
+        if has_folder || is_toml || argument.is_file() {
+            return Ok(SceneSource::File(argument.to_owned()));
+        }
+        let name = argument.to_string_lossy();
+        if let Some(builtin) = BuiltinScene::find(&name) {
+            return Ok(SceneSource::Builtin(builtin));
+        }
+        let near = BuiltinScene::nearest(&name);
+        let hint = match &near[..] {
+            [] => {
+                let names: Vec<&str> = BuiltinScene::all().iter().map(|b| b.name).collect();
+                format!("the built-in ones are {}", names.join(", "))
+            }
+            near => format!("did you mean {}?", near.join(" or ")),
+        };
+        let problem = format!("neither a file nor a built-in scene: {hint}");
+        Err(FileError::of_file(argument, problem))
+    }
+
+    /// Reads the scene.
+    ///
+    /// # Errors
+    /// Returns the first error in the file.
+    pub fn load(&self) -> Result<Document, FileError> {
+        match self {
+            SceneSource::File(path) => scene_file::load(path),
+            SceneSource::Builtin(builtin) => builtin.load(),
+        }
+    }
+
+    /// The scene file that it is.
+    pub fn scene_file(&self) -> Option<&Path> {
+        match self {
+            SceneSource::File(path) => Some(path),
+            SceneSource::Builtin(_) => None,
+        }
+    }
+}
+
+/// A scene that comes with the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuiltinScene {
+    /// Name that it is opened by.
+    pub name: &'static str,
+    /// Its file: a scene file.
+    pub text: &'static str,
+}
+
+/// A list of the files `scenes/builtin/NAME.toml`.
+macro_rules! scenes {
+    [$($name:literal),* $(,)?] => {
+        &[$(BuiltinScene {
+            name: $name,
+            text: include_str!(concat!("scenes/builtin/", $name, ".toml")),
+        }),*]
+    };
+}
+
+/// Built-in scenes in the lecture's order: the canonical camera, what may change about it, then where numbers get
+/// difficult.
+const BUILTIN: &[BuiltinScene] = scenes![
+    "canonical",
+    "distance-two",
+    "moved-eye",
+    "forty-five",
+    "look-at",
+    "roll",
+    "almost-parallel-up",
+    "planet",
+    "grazing",
+    "tiny-far",
+    "inside",
+    "non-square",
+];
+
+impl BuiltinScene {
+    /// All of them, in the lecture's order.
+    pub fn all() -> &'static [BuiltinScene] {
+        BUILTIN
+    }
+
+    /// Returns the scene of this name.
+    pub fn find(name: &str) -> Option<&'static BuiltinScene> {
+        BUILTIN.iter().find(|scene| scene.name == name)
+    }
+
+    /// Returns the names for which this may be a slip, the nearest first.
+    pub fn nearest(name: &str) -> Vec<&'static str> {
+        nearest(name, BUILTIN.iter().map(|scene| scene.name))
+    }
+
+    /// The scene.
+    ///
+    /// # Errors
+    /// Never fails; tests check all scenes.
+    pub fn load(&self) -> Result<Document, FileError> {
+        scene_file::parse(self.text, Path::new(self.name), Path::new(""))
+    }
+
+    /// The first sentence of its note: what it is, in a line.
+    pub fn summary(&self) -> String {
+        let note = self.text.lines().map_while(|line| line.strip_prefix("# "));
+        let note = note.collect::<Vec<_>>().join(" ");
+        note.split_inclusive(". ").next().unwrap_or_default().trim_end().to_owned()
+    }
+}
