@@ -64,7 +64,7 @@
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a command, its key and its menu | `ui/commands_table/table.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
-//! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name |
+//! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name; `export` and `import` in `cli/other_programs.rs` |
 //! | the built-in scenes and lessons | `exchange/scenes/builtin/`, `assets/lessons/` |
 //! | tests | `tests/` for the program, `tests/` in the folder of each crate |
 //!

@@ -191,16 +191,16 @@ fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
 /// it at the largest `f64`.
 #[derive(Serialize)]
 struct Inspect<'a> {
-    camera: Camera,
+    camera: CameraJson,
     pixel: Option<Pixel>,
     uv: DVec2,
     ray: Ray,
-    hits: Vec<Hit<'a>>,
+    hits: Vec<HitJson<'a>>,
     first: Option<usize>,
 }
 
 #[derive(Serialize)]
-struct Camera {
+struct CameraJson {
     eye: DVec3,
     u: DVec3,
     v: DVec3,
@@ -210,7 +210,7 @@ struct Camera {
 }
 
 #[derive(Serialize)]
-struct Hit<'a> {
+struct HitJson<'a> {
     object: &'static str,
     index: u32,
     name: Option<&'a str>,
@@ -226,7 +226,7 @@ impl Readout<'_> {
         let basis = camera.basis();
         let hits = inspection.roots.iter().zip(&inspection.distances);
         Inspect {
-            camera: Camera {
+            camera: CameraJson {
                 eye: plain(camera.eye()),
                 u: plain(basis.u),
                 v: plain(basis.v),
@@ -245,8 +245,8 @@ impl Readout<'_> {
         }
     }
 
-    fn hit(&self, root: &Root, distance: f64) -> Hit<'_> {
-        Hit {
+    fn hit(&self, root: &Root, distance: f64) -> HitJson<'_> {
+        HitJson {
             object: self.kind_of(root.object),
             index: root.object,
             name: self.document.name_of(root.object),

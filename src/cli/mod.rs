@@ -1,26 +1,28 @@
-//! The headless commands, one a file. None of them touches a display or a graphics driver.
+//! The headless commands, mostly one in each file. None of them touches a display or a graphics driver.
 //!
-//! They share `load`, `console` (with the errors) and `progress`.
+//! `pinhole scenes` and `pinhole completions` are here, `export` and `import` in `other_programs`. They share `load`
+//! (the scene and its ray), `console` (standard streams and errors) and `progress`.
 
 pub mod arguments;
 mod check;
 mod console;
-mod export;
 mod figure;
-mod import;
 mod inspect;
 mod load;
+mod other_programs;
 mod progress;
 pub mod render;
 #[cfg(feature = "report")]
 mod report;
-mod scenes;
 mod trace;
 
+use pinhole_exchange::scenes::BuiltinScene;
+use serde::Serialize;
+
 pub use self::arguments::mistyped;
-use self::console::to_stdout;
 pub use self::console::{CommandError, exit_code, print};
-use crate::cli::arguments::{Command, Shell};
+use self::console::{to_json, to_stdout};
+use crate::cli::arguments::{Command, ScenesArguments, Shell};
 
 /// Runs a command.
 ///
@@ -28,7 +30,7 @@ use crate::cli::arguments::{Command, Shell};
 /// Returns the reason if it could not be done.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
-        Command::Scenes(arguments) => scenes::run(arguments),
+        Command::Scenes(arguments) => list_scenes(arguments),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
@@ -38,13 +40,13 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         #[cfg(not(feature = "report"))]
         Command::Report(_) => Err(console::not_built("report", "report")),
         Command::Figure(arguments) => figure::run(arguments),
-        Command::Export(arguments) => export::run(arguments),
-        Command::Import(arguments) => import::run(arguments),
+        Command::Export(arguments) => other_programs::export(arguments),
+        Command::Import(arguments) => other_programs::import(arguments),
         Command::Completions(arguments) => complete(arguments.shell),
     }
 }
 
-/// `pinhole completions`: what a shell reads to complete commands, options and scenes.
+/// `pinhole completions`: prints the script with which a shell completes commands, options and scenes.
 fn complete(shell: Shell) -> Result<(), CommandError> {
     let script = match shell {
         Shell::Bash => include_str!("../../assets/completions/pinhole.bash"),
@@ -52,4 +54,34 @@ fn complete(shell: Shell) -> Result<(), CommandError> {
         Shell::Fish => include_str!("../../assets/completions/pinhole.fish"),
     };
     to_stdout(|out| out.write_all(script.as_bytes()))
+}
+
+/// The list of `pinhole scenes --json`.
+#[derive(Serialize)]
+struct SceneList {
+    scenes: Vec<Listed>,
+}
+
+#[derive(Serialize)]
+struct Listed {
+    name: &'static str,
+    summary: String,
+}
+
+/// `pinhole scenes`: lists the built-in scenes, one in each line.
+fn list_scenes(arguments: &ScenesArguments) -> Result<(), CommandError> {
+    let scenes = BuiltinScene::all();
+    if arguments.json {
+        let listed =
+            scenes.iter().map(|scene| Listed { name: scene.name, summary: scene.summary() });
+        let text = to_json(&SceneList { scenes: listed.collect() })?;
+        return to_stdout(|out| out.write_all(text.as_bytes()));
+    }
+    let width = scenes.iter().map(|scene| scene.name.len()).max().unwrap_or(0);
+    to_stdout(|out| {
+        for scene in scenes {
+            writeln!(out, "{:width$}  {}", scene.name, scene.summary())?;
+        }
+        Ok(())
+    })
 }

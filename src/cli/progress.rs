@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 /// A line on standard error, which appears only where that is a terminal and the work takes longer
 /// than [`PATIENCE`].
 pub(super) struct Progress {
-    work: Arc<Work>,
+    work: Arc<ProgressState>,
     /// Writes the line when it is time, until the other end of the channel goes away.
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Time from one line to the next.
 const TICK: Duration = Duration::from_millis(100);
 
-struct Work {
+struct ProgressState {
     since: Instant,
     done: AtomicUsize,
     /// The unit that is counted, as `row`, and the number of them; otherwise the work's name.
@@ -52,7 +52,8 @@ impl Progress {
     /// The work may be silent for long, so another thread looks at the clock.
     fn new(what: &'static str, all: Option<usize>) -> Progress {
         let what = Mutex::new((what, all));
-        let work = Arc::new(Work { since: Instant::now(), done: AtomicUsize::new(0), what });
+        let work =
+            Arc::new(ProgressState { since: Instant::now(), done: AtomicUsize::new(0), what });
         if !io::stderr().is_terminal() {
             return Progress { work, clock: None };
         }
@@ -72,7 +73,7 @@ impl Progress {
     }
 }
 
-impl Work {
+impl ProgressState {
     fn line(&self) -> String {
         let (done, elapsed) = (self.done.load(Ordering::Relaxed), self.since.elapsed());
         match *self.what.lock().unwrap_or_else(PoisonError::into_inner) {

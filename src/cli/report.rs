@@ -11,7 +11,7 @@ use super::load::{apart, files_of, load, pose};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
 use crate::figures::FigureFormat;
-use crate::report::measure::Run;
+use crate::report::measure::Measurement;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
 use crate::report::{plot, table};
@@ -54,24 +54,24 @@ fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, &Path)> {
 }
 
 /// The runs to measure. Every scene is read before the first is measured.
-fn runs(arguments: &ReportArguments) -> Result<Vec<Run>, CommandError> {
+fn runs(arguments: &ReportArguments) -> Result<Vec<Measurement>, CommandError> {
     if arguments.scenes.is_empty() {
-        return Ok(vec![Run::of_families(arguments.seed)]);
+        return Ok(vec![Measurement::of_families(arguments.seed)]);
     }
     let run_of = |path: &PathBuf| {
         let document = load(path)?;
         pose(path, &document)?;
         apart(&files_of(path, &document), files(arguments))?;
         let scene = document.scene().map_err(|error| scene_fault(path, error))?;
-        Run::of_scene(&path.display().to_string(), &scene, &document.camera)
+        Measurement::of_scene(&path.display().to_string(), &scene, &document.camera)
             .map_err(|error| scene_fault(path, error))
     };
     arguments.scenes.iter().map(run_of).collect()
 }
 
 /// Measures the runs one after the other; the report is about all of them.
-fn measured(mut runs: Vec<Run>) -> Report {
-    let progress = Progress::counting("step", runs.iter().map(Run::total).sum());
+fn measured(mut runs: Vec<Measurement>) -> Report {
+    let progress = Progress::counting("step", runs.iter().map(Measurement::total).sum());
     let mut all = Report::default();
     for run in &mut runs {
         while !run.is_done() {

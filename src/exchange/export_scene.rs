@@ -8,8 +8,8 @@ use pinhole_core::{
     Sphere, Viewport,
 };
 
-use crate::format::n;
 use crate::document::Document;
+use crate::format::n;
 
 /// A reason why a format cannot say it, with what would have to be otherwise.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -10,16 +10,18 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::surface::{Frame, MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, Surface, timed};
+use super::surface::{
+    MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed,
+};
 use crate::view::painter::{Canvas, PixelRect, SoftwarePainter};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
-type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
+type DisplayBuffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
 
 /// A window's surface in memory.
 pub(super) struct Cpu {
     context: Context,
-    buffers: Option<Buffers>,
+    buffers: Option<DisplayBuffers>,
     /// Size of the buffers.
     size: [u32; 2],
     painter: SoftwarePainter,
@@ -39,7 +41,7 @@ impl Cpu {
         window: &Arc<Window>,
     ) -> Result<Self, softbuffer::SoftBufferError> {
         let context = Context::new(event_loop.owned_display_handle())?;
-        let buffers = Buffers::new(&context, Arc::clone(window))?;
+        let buffers = DisplayBuffers::new(&context, Arc::clone(window))?;
         Ok(Self {
             context,
             buffers: Some(buffers),
@@ -66,7 +68,7 @@ impl Cpu {
         let [Some(width), Some(height)] = size.map(NonZeroU32::new) else { return Ok(()) };
         let buffers = match &mut self.buffers {
             Some(buffers) => buffers,
-            empty => empty.insert(Buffers::new(&self.context, Arc::clone(window))?),
+            empty => empty.insert(DisplayBuffers::new(&self.context, Arc::clone(window))?),
         };
         if self.size != size {
             buffers.resize(width, height)?;
@@ -93,12 +95,12 @@ impl Cpu {
     }
 }
 
-impl Surface for Cpu {
+impl WindowSurface for Cpu {
     fn max_texture_side(&self) -> Option<usize> {
         Some(MAX_TEXTURE_SIDE)
     }
 
-    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
         let mut changed = Default::default();
         let upload = timed(frame.is_timed, || changed = self.painter.set_textures(frame.delta));
         let size = frame.size.map(|n| n as usize);

@@ -16,7 +16,7 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::display::without_panic;
-use super::surface::{Frame, PATIENCE, PaintTimes, Surface, timed};
+use super::surface::{PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed};
 
 /// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [
@@ -104,7 +104,7 @@ impl Gpu {
     }
 
     /// Draws a frame and presents it, or asks for another one on a new surface.
-    fn try_paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+    fn try_paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);
             if let (Some(width), Some(height)) = (width, height) {
@@ -143,12 +143,12 @@ impl Gpu {
     }
 }
 
-impl Surface for Gpu {
+impl WindowSurface for Gpu {
     fn max_texture_side(&self) -> Option<usize> {
         self.painter.max_texture_side()
     }
 
-    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
         // On a lost device, egui's painter panics.
         let painted = without_panic(|| self.try_paint(frame)).flatten();
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();

@@ -35,11 +35,24 @@ mod frames;
 #[cfg(feature = "wgpu")]
 mod gpu;
 mod open;
-#[cfg_attr(not(unix), path = "no_signals.rs")]
+#[cfg(unix)]
 pub mod signals;
 mod start;
 mod surface;
 mod window;
+
+/// The stand-in for systems without signals that end a program.
+#[cfg(not(unix))]
+pub mod signals {
+    /// Does nothing: no signal ends the window.
+    pub(super) fn end_window_by(_end: impl FnOnce() + Send + 'static) {}
+
+    /// Does nothing: there are no signals to watch.
+    pub fn watch() {}
+
+    /// Does nothing: there is no signal to pass on.
+    pub fn pass_on() {}
+}
 
 /// Opens the window on the named scene or lesson, otherwise on that of the last run, otherwise on
 /// the lecture's own scene. Returns when the window is closed.
@@ -59,7 +72,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         (None, Some(_)) => None,
         (None, None) => remembered.lesson_step().map(|id| (id, None)),
     };
-    let Start { open, remembered, trouble } = start(scene.as_deref(), remembered)?;
+    let FirstScene { open, remembered, trouble } = start(scene.as_deref(), remembered)?;
     let geometry = remembered.window;
     let mut app = App::new(open, remembered, store);
     if let Some((id, file)) = lesson {
@@ -89,7 +102,7 @@ fn wants_less_motion() -> bool {
 }
 
 /// The document and state that the window opens with.
-struct Start {
+struct FirstScene {
     open: OpenDocument,
     remembered: Remembered,
     /// The reason why it is not the scene of the last run.
@@ -97,7 +110,7 @@ struct Start {
 }
 
 /// Reads the scene to open: the named one, otherwise the last run's, otherwise the lecture's own.
-fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileError> {
+fn start(scene: Option<&Path>, remembered: Remembered) -> Result<FirstScene, FileError> {
     let load = |argument: &Path| {
         let source = SceneSource::from_argument(argument)?;
         Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
@@ -105,17 +118,17 @@ fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileErro
     if let Some(argument) = scene {
         // A ray selected in another scene has no meaning in this one.
         let remembered = Remembered { selection: None, ..remembered };
-        return Ok(Start { open: load(argument)?, remembered, trouble: None });
+        return Ok(FirstScene { open: load(argument)?, remembered, trouble: None });
     }
     let last = remembered.last.as_deref().map(load);
     match last {
-        Some(Ok(open)) => Ok(Start { open, remembered, trouble: None }),
-        Some(Err(error)) => Ok(Start {
+        Some(Ok(open)) => Ok(FirstScene { open, remembered, trouble: None }),
+        Some(Err(error)) => Ok(FirstScene {
             open: canonical()?,
             remembered: Remembered { selection: None, ..remembered },
             trouble: Some(error.to_string()),
         }),
-        None => Ok(Start { open: canonical()?, remembered, trouble: None }),
+        None => Ok(FirstScene { open: canonical()?, remembered, trouble: None }),
     }
 }
 

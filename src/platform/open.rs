@@ -16,13 +16,11 @@ use winit::window::Window;
 
 use crate::cli::arguments::Renderer;
 use crate::platform::cpu::Cpu;
-use crate::platform::display::PresentError;
-use crate::platform::display::{UserEvent, without_panic};
+use crate::platform::display::{PresentError, UserEvent, without_panic};
 use crate::platform::file_dialog::{self, FileDialog};
 use crate::platform::frames::{FirstPass, FrameLog, FrameTimes};
-use crate::platform::start::{Drawn, pace};
-use crate::platform::surface::Textures;
-use crate::platform::surface::{Frame, PaintTimes, Surface};
+use crate::platform::start::{OpenWindow, pace};
+use crate::platform::surface::{PaintTimes, Textures, WindowFrame, WindowSurface};
 use crate::ui::app::{App, complain};
 use crate::ui::dialogs::path_field::FileAnswer;
 
@@ -31,7 +29,7 @@ use crate::ui::dialogs::path_field::FileAnswer;
 /// The fields are dropped in this order: the window comes last.
 pub(super) struct Open {
     /// `None` only if the last one is lost.
-    surface: Option<Box<dyn Surface>>,
+    surface: Option<Box<dyn WindowSurface>>,
     renderer: Renderer,
     app: App,
     log: Option<FrameLog>,
@@ -71,7 +69,7 @@ impl Open {
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
-        Drawn { window, surface, renderer, detail }: Drawn,
+        OpenWindow { window, surface, renderer, detail }: OpenWindow,
         proxy: EventLoopProxy<UserEvent>,
         first_pass: FirstPass,
         log: Option<FrameLog>,
@@ -340,7 +338,7 @@ impl Open {
         if self.renderer != Renderer::Cpu {
             self.textures.note(&self.delta);
         }
-        let frame = Frame {
+        let frame = WindowFrame {
             window: &self.window,
             size: [size.width, size.height],
             pixels_per_point,

@@ -13,7 +13,7 @@ use super::display::PresentError;
 use super::display::cause;
 #[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
-use super::surface::Surface;
+use super::surface::WindowSurface;
 use crate::cli::arguments::Renderer;
 use crate::model::window_geometry::WindowGeometry;
 
@@ -82,9 +82,9 @@ fn icon() -> Option<egui::IconData> {
 }
 
 /// A window and its renderer.
-pub(super) struct Drawn {
+pub(super) struct OpenWindow {
     pub(super) window: Arc<Window>,
-    pub(super) surface: Box<dyn Surface>,
+    pub(super) surface: Box<dyn WindowSurface>,
     pub(super) renderer: Renderer,
     /// The adapter and its driver, or the reason why the CPU draws.
     pub(super) detail: String,
@@ -96,7 +96,7 @@ pub(super) fn surface(
     ctx: &egui::Context,
     event_loop: &ActiveEventLoop,
     builder: &ViewportBuilder,
-) -> Result<Drawn, PresentError> {
+) -> Result<OpenWindow, PresentError> {
     let open = || {
         // By a context without a zoom: the geometry has none, and that of the app's may have one already.
         let window = egui_winit::create_window(&egui::Context::default(), event_loop, builder);
@@ -105,7 +105,7 @@ pub(super) fn surface(
     #[cfg(feature = "wgpu")]
     let on_adapter = |by_hand| {
         let window = open()?;
-        Ok(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| Drawn {
+        Ok(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| OpenWindow {
             window,
             surface: Box::new(gpu),
             renderer: Renderer::Wgpu,
@@ -131,7 +131,7 @@ pub(super) fn surface(
     let window = open()?;
     let cpu =
         Cpu::new(event_loop, &window).map_err(|error| PresentError::NoWindow(error.to_string()))?;
-    Ok(Drawn { window, surface: Box::new(cpu), renderer: Renderer::Cpu, detail })
+    Ok(OpenWindow { window, surface: Box::new(cpu), renderer: Renderer::Cpu, detail })
 }
 
 /// Returns the minimum time between two frames of an animation.

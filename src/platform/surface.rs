@@ -18,16 +18,16 @@ pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
 pub(super) const PATIENCE: u32 = 5;
 
 /// A renderer of the window.
-pub(super) trait Surface {
+pub(super) trait WindowSurface {
     /// Returns the maximum side of a texture.
     fn max_texture_side(&self) -> Option<usize>;
 
     /// Draws a frame and presents it.
-    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String>;
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String>;
 }
 
 /// A frame to draw.
-pub(super) struct Frame<'a> {
+pub(super) struct WindowFrame<'a> {
     pub(super) window: &'a Arc<Window>,
     /// The window's size in pixels, not zero.
     pub(super) size: [u32; 2],

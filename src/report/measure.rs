@@ -1,4 +1,4 @@
-//! Measures error against run time, a slice at a time: [`Run`].
+//! Measures error against run time, a slice at a time: [`Measurement`].
 //!
 //! A run is a list of cases (a scene, or a stress family at one setting of its knob). Of each, some
 //! rays are followed by every [`Method`] and by the reference, and
@@ -27,22 +27,22 @@ const SLICE: Duration = Duration::from_millis(8);
 /// The method that times are compared with.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
-/// A measurement under way. It does nothing by itself: [`Run::step`] does.
+/// A measurement under way. It does nothing by itself: [`Measurement::step`] does.
 ///
 /// ```
-/// use pinhole::report::measure::Run;
+/// use pinhole::report::measure::Measurement;
 /// use pinhole_core::*;
 ///
 /// let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
 /// let camera = Camera { image: ImageSize::new(8, 8)?, ..Camera::CANONICAL };
-/// let mut run = Run::of_scene("ball", &Scene::new(vec![ball], vec![])?, &camera)?;
+/// let mut run = Measurement::of_scene("ball", &Scene::new(vec![ball], vec![])?, &camera)?;
 /// while !run.is_done() {
 ///     run.step();
 /// }
 /// assert_eq!(run.report().cases[0].name, "ball");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Run {
+pub struct Measurement {
     cases: Vec<CaseRun>,
     /// The case at work; those before it are done.
     current: usize,
@@ -54,25 +54,45 @@ pub struct Run {
     one_thread: Option<ThreadPool>,
 }
 
-impl Run {
+impl Measurement {
     /// Will measure a scene as a camera sees it: the same pixels on every machine.
     ///
     /// # Errors
     /// Returns an error if a camera sees nothing.
-    pub fn of_scene(name: &str, scene: &Scene, camera: &Camera) -> Result<Run, CameraError> {
+    pub fn of_scene(
+        name: &str,
+        scene: &Scene,
+        camera: &Camera,
+    ) -> Result<Measurement, CameraError> {
         let (cases, left_out) = scenes::cases(name, scene, camera)?;
         let timed_what = "a frame of the scene";
         let (notes, seed) = (scenes::NOTE, None);
-        Ok(Run { cases, current: 0, left_out, notes, seed, timed_what, one_thread: one_thread() })
+        Ok(Measurement {
+            cases,
+            current: 0,
+            left_out,
+            notes,
+            seed,
+            timed_what,
+            one_thread: one_thread(),
+        })
     }
 
     /// Will measure all stress families, in about two minutes on two cores. The same seed gives the
     /// same cases, and all of them are compared with the truth on every machine.
-    pub fn of_families(seed: u64) -> Run {
+    pub fn of_families(seed: u64) -> Measurement {
         let (cases, left_out) = families::cases(seed);
         let timed_what = "the family's rays one by one, or its frames at some 8000 pixels";
         let (notes, seed) = (families::NOTE, Some(seed));
-        Run { cases, current: 0, left_out, notes, seed, timed_what, one_thread: one_thread() }
+        Measurement {
+            cases,
+            current: 0,
+            left_out,
+            notes,
+            seed,
+            timed_what,
+            one_thread: one_thread(),
+        }
     }
 
     /// Amount of work, in pieces of work of roughly equal length.

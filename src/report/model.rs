@@ -40,9 +40,9 @@ pub struct Case {
     /// Name of the knob; empty without one.
     pub knob_name: String,
     /// How much t depends on what is given, over the rays that hit.
-    pub condition: Option<Condition>,
+    pub condition: Option<ConditionSpread>,
     /// The same of the cases that the `f32` methods get, where those are others.
-    pub condition_f32: Option<Condition>,
+    pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
     /// The scene that this is a part of, looked at alone: its pixels are among the scene's too.
@@ -53,7 +53,7 @@ pub struct Case {
 /// and direction each move by a small share of their sizes, is at most this times that share. Tangents,
 /// where it is infinite, are left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Condition {
+pub struct ConditionSpread {
     /// Half of them are at most this.
     pub median: f64,
     /// All are at most this.

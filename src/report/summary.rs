@@ -6,12 +6,12 @@ use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
 pub(crate) struct Summary<'a> {
     pub(crate) cases: Vec<&'a Case>,
     /// The methods, in their order.
-    pub(crate) methods: Vec<Worst<'a>>,
+    pub(crate) methods: Vec<MethodSummary<'a>>,
 }
 
 /// A method over all cases of a family: the error at its worst, wrong decisions all together, the time in
 /// the middle. One case is its own worst.
-pub(crate) struct Worst<'a> {
+pub(crate) struct MethodSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
     pub(crate) digits: Digits,
@@ -64,10 +64,10 @@ impl<'a> Summary<'a> {
                 names.push(&row.name);
             }
         }
-        let mut methods: Vec<Worst> =
-            names.into_iter().map(|name| Worst::new(name, &cases)).collect();
+        let mut methods: Vec<MethodSummary> =
+            names.into_iter().map(|name| MethodSummary::new(name, &cases)).collect();
         // With planes alone, double-double is a precision of the textbook's.
-        let is_double_double = |worst: &Worst| worst.digits == Digits::DoubleDouble;
+        let is_double_double = |worst: &MethodSummary| worst.digits == Digits::DoubleDouble;
         if methods.iter().all(|worst| worst.formula != "half-b" || is_double_double(worst)) {
             let alone = methods.iter_mut().filter(|worst| is_double_double(worst));
             alone.for_each(|worst| worst.formula = "textbook");
@@ -85,7 +85,7 @@ impl<'a> Summary<'a> {
         self.cases.iter().flat_map(|case| &case.methods).filter_map(outcome)
     }
 
-    fn method(&self, name: &str) -> Option<&Worst<'a>> {
+    fn method(&self, name: &str) -> Option<&MethodSummary<'a>> {
         self.methods.iter().find(|worst| worst.name == name)
     }
 
@@ -103,8 +103,8 @@ impl<'a> Summary<'a> {
     }
 }
 
-impl<'a> Worst<'a> {
-    fn new(name: &'a str, cases: &[&'a Case]) -> Worst<'a> {
+impl<'a> MethodSummary<'a> {
+    fn new(name: &'a str, cases: &[&'a Case]) -> MethodSummary<'a> {
         let row_of = |case: &&'a Case| case.methods.iter().find(|row| row.name == name);
         let rows: Vec<&MethodRow> = cases.iter().filter_map(row_of).collect();
         let mut times: Vec<f64> = rows.iter().filter_map(|row| row.ns_per_pixel.min).collect();
@@ -117,7 +117,7 @@ impl<'a> Worst<'a> {
         // Where nothing is to be hit, to hit says nothing about t.
         let hit = cases.iter().filter(|case| case.coverage > 0.0).filter_map(row_of);
         let worse = |a, b| if a > b { a } else { b };
-        Worst {
+        MethodSummary {
             name,
             formula: rows.first().map_or(name, |row| row.formula()),
             digits: rows.first().map_or(Digits::Double, |row| row.digits()),
@@ -138,7 +138,7 @@ impl<'a> Worst<'a> {
     }
 
     /// Returns whether the other is at least as fast and as close, and better in one of them.
-    fn is_beaten_by(&self, other: &Worst) -> bool {
+    fn is_beaten_by(&self, other: &MethodSummary) -> bool {
         let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
         others.0 <= own.0 && others.1 <= own.1 && others != own
     }
@@ -153,11 +153,11 @@ pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
 
 /// The Pareto front: of the methods that decide all right, those that no other one beats in both time
 /// and error; the fastest first.
-pub(crate) fn front<'a, 'b>(methods: &'b [Worst<'a>]) -> Vec<&'b Worst<'a>> {
-    let is_first = |method: &&Worst| {
+pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
+    let is_first = |method: &&MethodSummary| {
         method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
     };
-    let mut front: Vec<&Worst> = methods.iter().filter(is_first).collect();
+    let mut front: Vec<&MethodSummary> = methods.iter().filter(is_first).collect();
     front.sort_by(|a, b| a.time.unwrap_or(0.0).total_cmp(&b.time.unwrap_or(0.0)));
     front
 }
@@ -195,20 +195,21 @@ const OF_FRAMES_ALONE: &str = "ladder-f32";
 
 /// Returns every method over all of a report.
 pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
-    let mut all: Vec<&Worst<'a>> = Vec::new();
+    let mut all: Vec<&MethodSummary<'a>> = Vec::new();
     for worst in summaries.iter().flat_map(|summary| &summary.methods) {
         if all.iter().all(|known| known.name != worst.name) {
             all.push(worst);
         }
     }
-    let has = |summary: &Summary, worst: &&Worst| summary.method(worst.name).is_some();
+    let has = |summary: &Summary, worst: &&MethodSummary| summary.method(worst.name).is_some();
     let has_all = |summary: &&Summary| all.iter().all(|worst| has(summary, worst));
     let has_most = |summary: &&Summary| {
         all.iter().all(|worst| worst.name == OF_FRAMES_ALONE || has(summary, worst))
     };
     let shared: Vec<&Summary> = summaries.iter().filter(has_all).collect();
     let in_share: Vec<&Summary> = summaries.iter().filter(has_most).collect();
-    let method = |first: &&Worst<'a>| MethodOverall::new(first, summaries, &in_share, &shared);
+    let method =
+        |first: &&MethodSummary<'a>| MethodOverall::new(first, summaries, &in_share, &shared);
     let mut methods: Vec<MethodOverall> = all.iter().map(method).collect();
     // Each formula's precisions beside each other, the formulas in the order in which they came.
     let order: Vec<&str> = methods.iter().map(|method| method.formula).collect();
@@ -220,7 +221,7 @@ pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
 
 impl<'a> MethodOverall<'a> {
     fn new(
-        first: &Worst<'a>,
+        first: &MethodSummary<'a>,
         summaries: &[Summary<'a>],
         in_share: &[&Summary<'a>],
         shared: &[&Summary<'a>],

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use pinhole_lecture::numbers::short_plain as short;
 
-use crate::report::model::{Case, Condition, MethodRow, Report};
+use crate::report::model::{Case, ConditionSpread, MethodRow, Report};
 use crate::report::summary::{MethodOverall, Overall, least_middle_most, overall, summaries};
 
 /// Maximum width of a line, in characters.
@@ -146,8 +146,8 @@ fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
 fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
     let coverage = format!("coverage {} %", short(100.0 * case.coverage));
     let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
-    let condition = |of: &str, condition: Option<Condition>| {
-        condition.map_or(String::new(), |Condition { median, max }| {
+    let condition = |of: &str, condition: Option<ConditionSpread>| {
+        condition.map_or(String::new(), |ConditionSpread { median, max }| {
             format!(", condition of t{of}: median {}, max {}", short(median), short(max))
         })
     };

@@ -1,6 +1,6 @@
 //! The measuring engine: what it counts, in slices, on small scenes.
 
-use pinhole::report::measure::Run;
+use pinhole::report::measure::Measurement;
 use pinhole::report::model::{Case, MethodRow, Report, SINGLE};
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, DVec3, ImageSize, Plane, Scene, Sphere, Viewport};
@@ -13,12 +13,12 @@ fn small_camera() -> Camera {
     Camera { image: ImageSize::new(24, 20).unwrap(), ..Camera::CANONICAL }
 }
 
-fn run_of(spheres: &[Sphere], planes: &[Plane]) -> Run {
+fn run_of(spheres: &[Sphere], planes: &[Plane]) -> Measurement {
     let scene = Scene::new(spheres.to_vec(), planes.to_vec()).unwrap();
-    Run::of_scene("small", &scene, &small_camera()).unwrap()
+    Measurement::of_scene("small", &scene, &small_camera()).unwrap()
 }
 
-fn finished(mut run: Run) -> Report {
+fn finished(mut run: Measurement) -> Report {
     while !run.is_done() {
         run.step();
     }
@@ -112,7 +112,7 @@ fn the_textbook_is_wrong_on_a_planet_and_the_ladder_is_not() {
     let planet = Scene::new(vec![sphere([0.0, -1e4 - height, 0.0], 1e4)], vec![]).unwrap();
     let viewport = Viewport { width: 0.001, height: 0.001, distance: 1.0 };
     let camera = Camera { viewport, ..small_camera() };
-    let report = finished(Run::of_scene("planet", &planet, &camera).unwrap());
+    let report = finished(Measurement::of_scene("planet", &planet, &camera).unwrap());
     let case = &report.cases[0];
     let textbook = row(case, "textbook-f32");
     assert!(textbook.wrong > 20, "{textbook:?}");
@@ -175,12 +175,12 @@ fn a_partial_report_is_one_too() {
 #[test]
 fn a_camera_that_sees_nothing_is_refused() {
     let camera = Camera { eye: DVec3::NEG_Z, ..small_camera() };
-    assert!(Run::of_scene("small", &Scene::default(), &camera).is_err());
+    assert!(Measurement::of_scene("small", &Scene::default(), &camera).is_err());
 }
 
 #[test]
 fn families_begin_with_the_ordinary_one() {
-    let mut run = Run::of_families(1);
+    let mut run = Measurement::of_families(1);
     while run.report().cases.len() < 2 {
         run.step();
     }
@@ -224,7 +224,7 @@ fn shares_are_weighted_by_how_many_pixels_there_are() {
     let camera = Camera { image, viewport, ..Camera::CANONICAL };
     // A far, tiny ball: in f32 the textbook is wrong at its outline, if anywhere.
     let scene = Scene::new(vec![sphere([0.0, 0.0, -5000.0], 10.0)], vec![]).unwrap();
-    let report = finished(Run::of_scene("far", &scene, &camera).unwrap());
+    let report = finished(Measurement::of_scene("far", &scene, &camera).unwrap());
     let case = &report.cases[0];
     let textbook = row(case, "textbook-f32");
     assert!(textbook.decisions < 160_000, "{textbook:?}");

@@ -1,6 +1,6 @@
 //! A report as it may come out of a run: a scene, and a family with a knob.
 
-use pinhole::report::model::{Case, Condition, MethodRow, Report, SINGLE, Times, Ulps};
+use pinhole::report::model::{Case, ConditionSpread, MethodRow, Report, SINGLE, Times, Ulps};
 use pinhole_core::Steps;
 
 /// Name, ns a pixel, and what it is like at its best and its worst.
@@ -96,7 +96,7 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
         knob,
         coverage: 0.196 / (1.0 + hardness),
         methods: METHODS.iter().map(row).collect(),
-        condition: Some(Condition { median: 9.5, max: 1.0 / (0.1 + hardness) + 40.0 }),
+        condition: Some(ConditionSpread { median: 9.5, max: 1.0 / (0.1 + hardness) + 40.0 }),
         knob_name: knob.map_or("", |_| "radius / distance").to_owned(),
         about: knob.map_or("", |_| "A sphere that is tiny for its distance.").to_owned(),
         ..Case::default()

@@ -11,16 +11,16 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use crate::report::measure::condition::Problem;
-use crate::report::measure::subject::{Kernel, Populations, Subject};
-use crate::report::model::{Case, Condition, MethodRow, SINGLE, Times, Ulps};
+use crate::report::measure::subject::{CaseSubject, Kernel, Populations};
+use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps};
 
 /// One case: to come, under way or done.
 pub(super) struct CaseRun {
     /// The case, with results once it is done.
     case: Case,
     limits: Limits,
-    make: Option<Box<dyn FnOnce() -> Work + Send>>,
-    work: Option<Work>,
+    make: Option<Box<dyn FnOnce() -> CaseWork + Send>>,
+    work: Option<CaseWork>,
     left_out: Option<String>,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Limits {
 }
 
 /// The parts of a case, made when its turn comes.
-pub(super) struct Work {
+pub(super) struct CaseWork {
     sets: Vec<Set>,
     /// The share of rays that hit, where it is known; else that of the rays decided.
     coverage: Option<f64>,
@@ -44,7 +44,7 @@ pub(super) struct Work {
 
 /// Rays and the methods that follow them.
 pub(super) struct Set {
-    subject: Subject,
+    subject: CaseSubject,
     workers: Vec<Worker>,
     decided: usize,
     hits: usize,
@@ -70,7 +70,7 @@ impl CaseRun {
     pub(super) fn new(
         case: Case,
         limits: Limits,
-        make: impl FnOnce() -> Work + Send + 'static,
+        make: impl FnOnce() -> CaseWork + Send + 'static,
     ) -> CaseRun {
         CaseRun { case, limits, make: Some(Box::new(make)), work: None, left_out: None }
     }
@@ -93,7 +93,7 @@ impl CaseRun {
     }
 
     pub(super) fn is_done(&self) -> bool {
-        let is_over = |work: &Work| work.share(self.limits.rounds) >= 1.0;
+        let is_over = |work: &CaseWork| work.share(self.limits.rounds) >= 1.0;
         self.work.as_ref().map_or(self.has_begun(), is_over)
     }
 
@@ -138,9 +138,9 @@ impl CaseRun {
     }
 }
 
-impl Work {
-    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>, left_out: Option<String>) -> Work {
-        Work { sets, coverage, left_out, is_timing_next: false }
+impl CaseWork {
+    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>, left_out: Option<String>) -> CaseWork {
+        CaseWork { sets, coverage, left_out, is_timing_next: false }
     }
 
     /// Share of the work that is done, up to 1.
@@ -181,7 +181,7 @@ impl Work {
 }
 
 impl Set {
-    pub(super) fn new(subject: Subject, methods: impl IntoIterator<Item = Method>) -> Set {
+    pub(super) fn new(subject: CaseSubject, methods: impl IntoIterator<Item = Method>) -> Set {
         let worker = |method: Method| {
             let kernel = subject.kernel(method)?;
             Some(Worker { method, kernel, tally: Tally::of(subject.populations()) })
@@ -191,12 +191,12 @@ impl Set {
     }
 
     /// Spread of the condition numbers.
-    fn condition(&self) -> Option<Condition> {
+    fn condition(&self) -> Option<ConditionSpread> {
         let weights = self.workers.first()?.tally.weights();
         let weighted = self.conditions.iter().map(|(x, stratum)| (*x, weights[*stratum]));
         let sorted = sorted(weighted);
         let (max, _) = sorted.last()?;
-        Some(Condition { median: quantile(&sorted, 0.5)?, max: *max })
+        Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *max })
     }
 
     /// Number of the round that it is in.

@@ -9,9 +9,9 @@ use pinhole_core::{
 };
 use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayCase};
 
-use super::case::{CaseRun, Limits, Set, Work};
+use super::case::{CaseRun, CaseWork, Limits, Set};
 use super::scenes::methods_for;
-use super::subject::{Picture, Sample, Subject};
+use super::subject::{CaseSubject, MeasuredPicture, Sample};
 use crate::report::model::Case;
 
 /// Rays for each setting of a knob.
@@ -54,7 +54,7 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 
 /// The `f64` methods get the family's cases; the `f32` methods get those in numbers that are exact in
 /// `f32`, so that their own errors are seen and not those of rounding the scene.
-fn make(family: &Family, knob: f64, seed: u64) -> Work {
+fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
         let single = precision == Precision::F32;
@@ -64,14 +64,14 @@ fn make(family: &Family, knob: f64, seed: u64) -> Work {
                 let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
                 skipped += given.len() - cases.len();
                 let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
-                (Subject::Rays(cases), methods_for(has_spheres))
+                (CaseSubject::Rays(cases), methods_for(has_spheres))
             }
             Make::Frames(_) => {
                 let given = family.frames(knob, seed, FRAMES, single);
                 let pictures: Vec<_> = given.iter().filter_map(picture).collect();
                 skipped += given.len() - pictures.len();
                 let has_spheres = pictures.iter().any(|p| !p.scene.spheres().is_empty());
-                (Subject::Frames(pictures), methods_for(has_spheres))
+                (CaseSubject::Frames(pictures), methods_for(has_spheres))
             }
         };
         Set::new(subject, methods.filter(|method| given_in(*method) == precision))
@@ -80,7 +80,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> Work {
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    Work::new(sets, None, left_out)
+    CaseWork::new(sets, None, left_out)
 }
 
 /// The precision of the numbers that a method is given. The ladder takes them as they are, whatever
@@ -116,7 +116,7 @@ fn ray_case(case: &RayCase) -> Option<(Scene, Ray)> {
     Some((scene_of(&case.objects)?, ray))
 }
 
-fn picture(case: &FrameCase) -> Option<Picture> {
+fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     let camera = core_camera(&case.camera)?;
     let resolved: ResolvedCamera = camera.resolve().ok()?;
     let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
@@ -127,7 +127,7 @@ fn picture(case: &FrameCase) -> Option<Picture> {
         (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();
     let populations = [pixels.len(), 0];
     let sample = Sample { pixels, strata: Vec::new(), populations };
-    Some(Picture::new(scene, &camera, &resolved, raster, sample, timed))
+    Some(MeasuredPicture::new(scene, &camera, &resolved, raster, sample, timed))
 }
 
 /// The picture at a size that pictures have, as what all its pixels share is no more than a share of the

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
 
-use super::case::{CaseRun, Limits, Set, Work};
-use super::subject::{Picture, Sample, Subject, objects_of};
+use super::case::{CaseRun, CaseWork, Limits, Set};
+use super::subject::{CaseSubject, MeasuredPicture, Sample, objects_of};
 use crate::report::model::Case;
 
 /// Maximum number of pixels a side that are looked at.
@@ -101,7 +101,7 @@ pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     })
 }
 
-fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Work {
+fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> CaseWork {
     let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
     let frame = trace(&scene, resolved, &raster, Outputs::default());
     let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
@@ -120,9 +120,13 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
             seen - outline,
         )
     });
-    let picture = Picture::new(scene, camera, resolved, raster, sample, (*resolved, timed));
+    let picture = MeasuredPicture::new(scene, camera, resolved, raster, sample, (*resolved, timed));
     let coverage = covered as f64 / all.max(1) as f64;
-    Work::new(vec![Set::new(Subject::Frames(vec![picture]), methods)], Some(coverage), left_out)
+    CaseWork::new(
+        vec![Set::new(CaseSubject::Frames(vec![picture]), methods)],
+        Some(coverage),
+        left_out,
+    )
 }
 
 /// Raster that is traced for the time: the image, or fewer of its pixels, in rows as long as can be.

@@ -19,15 +19,15 @@ pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference
      from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
 /// Rays of one kind, numbered.
-pub(super) enum Subject {
+pub(super) enum CaseSubject {
     /// Any rays, each with a scene of its own.
     Rays(Vec<(Scene, Ray)>),
     /// Pixels of pictures.
-    Frames(Vec<Picture>),
+    Frames(Vec<MeasuredPicture>),
 }
 
 /// A scene, a camera, and which of its pixels to compare with the truth.
-pub(super) struct Picture {
+pub(super) struct MeasuredPicture {
     pub(super) scene: Arc<Scene>,
     pub(super) camera: ResolvedCamera,
     of_reference: reference::Camera,
@@ -74,18 +74,21 @@ const MEASUREMENT: Duration = Duration::from_micros(300);
 /// Number of objects from which on those that a ray misses for sure are not shown to the reference.
 const MANY_OBJECTS: usize = 12;
 
-impl Subject {
+impl CaseSubject {
     /// Number of rays.
     pub(super) fn len(&self) -> usize {
         match self {
-            Subject::Rays(cases) => cases.len(),
-            Subject::Frames(pictures) => {
+            CaseSubject::Rays(cases) => cases.len(),
+            CaseSubject::Frames(pictures) => {
                 pictures.iter().map(|picture| picture.sample.pixels.len()).sum()
             }
         }
     }
 
-    fn locate(pictures: &[Picture], mut index: usize) -> Option<(usize, &Picture, usize)> {
+    fn locate(
+        pictures: &[MeasuredPicture],
+        mut index: usize,
+    ) -> Option<(usize, &MeasuredPicture, usize)> {
         for (number, picture) in pictures.iter().enumerate() {
             if index < picture.sample.pixels.len() {
                 return Some((number, picture, index));
@@ -98,8 +101,8 @@ impl Subject {
     /// Number of rays that each stratum stands for.
     pub(super) fn populations(&self) -> Populations {
         match self {
-            Subject::Rays(cases) => [cases.len(), 0],
-            Subject::Frames(pictures) => pictures.iter().fold([0, 0], |[a, b], picture| {
+            CaseSubject::Rays(cases) => [cases.len(), 0],
+            CaseSubject::Frames(pictures) => pictures.iter().fold([0, 0], |[a, b], picture| {
                 [a + picture.sample.populations[0], b + picture.sample.populations[1]]
             }),
         }
@@ -107,8 +110,8 @@ impl Subject {
 
     /// The stratum of the ray of this number.
     pub(super) fn stratum(&self, index: usize) -> usize {
-        let Subject::Frames(pictures) = self else { return 0 };
-        let located = Subject::locate(pictures, index);
+        let CaseSubject::Frames(pictures) = self else { return 0 };
+        let located = CaseSubject::locate(pictures, index);
         located
             .and_then(|(_, picture, pixel)| picture.sample.strata.get(pixel).copied())
             .unwrap_or(0)
@@ -117,13 +120,13 @@ impl Subject {
     /// The true first hit of the ray of this number.
     pub(super) fn truth(&self, index: usize) -> Option<Hit> {
         match self {
-            Subject::Rays(cases) => {
+            CaseSubject::Rays(cases) => {
                 let (scene, ray) = &cases[index];
                 let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
                 reference::first_hit(&objects_of(scene), origin, direction)
             }
-            Subject::Frames(pictures) => {
-                let (_, picture, pixel) = Subject::locate(pictures, index)?;
+            CaseSubject::Frames(pictures) => {
+                let (_, picture, pixel) = CaseSubject::locate(pictures, index)?;
                 picture.truth(pixel)
             }
         }
@@ -133,12 +136,12 @@ impl Subject {
     pub(super) fn problem(&self, index: usize, truth: &Hit) -> Option<Problem> {
         let object = |scene: &Scene| scene.object(u32::try_from(truth.object).ok()?);
         match self {
-            Subject::Rays(cases) => {
+            CaseSubject::Rays(cases) => {
                 let (scene, ray) = &cases[index];
                 Some(Problem::new(ray, &object(scene)?, truth))
             }
-            Subject::Frames(pictures) => {
-                let (_, picture, pixel) = Subject::locate(pictures, index)?;
+            CaseSubject::Frames(pictures) => {
+                let (_, picture, pixel) = CaseSubject::locate(pictures, index)?;
                 let ray = picture.camera.ray_of_pixel(picture.pixel(pixel));
                 Some(Problem::new(&ray, &object(&picture.scene)?, truth))
             }
@@ -148,15 +151,15 @@ impl Subject {
     /// A method, prepared to follow these rays; `None` for single rays and a method of frames alone.
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
-            Subject::Rays(cases) => {
+            CaseSubject::Rays(cases) => {
                 let mut kernel = ray_kernel(method, cases)?;
                 let start = Instant::now();
                 kernel.intersect();
                 let fitting = MEASUREMENT.div_duration_f64(start.elapsed());
                 Kernel::Rays { kernel, repeats: (fitting as u32).clamp(1, 100) }
             }
-            Subject::Frames(pictures) => {
-                let make = |picture: &Picture, camera: &ResolvedCamera, raster: &Raster| {
+            CaseSubject::Frames(pictures) => {
+                let make = |picture: &MeasuredPicture, camera: &ResolvedCamera, raster: &Raster| {
                     frame_kernel(method, &picture.scene, camera, raster)
                 };
                 Kernel::Frames {
@@ -170,21 +173,21 @@ impl Subject {
     /// The hit that the method finds for the ray of this number.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
         match (self, kernel) {
-            (Subject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
-                let (number, picture, pixel) = Subject::locate(pictures, index)?;
+            (CaseSubject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
+                let (number, picture, pixel) = CaseSubject::locate(pictures, index)?;
                 let (row, column) = picture.sample.pixels[pixel];
                 of_pixels[number].hit(row, column)
             }
             (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
-            (Subject::Rays(_), Kernel::Frames { .. }) => None,
+            (CaseSubject::Rays(_), Kernel::Frames { .. }) => None,
         }
     }
 
     /// Number of pixels (or rays) that are traced for the time.
     pub(super) fn pixels_timed(&self) -> usize {
         match self {
-            Subject::Rays(cases) => cases.len(),
-            Subject::Frames(pictures) => pictures.iter().map(|p| p.timed.1.len()).sum(),
+            CaseSubject::Rays(cases) => cases.len(),
+            CaseSubject::Frames(pictures) => pictures.iter().map(|p| p.timed.1.len()).sum(),
         }
     }
 
@@ -225,7 +228,7 @@ impl Kernel {
     }
 }
 
-impl Picture {
+impl MeasuredPicture {
     /// The sample's pixels of `raster` are compared with the truth; `timed` is traced for the time.
     pub(super) fn new(
         scene: Arc<Scene>,
@@ -234,12 +237,21 @@ impl Picture {
         raster: Raster,
         sample: Sample,
         timed: (ResolvedCamera, Raster),
-    ) -> Picture {
+    ) -> MeasuredPicture {
         let objects = objects_of(&scene);
         let of_reference = reference_camera(given);
         let view =
             if objects.len() < MANY_OBJECTS { of_reference.prepare(&objects).ok() } else { None };
-        Picture { scene, camera: *camera, of_reference, objects, view, raster, sample, timed }
+        MeasuredPicture {
+            scene,
+            camera: *camera,
+            of_reference,
+            objects,
+            view,
+            raster,
+            sample,
+            timed,
+        }
     }
 
     /// The pixel of this number.

@@ -9,12 +9,12 @@ use crate::report::model::Digits;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Marker {
     pub(crate) color: Color32,
-    outline: Outline,
+    outline: MarkerOutline,
 }
 
 /// The outline of a mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Outline {
+enum MarkerOutline {
     /// A polygon of so many equal sides, the first corner so many degrees from straight up.
     Regular(usize, f32),
     Star,
@@ -29,7 +29,7 @@ pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which readers who do not see red
 /// or green can tell apart; yellow, too light for white paper, is wine instead (Tol 2021).
 const MARKERS: [(&str, Marker); 8] = [
-    ("ladder", Marker { color: Color32::BLACK, outline: Outline::Star }),
+    ("ladder", Marker { color: Color32::BLACK, outline: MarkerOutline::Star }),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
     ("half-b", marker([0xe6, 0x9f, 0x00], 4, 45.0)),
     ("kahan", marker([0x00, 0x9e, 0x73], 3, 0.0)),
@@ -60,7 +60,7 @@ pub(crate) fn in_words(formula: &str) -> &'static str {
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
 const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
-    Marker { color: Color32::from_rgb(r, g, b), outline: Outline::Regular(sides, turned) }
+    Marker { color: Color32::from_rgb(r, g, b), outline: MarkerOutline::Regular(sides, turned) }
 }
 
 /// The mark of a formula.
@@ -113,7 +113,7 @@ impl Marker {
     /// notch opposite.
     fn fill(&self, painter: &Painter, corners: &[Pos2], color: Color32) {
         let fill = |corners| painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
-        if self.outline == Outline::Star {
+        if self.outline == MarkerOutline::Star {
             for tip in (0..10).step_by(2) {
                 fill([0, 1, 5, 9].map(|next| corners[(tip + next) % 10]).to_vec());
             }
@@ -128,10 +128,10 @@ impl Marker {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())
         };
         match self.outline {
-            Outline::Star => {
+            MarkerOutline::Star => {
                 (0..10_usize).map(|k| corner(36.0 * k as f32, [1.6, 0.7][k % 2] * RADIUS)).collect()
             }
-            Outline::Regular(sides, turned) => {
+            MarkerOutline::Regular(sides, turned) => {
                 let size = [1.35, 1.15, 1.1, 1.0][sides.clamp(3, 6) - 3] * RADIUS;
                 (0..sides).map(|k| corner(turned + 360.0 * k as f32 / sides as f32, size)).collect()
             }

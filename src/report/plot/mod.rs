@@ -13,7 +13,7 @@ mod table;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Vec2, pos2, vec2};
 
 use self::panel::Errors;
-pub(crate) use self::panel::Mark;
+pub(crate) use self::panel::PlotMark;
 use super::model::{Digits, Report};
 use super::summary::{self, Summary};
 use crate::figures::Figure;
@@ -184,7 +184,7 @@ fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
 
 /// Draws the panels of a scene or a family with all that stands around them. Returns the marks of
 /// error against time.
-pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<Mark<'a>> {
+pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<PlotMark<'a>> {
     let what = "largest error in t, ulps of f64";
     painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
     let frame = Rect::from_min_max(rect.min + vec2(NUMBERS, 21.0), rect.max - vec2(NAMES, 48.0));

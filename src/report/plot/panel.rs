@@ -5,7 +5,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Stroke, StrokeKind, pos
 use super::marker::{self, marker_of};
 use super::{FRAME, GRID, SMALL, TEXT, WEAK, plain};
 use crate::report::model::{Case, Digits, NO_DIGIT, SINGLE};
-use crate::report::summary::{Outcome, Summary, Worst, front, outcome};
+use crate::report::summary::{MethodSummary, Outcome, Summary, front, outcome};
 use crate::view::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
 use pinhole_lecture::numbers::short_plain;
 
@@ -104,14 +104,14 @@ impl Errors {
 
 /// A method's mark, somewhere.
 #[derive(Clone, Copy)]
-pub(crate) struct Mark<'a> {
-    pub(crate) method: &'a Worst<'a>,
+pub(crate) struct PlotMark<'a> {
+    pub(crate) method: &'a MethodSummary<'a>,
     pub(crate) center: Pos2,
     outcome: Outcome,
     is_wrong: bool,
 }
 
-impl Mark<'_> {
+impl PlotMark<'_> {
     fn draw(&self, painter: &Painter) {
         marker_of(self.method.formula).draw(painter, self.center, self.method.digits);
     }
@@ -124,20 +124,20 @@ pub(super) fn time<'a>(
     rect: Rect,
     errors: &Errors,
     summary: &'a Summary,
-) -> Vec<Mark<'a>> {
+) -> Vec<PlotMark<'a>> {
     let times = summary.methods.iter().filter_map(|method| method.time);
     let spreads = summary.methods.iter().filter_map(|method| method.times).flatten();
     let scale = Scale::close(times.chain(spreads), [rect.left(), rect.right()]);
     across(painter, rect, &scale.ticks(36.0), GRID, "nanoseconds a pixel");
     errors.draw(painter, rect, true);
-    let mark = |method: &'a Worst<'a>| {
+    let mark = |method: &'a MethodSummary<'a>| {
         let outcome = method.outcome?;
         let center = pos2(scale.position(method.time?), errors.position(outcome));
-        Some(Mark { method, center, outcome, is_wrong: method.wrong > 0 })
+        Some(PlotMark { method, center, outcome, is_wrong: method.wrong > 0 })
     };
     draw_front(painter, front(&summary.methods).into_iter().filter_map(mark).map(|m| m.center));
-    let marks: Vec<Mark> = summary.methods.iter().filter_map(mark).collect();
-    for Mark { method, center, .. } in &marks {
+    let marks: Vec<PlotMark> = summary.methods.iter().filter_map(mark).collect();
+    for PlotMark { method, center, .. } in &marks {
         if let Some([low, high]) = method.times.map(|times| times.map(|x| scale.position(x))) {
             painter.hline(low..=high, center.y, (1.5, marker_of(method.formula).color));
         }
@@ -210,9 +210,9 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
         }
         column(case, (*x, room), errors, summary)
     };
-    let columns: Vec<Vec<Vec<Mark>>> = summary.cases.iter().zip(&places).map(column).collect();
+    let columns: Vec<Vec<Vec<PlotMark>>> = summary.cases.iter().zip(&places).map(column).collect();
     for method in &summary.methods {
-        let center = |column: &Vec<Vec<Mark>>| {
+        let center = |column: &Vec<Vec<PlotMark>>| {
             let mark = column.iter().flatten().find(|mark| std::ptr::eq(mark.method, method))?;
             matches!(mark.outcome, Outcome::Error(_)).then_some(mark.center)
         };
@@ -266,18 +266,19 @@ fn column<'a>(
     (x, room): (f32, f32),
     errors: &Errors,
     summary: &'a Summary<'a>,
-) -> Vec<Vec<Mark<'a>>> {
-    let mark = |method: &'a Worst<'a>| {
+) -> Vec<Vec<PlotMark<'a>>> {
+    let mark = |method: &'a MethodSummary<'a>| {
         let row = case.methods.iter().find(|row| row.name == method.name)?;
         let outcome = outcome(row)?;
         let center = pos2(x, errors.position(outcome));
-        Some(Mark { method, center, outcome, is_wrong: row.wrong > 0 })
+        Some(PlotMark { method, center, outcome, is_wrong: row.wrong > 0 })
     };
-    let mut marks: Vec<Mark> = summary.methods.iter().filter_map(mark).collect();
+    let mut marks: Vec<PlotMark> = summary.methods.iter().filter_map(mark).collect();
     marks.sort_by(|a, b| a.center.y.total_cmp(&b.center.y));
-    let is_close = |a: &Mark, b: &Mark| b.center.y - a.center.y < CLOSE;
-    let mut column: Vec<Vec<Mark>> = marks.chunk_by(is_close).map(<[Mark]>::to_vec).collect();
-    let order = |mark: &Mark| summary.methods.iter().position(|m| std::ptr::eq(m, mark.method));
+    let is_close = |a: &PlotMark, b: &PlotMark| b.center.y - a.center.y < CLOSE;
+    let mut column: Vec<Vec<PlotMark>> =
+        marks.chunk_by(is_close).map(<[PlotMark]>::to_vec).collect();
+    let order = |mark: &PlotMark| summary.methods.iter().position(|m| std::ptr::eq(m, mark.method));
     for close in &mut column {
         close.sort_by_key(|mark| (mark.is_wrong, order(mark)));
         let last = close.len() - 1;

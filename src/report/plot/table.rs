@@ -8,7 +8,7 @@ use pinhole_lecture::numbers::grouped;
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
 use crate::report::model::Digits;
-use crate::report::summary::{Overall, Summary, Worst, least_middle_most};
+use crate::report::summary::{MethodSummary, Overall, Summary, least_middle_most};
 use crate::report::table::lines;
 use crate::view::chart::{Scale, columns};
 use pinhole_lecture::numbers::short_plain;
@@ -27,7 +27,7 @@ const ERROR: [f32; 2] = [590.0, 885.0];
 const TIME: [f32; 2] = [930.0, 1240.0];
 
 /// A row of the table.
-struct Row<'a> {
+struct TableRow<'a> {
     name: &'a str,
     formula: &'a str,
     digits: Digits,
@@ -38,14 +38,14 @@ struct Row<'a> {
 /// Draws the table of a scene.
 pub(super) fn of_scene(painter: &Painter, at: Pos2, summary: &Summary) {
     let methods = &summary.methods;
-    let place = |worst: &&Worst| {
+    let place = |worst: &&MethodSummary| {
         (methods.iter().position(|other| other.formula == worst.formula), worst.digits)
     };
-    let mut sorted: Vec<&Worst> = methods.iter().collect();
+    let mut sorted: Vec<&MethodSummary> = methods.iter().collect();
     sorted.sort_by_key(place);
-    let rows: Vec<Row> = sorted
+    let rows: Vec<TableRow> = sorted
         .into_iter()
-        .map(|worst| Row {
+        .map(|worst| TableRow {
             name: worst.name,
             formula: worst.formula,
             digits: worst.digits,
@@ -60,9 +60,9 @@ pub(super) fn of_scene(painter: &Painter, at: Pos2, summary: &Summary) {
 /// Draws the table of all scenes or families; returns its lower edge.
 pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
     let Overall { methods, noun, in_share, in_errors } = all;
-    let rows: Vec<Row> = methods
+    let rows: Vec<TableRow> = methods
         .iter()
-        .map(|method| Row {
+        .map(|method| TableRow {
             name: method.name,
             formula: method.formula,
             digits: method.digits,
@@ -96,7 +96,7 @@ pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
 }
 
 /// Draws the rows; returns their area.
-fn table(painter: &Painter, at: Pos2, width: f32, rows: &[Row], about: &str) -> Rect {
+fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str) -> Rect {
     let right = at.x + WIDTH;
     painter.text(at, Align2::LEFT_CENTER, "method", bold(17.0), TEXT);
     painter.text(pos2(right, at.y), Align2::RIGHT_CENTER, "wrong decisions", bold(17.0), TEXT);
@@ -130,7 +130,7 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[Row], about: &str) -> 
 
 /// Draws, for each method, a line from its least to its greatest value, and its mark at the one in the
 /// middle. Zero and infinity have places of their own.
-fn spreads(painter: &Painter, rect: Rect, rows: &[Row], values: &[Option<[f64; 3]>]) {
+fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f64; 3]>]) {
     let all = || values.iter().flatten().flatten().copied();
     let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };
     let scale = Scale::decades(all(), [rect.left() + 26.0, end]);

@@ -9,7 +9,7 @@ use egui::Context;
 use pinhole_core::{Camera, Scene};
 
 #[cfg(feature = "report")]
-use crate::report::measure::Run;
+use crate::report::measure::Measurement;
 use crate::report::model::Report;
 use crate::view::derive::Derived;
 
@@ -32,7 +32,7 @@ pub(crate) struct Measuring {
     /// Time when the subject was first seen, in the context's seconds.
     since: f64,
     #[cfg(feature = "report")]
-    run: Option<Run>,
+    run: Option<Measurement>,
     /// Progress of the run, 0 to 1; `None` if nothing is left to measure.
     share: Option<f32>,
     report: Option<Arc<Report>>,
@@ -71,7 +71,7 @@ impl Measuring {
         }
         if self.run.is_none() {
             // An invalid camera is a fault, for which this function returned above.
-            self.run = Run::of_scene(name, scene, camera).ok();
+            self.run = Measurement::of_scene(name, scene, camera).ok();
         }
         let Some(run) = &mut self.run else { return };
         run.step();

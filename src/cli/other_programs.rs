@@ -1,0 +1,62 @@
+//! Writes scenes in other programs' formats, and reads cameras from them.
+
+use std::io::Write as _;
+
+use pinhole_core::Camera;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::Input;
+use pinhole_exchange::programs::{Importer, file_text};
+use pinhole_exchange::{atomic, limits, scene_file};
+
+use super::console::{CommandError, is_standard, read, scene_fault, to_stdout, warn};
+use crate::cli::arguments::{ExportArguments, ImportArguments};
+use crate::cli::load::{apart, files_of, load, pose};
+
+/// `pinhole export`: writes the camera and the scene in another program's format.
+pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
+    let document = load(&arguments.scene)?;
+    // What is wrong with the camera is told at its position in the file.
+    pose(&arguments.scene, &document)?;
+    let with = match (arguments.camera_only, arguments.meshes) {
+        (true, _) => Include::CameraAlone,
+        (false, true) => Include::Meshes,
+        (false, false) => Include::Objects,
+    };
+    let written =
+        ExportScene::new(&document, with).and_then(|subject| arguments.to.write(&subject));
+    let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
+    let text = written.text.text.as_bytes();
+    match arguments.output.as_deref().filter(|output| !is_standard(output)) {
+        None => to_stdout(|out| out.write_all(text))?,
+        Some(path) => {
+            apart(&files_of(&arguments.scene, &document), [("-o", path)])?;
+            atomic::write(path, |file| file.write_all(text))?;
+        }
+    }
+    written.notes.iter().for_each(|note| warn(note));
+    Ok(())
+}
+
+/// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
+pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
+    let output = arguments.output.as_deref().filter(|output| !is_standard(output));
+    apart(std::slice::from_ref(&arguments.file), output.map(|output| ("-o", output)))?;
+    let (path, bytes) = read(&arguments.file, limits::TEXT)?;
+    let (text, note) = file_text(path, bytes)?;
+    let text = Input { path, text: &text };
+    let importer = Importer::of_file(&text)?;
+    let taken = importer.read(&text, &Camera::CANONICAL)?;
+    let document = Document {
+        note: format!("From {}.", importer.label()),
+        camera: taken.camera,
+        ..Document::default()
+    };
+    let scene = scene_file::to_text(&document, None);
+    match output {
+        None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
+        Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
+    }
+    note.iter().chain(&taken.notes).for_each(|note| warn(note));
+    Ok(())
+}
