@@ -132,7 +132,7 @@ impl Measurement {
         left_out.extend(begun.clone().filter_map(CaseRun::left_out));
         Report {
             reference: subject::REFERENCE.to_owned(),
-            cpu: machine::describe("every method"),
+            cpu: describe("every method"),
             baseline: format!(
                 "{BASELINE}, both roots, timed as all are: {}, one thread; ladder-f32 is how pictures \
                  on the screen are traced; the ladder has the same objects, and every t rounded once \
