@@ -10,9 +10,7 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::surface::{
-    MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed,
-};
+use super::surface::{MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed};
 use crate::view::painter::{Canvas, PixelRect, SoftwarePainter};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
