@@ -94,7 +94,7 @@ impl Open {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
             input.pixels_per_point = pixels_per_point;
         });
-        app.drawn_by(format!("{renderer} ({detail})"));
+        app.set_renderer_name(format!("{renderer} ({detail})"));
         let mut open = Self {
             app,
             log,
@@ -397,7 +397,8 @@ impl Open {
         self.renderer = Renderer::Cpu;
         self.pace = pace(self.renderer, &self.window);
         self.delta.append(std::mem::take(&mut self.textures).all(&self.ctx));
-        self.app.drawn_by(format!("{} (the graphics driver failed: {reason})", self.renderer));
+        self.app
+            .set_renderer_name(format!("{} (the graphics driver failed: {reason})", self.renderer));
         let why = format!("The graphics driver failed: {reason}");
         self.app.say("The window is drawn on the CPU now".to_owned(), vec![why]);
         // The app's pass that shows it.

@@ -1,4 +1,4 @@
-//! Verbs that are not plain edits of the document or session.
+//! Commands that do more than edit a value of the document or the session in place.
 
 use std::path::PathBuf;
 
@@ -21,93 +21,92 @@ use crate::model::session::pen::Pen;
 use crate::model::session::{Session, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 
-/// A document from no file.
+/// A document that was generated, such as an exercise's scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadeUp {
     /// The document.
     pub document: Document,
-    /// The window's name for it.
+    /// The title in the window.
     pub title: String,
-    /// The ray to look at, if any.
+    /// The ray to select, if any.
     pub uv: Option<DVec2>,
 }
 
-/// Leaves the open scene for another. The user is first asked about unsaved changes.
+/// A reason to leave the open scene. The user is asked about unsaved changes first.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leave {
     /// Open a scene.
     Open(SceneSource),
-    /// Show a document that was made up, such as an exercise's.
+    /// Show a generated document.
     Show(Box<MadeUp>),
     /// Show this step of a lesson.
     GoTo(StepId),
-    /// Set everything as the open lesson's step says, once more.
+    /// Reset everything to the open lesson's step.
     BackToStep,
-    /// Open the unsaved changes that were offered; `beside` in no file, so that the file that they were
-    /// made to is left alone.
-    Found {
-        /// True for no file.
-        beside: bool,
+    /// Open the recovered changes that were offered.
+    Restore {
+        /// True to open them as a new scene, so that the file they were made to stays as it is.
+        as_new: bool,
     },
     /// Close the window.
     Quit,
 }
 
-/// Getting scenes from files and into them.
+/// Opens or saves a scene's file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileAction {
     /// Ask for the path of a scene to open.
     AskOpen,
-    /// Save to where the scene came from; ask where if it came from nowhere.
+    /// Save to the scene's file; ask for a path if it has none.
     Save,
     /// Ask for a path to save to.
     AskSaveAs {
-        /// The way to leave if that worked.
+        /// What to do once the scene is saved.
         then: Option<Leave>,
     },
     /// Save to this path.
     SaveAs {
         /// The file.
         path: PathBuf,
-        /// The way to leave if that worked.
+        /// What to do once the scene is saved.
         then: Option<Leave>,
     },
-    /// Save, then go on with this if that worked.
+    /// Save, then leave if the scene was saved.
     SaveThen(Leave),
     /// Leave without saving.
     Discard(Leave),
-    /// Forget the unsaved changes that were offered.
-    DiscardFound,
-    /// See what another program has written into the scene's file.
-    Look,
-    /// Let saving replace what another program has written; save now if that was asked for.
+    /// Delete the recovered changes that were offered.
+    DiscardRecovered,
+    /// Read the scene's file again if another program has changed it.
+    CheckFile,
+    /// Allow saving over another program's changes.
     KeepMine {
         /// True to save now.
         saves: bool,
-        /// The way to leave if that worked.
+        /// What to do once the scene is saved.
         then: Option<Leave>,
     },
-    /// Open what another program has written.
+    /// Open the version that another program has written.
     TakeTheirs {
-        /// The way to leave after that.
+        /// What to do after that.
         then: Option<Leave>,
     },
 }
 
-/// The way through the open lesson.
+/// Moves through the open lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LessonAction {
     /// Show the next step.
     Next,
     /// Show the step before.
     Previous,
-    /// Show all that the step keeps back.
+    /// Show the step's answer and all lines of its derivation.
     ShowAll,
-    /// Close it; its scene stays.
+    /// Close the lesson; its scene stays open.
     Close,
 }
 
-/// The way through the history.
+/// Moves through the history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HistoryAction {
     /// Undo the last step.
@@ -116,7 +115,7 @@ pub enum HistoryAction {
     Redo,
 }
 
-/// Writing what the window shows.
+/// Writes what the window shows to a file or the clipboard.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureAction {
     /// Ask which figure to export.
@@ -128,7 +127,7 @@ pub enum FigureAction {
         /// The file.
         path: PathBuf,
     },
-    /// Ask how to export the animation that is open.
+    /// Ask how to export the open animation.
     AskAnimation,
     /// Write an animation.
     ExportAnimation {
@@ -139,13 +138,13 @@ pub enum FigureAction {
         /// The file.
         path: PathBuf,
     },
-    /// Put a figure of what the layout is about on the clipboard.
+    /// Copy the layout's figure to the clipboard.
     Copy,
-    /// Put the derivation on the clipboard.
+    /// Copy the derivation to the clipboard.
     CopyDerivation(Markup),
 }
 
-/// The camera in other programs' terms.
+/// Imports or exports the camera in another program's terms.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExchangeAction {
     /// Ask for the clipboard's text.
@@ -154,145 +153,144 @@ pub enum ExchangeAction {
     Paste(String),
     /// Show the camera in the terms of the format of this name.
     TranslateInto(&'static str),
-    /// Ask where to write the camera in another program's terms.
+    /// Ask where to save the translated camera.
     AskSave,
-    /// Write it there.
+    /// Save the translated camera.
     Save(PathBuf),
 }
 
-/// A student's answers.
+/// Opens, grades or closes a student's answers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswersAction {
     /// Ask for the path of their file.
     Ask,
-    /// Grade those in this file.
+    /// Grade the answers in this file.
     Check(PathBuf),
-    /// Forget them.
+    /// Close the answers.
     PutAway,
 }
 
-/// An action on an animation.
+/// Opens or controls an animation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlayAction {
-    /// Open one, at its start.
+    /// Open an animation at its start.
     Open(Kind),
-    /// Let it run, or rest.
+    /// Play or pause.
     Toggle,
-    /// Go this many steps on; negative: back.
+    /// Move forward by this many steps, or back if negative.
     Step(i64),
-    /// Choose a speed this many places faster; negative: slower.
+    /// Increase the speed by this many levels, or decrease it if negative.
     Faster(i32),
-    /// Begin again after the end, or not.
+    /// Repeat after the end, or not.
     Loop,
-    /// End it, and keep what is there now.
+    /// Close the animation and keep the current state.
     Keep,
-    /// End it, and go back to how it was.
+    /// Close the animation and restore the state from before.
     Close,
 }
 
-/// An action on the ghost, the camera to compare with.
+/// Changes the ghost, a frozen copy of the camera to compare with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GhostAction {
-    /// The camera becomes the ghost, in place of the one that was there.
+    /// Make the camera the ghost.
     Freeze,
-    /// Take it away.
+    /// Remove the ghost.
     Drop,
-    /// Camera and ghost change places.
+    /// Swap camera and ghost.
     Swap,
 }
 
-/// Moves of the camera by keys, like those of the mouse in the camera view; in steps to the right and
-/// up, on and back.
+/// Moves the camera by keys as the mouse does in the camera view, in steps to the right and up, or forward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steer {
-    /// Look round.
+    /// Look around.
     Look(i32, i32),
-    /// Orbit around at.
+    /// Orbit the eye around at.
     Orbit(i32, i32),
     /// Narrow the field of view.
     Zoom(i32),
-    /// Go towards what the camera looks at.
+    /// Move towards what the camera looks at.
     Dolly(i32),
 }
 
-/// Moves of the world view's observer by keys; likewise.
+/// Moves the world view's observer by keys, in the same steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observe {
-    /// Orbit what it looks at.
+    /// Orbit the point that the observer looks at.
     Orbit(i32, i32),
-    /// Go sideways.
+    /// Move sideways.
     Pan(i32, i32),
-    /// Go nearer.
+    /// Move nearer.
     Zoom(i32),
-    /// Go where the eye and the viewport fill the picture.
+    /// Frame the eye and the viewport.
     FrameCamera,
-    /// Go where everything can be seen.
+    /// Frame the whole scene.
     FrameAll,
 }
 
-/// An action on the scene's objects.
+/// Adds, removes or chooses one of the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {
-    /// Add a sphere that the camera sees, and choose it.
+    /// Add a sphere in view of the camera and choose it.
     AddSphere,
-    /// Add a plane below the origin, and choose it.
+    /// Add a plane below the origin and choose it.
     AddPlane,
-    /// Take the chosen one away.
+    /// Remove the chosen object.
     Remove,
-    /// Choose the one with this index.
+    /// Choose the object with this index.
     Choose(usize),
-    /// Choose the one so many places on in the list; after the last comes the first.
+    /// Move the choice by this many objects in the list, which wraps around.
     Next(i32),
 }
 
-/// A change of how the scene is shown.
+/// Changes how the scene is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LookAction {
-    /// Show these views.
+    /// Show this layout.
     Layout(ViewLayout),
-    /// Colour the pictures like this.
+    /// Use this shading.
     Shade(Shade),
-    /// Colour the window like this.
+    /// Use this window theme.
     Theme(ThemeName),
-    /// Draw the views with this colour scheme.
+    /// Use this colour scheme for the views.
     Scheme(Scheme),
-    /// Draw the camera's picture by this method.
+    /// Trace the camera's picture with this method.
     Method(Method),
-    /// Turn a switch on, or off if it is on.
+    /// Toggle a switch.
     Toggle(Switch),
-    /// Show so many digits more.
+    /// Show this many more digits.
     DigitsBy(i32),
-    /// Make everything that many steps larger; 0 is back to the usual size.
+    /// Zoom the window in by this many steps; 0 resets the zoom.
     ZoomBy(i32),
-    /// Ask this.
+    /// Show this exercise.
     Exercise(Exercise),
-    /// Show this wrong camera.
+    /// Show the camera with this mistake.
     Mistake(Mistake),
-    /// Show a wrong picture, and ask which mistake made it.
+    /// Show a wrong picture and ask which mistake caused it.
     Vote,
-    /// Begin to present, or end it.
+    /// Start or end presenter mode.
     Present,
-    /// Fill the window with this.
+    /// Fill the window with this layout.
     Fill(ViewLayout),
 }
 
-/// A box that lies over the window.
+/// Opens an entry of the Help menu over the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Overlay {
+pub enum HelpAction {
     /// The command palette.
     Palette,
     /// The list of all keys.
     Keys,
-    /// The lecture's conventions, as the program keeps them.
+    /// The lecture's conventions.
     Conventions,
-    /// The program's version, licence and purpose.
+    /// The program's version, purpose and licences.
     About,
 }
 
-/// A command of the user. It is carried out once, after the panels and before anything is derived.
+/// A command from the user, applied once per pass after the panels and before anything is derived.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Leave what is open.
+    /// Leave the open scene.
     Leave(Leave),
     /// Open or save a scene.
     File(FileAction),
@@ -304,13 +302,13 @@ pub enum Action {
     Figure(FigureAction),
     /// Read or write another program's camera.
     Exchange(ExchangeAction),
-    /// Open, grade or put away a student's answers.
+    /// Open, grade or close a student's answers.
     Answers(AnswersAction),
     /// Open or control an animation.
     Play(PlayAction),
     /// Freeze, drop or swap the ghost.
     Ghost(GhostAction),
-    /// Set a given number to a value, as it is shown.
+    /// Set a given number to a value in displayed units.
     Give(Given, f64),
     /// Move the camera.
     Steer(Steer),
@@ -318,7 +316,7 @@ pub enum Action {
     Observe(Observe),
     /// Add, choose or remove an object.
     Object(ObjectAction),
-    /// Select the pixel that many rows down and columns right of the selected one.
+    /// Move the selected pixel.
     Select {
         /// Rows down.
         rows: i64,
@@ -327,8 +325,8 @@ pub enum Action {
     },
     /// Change how the scene is shown.
     Look(LookAction),
-    /// Open a box over the window.
-    Overlay(Overlay),
+    /// Open an entry of the Help menu.
+    Help(HelpAction),
 }
 
 macro_rules! action_of {
@@ -355,19 +353,19 @@ action_of! {
     Observe(Observe),
     Object(ObjectAction),
     Look(LookAction),
-    Overlay(Overlay),
+    Help(HelpAction),
 }
 
-/// The end of the open animation before an action is carried out.
+/// What happens to the open animation before an action is applied.
 pub(crate) enum PlayEnd {
     GoesOn,
-    /// Everything stays as it is now.
+    /// It closes, and the current state stays.
     Keeps,
-    /// Everything becomes as it was at the start.
+    /// It closes, and the state from before it is restored.
     GivesBack,
 }
 
-/// The targets of actions, true where they exist at the moment.
+/// What exists at the moment for actions to work on.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
     /// A step to undo.
@@ -381,93 +379,41 @@ pub(crate) struct Available {
 }
 
 impl Action {
-    /// Returns the end of the open animation: the camera is saved as it is seen; who goes elsewhere
-    /// leaves the camera as it was.
+    /// Returns what the action does to the open animation before it is applied: saving keeps the camera as it
+    /// is shown; opening something else restores the camera from before the animation.
     pub(crate) fn play_end(&self) -> PlayEnd {
         match self {
-            Action::Leave(_) | Action::History(_) => PlayEnd::GivesBack,
-            Action::File(action) => match action {
-                FileAction::AskOpen | FileAction::Look => PlayEnd::GoesOn,
-                FileAction::Discard(_) | FileAction::TakeTheirs { .. } => PlayEnd::GivesBack,
-                FileAction::DiscardFound => PlayEnd::GoesOn,
-                FileAction::Save
-                | FileAction::KeepMine { .. }
-                | FileAction::AskSaveAs { .. }
-                | FileAction::SaveAs { .. }
-                | FileAction::SaveThen(_) => PlayEnd::Keeps,
-            },
-            Action::Lesson(action) => match action {
-                LessonAction::Close => PlayEnd::GivesBack,
-                // They are left by [`Leave::GoTo`], if there is such a step.
-                LessonAction::Next | LessonAction::Previous | LessonAction::ShowAll => {
-                    PlayEnd::GoesOn
-                }
-            },
-            Action::Ghost(action) => match action {
-                GhostAction::Swap => PlayEnd::GivesBack,
-                GhostAction::Freeze | GhostAction::Drop => PlayEnd::GoesOn,
-            },
-            Action::Figure(_)
-            | Action::Exchange(_)
-            | Action::Answers(_)
-            | Action::Play(_)
-            | Action::Give(..)
-            | Action::Steer(_)
-            | Action::Observe(_)
-            | Action::Object(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => PlayEnd::GoesOn,
+            Action::Leave(_)
+            | Action::History(_)
+            | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
+            // The other lesson actions leave through [`Leave::GoTo`], if there is such a step.
+            | Action::Lesson(LessonAction::Close)
+            | Action::Ghost(GhostAction::Swap) => PlayEnd::GivesBack,
+            Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {
+                PlayEnd::GoesOn
+            }
+            Action::File(_) => PlayEnd::Keeps,
+            _ => PlayEnd::GoesOn,
         }
     }
 
-    /// Returns true if something that is drawn before actions are carried out may show its effect: the
-    /// bars, the dialogs or the history. A move of camera or observer shows in the views alone.
+    /// Returns true if bars or dialogs, which are drawn before actions are applied, may show the action's effect.
+    /// Moving the camera or the observer changes the views alone.
     pub(crate) fn shows_above_views(&self) -> bool {
         !matches!(self, Action::Steer(_) | Action::Observe(_) | Action::Figure(_))
     }
 
-    /// Returns true if its target exists.
+    /// Returns true if what the action needs is there, such as a step to undo.
     pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
-            Action::Lesson(_) => there.lesson,
-            Action::Leave(leave) => match leave {
-                Leave::BackToStep => there.lesson,
-                Leave::Open(_)
-                | Leave::Show(_)
-                | Leave::GoTo(_)
-                | Leave::Found { .. }
-                | Leave::Quit => true,
-            },
-            Action::Ghost(action) => match action {
-                GhostAction::Drop | GhostAction::Swap => there.ghost,
-                GhostAction::Freeze => true,
-            },
-            Action::Play(action) => match action {
-                PlayAction::Open(_) => true,
-                PlayAction::Toggle
-                | PlayAction::Step(_)
-                | PlayAction::Faster(_)
-                | PlayAction::Loop
-                | PlayAction::Keep
-                | PlayAction::Close => there.animation,
-            },
-            Action::Answers(action) => match action {
-                AnswersAction::PutAway => there.answers,
-                AnswersAction::Ask | AnswersAction::Check(_) => true,
-            },
-            Action::File(_)
-            | Action::Figure(_)
-            | Action::Exchange(_)
-            | Action::Give(..)
-            | Action::Steer(_)
-            | Action::Observe(_)
-            | Action::Object(_)
-            | Action::Select { .. }
-            | Action::Look(_)
-            | Action::Overlay(_) => true,
+            Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
+            Action::Ghost(GhostAction::Drop | GhostAction::Swap) => there.ghost,
+            Action::Play(PlayAction::Open(_)) => true,
+            Action::Play(_) => there.animation,
+            Action::Answers(AnswersAction::PutAway) => there.answers,
+            _ => true,
         }
     }
 }
@@ -479,25 +425,25 @@ pub enum Switch {
     Item(Item),
     /// A part of the derivation.
     Section(DerivationSection),
-    /// The derivation writes short exact forms in place of decimals.
+    /// The derivation shows short exact forms instead of decimals.
     ExactForms,
-    /// Rows and columns are shown counted from 1.
+    /// Rows and columns are counted from 1.
     CountFromOne,
-    /// A moved eye takes the view along; off, it orbits at.
+    /// Moving the eye keeps the view direction; off, the eye orbits at.
     EyeTravels,
-    /// Changing the viewport or image keeps the pixels' shape.
+    /// Changing the viewport or the image keeps the pixels' shape.
     KeepPixelShape,
-    /// Distance, width and height go together, so that the picture stays.
+    /// Distance, width and height scale together, so that the picture stays the same.
     KeepPicture,
-    /// Up stays as it is given while eye and at are dragged.
+    /// Up stays fixed while eye or at is dragged.
     KeepUp,
-    /// Nothing moves by itself.
+    /// Transitions are off.
     ReducedMotion,
-    /// All but what is round the pointer is dimmed.
+    /// Everything but the area around the pointer is dimmed.
     Spotlight,
     /// A pen draws over the views.
     Pen,
-    /// The panel beside the views is shown.
+    /// The side panel is shown.
     Panel,
     /// The numbers are shown below the views while presenting.
     PresentedNumbers,

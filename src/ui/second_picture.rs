@@ -7,7 +7,7 @@ use crate::ui::practice::{answers, mistakes};
 use crate::ui::scene::{compare, views};
 use crate::ui::tools::accuracy;
 use crate::ui::widgets::no_picture;
-use crate::ui::workspaces::Desk;
+use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
 /// Returns the picture's name, on the screen and for screen readers.
@@ -23,11 +23,11 @@ pub(crate) fn name(second: SecondPicture) -> &'static str {
 /// Shows the picture, or the reason why there is none, in `rect`, with its title above the area.
 pub(crate) fn show(
     ui: &mut Ui,
-    desk: &mut Desk<'_>,
+    context: &mut PageContext<'_>,
     second: SecondPicture,
     [area, rect]: [Rect; 2],
 ) {
-    let (derived, session) = (desk.derived, &mut *desk.session);
+    let (derived, session) = (context.derived, &mut *context.session);
     let view = derived.second_view();
     let (mut spoken, mut why_not) = (None, None);
     match second {
@@ -63,7 +63,7 @@ pub(crate) fn show(
     }
     match (view, why_not) {
         (Some(shown), _) => {
-            views::show(ui, rect, shown, &mut desk.tools.second, derived.fault.is_some());
+            views::show(ui, rect, shown, &mut context.tools.second, derived.fault.is_some());
         }
         (None, Some(why)) => no_picture(ui, rect, &why),
         (None, None) => {}

@@ -55,9 +55,9 @@ pub(crate) struct Page {
     /// The picture beside the camera's, if it has one.
     pub(crate) second: Option<SecondPicture>,
     /// Shows what it has below the views, beside them or in their place.
-    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>),
+    pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
     /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
-    pub(crate) asked: fn(&mut Ui, &Desk<'_>),
+    pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
     /// Returns the concept that the mouse or the focus is on in that.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The figure that it is about.
@@ -77,7 +77,7 @@ pub(crate) struct Tools {
 }
 
 /// The values that a page shows, and those that it may change.
-pub(crate) struct Desk<'a> {
+pub(crate) struct PageContext<'a> {
     pub(crate) open: &'a OpenDocument,
     pub(crate) session: &'a mut Session,
     pub(crate) derived: &'a Derived,
@@ -127,37 +127,31 @@ const BOTH: Page = Page {
 };
 
 const WORLD: Page = Page {
-    follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
         Areas { world: Some(views), camera: None, second: None, rest }
     },
-    rest: numbers,
-    hovered: |ctx, _, _| readouts::hovered(ctx),
-    ..Page::VIEWS
+    ..BOTH
 };
 
 const CAMERA: Page = Page {
-    follows_pointer: true,
     areas: |divider| {
         let (views, rest) = divider.above_readouts();
         Areas { world: None, camera: Some(views), second: None, rest }
     },
-    rest: numbers,
-    hovered: |ctx, _, _| readouts::hovered(ctx),
     figure: Subject::Camera,
-    ..Page::VIEWS
+    ..BOTH
 };
 
-fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
-    let (derived, document, style) = (desk.derived, &desk.open.document, desk.style);
-    if desk.session.presenting.is_some() {
-        if desk.session.settings.presents_numbers {
+fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let (derived, document, style) = (context.derived, &context.open.document, context.style);
+    if context.session.presenting.is_some() {
+        if context.session.settings.presents_numbers {
             readouts::strip(ui, derived, document, style, true);
         }
         return;
     }
-    let all = desk.session.settings.unfolded.numbers;
+    let all = context.session.settings.unfolded.numbers;
     let mut switched = false;
     ui.add_space(2.0);
     if all {
@@ -166,24 +160,24 @@ fn numbers(ui: &mut Ui, desk: &mut Desk<'_>) {
     } else {
         readouts::strip(ui, derived, document, style, false);
         ui.horizontal(|ui| {
-            let shows_all = desk.session.settings.items.shows(Item::ViewAndUp);
+            let shows_all = context.session.settings.items.shows(Item::ViewAndUp);
             let dragged = if shows_all { "eye, at or up" } else { "eye" };
             ui.weak(format!("Drag {dragged}. Click a pixel."));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 switched = ui.button("All numbers").clicked();
-                if desk.has_lesson {
+                if context.has_lesson {
                     return;
                 }
-                ui.button("Present").asks(LookAction::Present, desk.actions);
+                ui.button("Present").asks(LookAction::Present, context.actions);
                 let exercises = LookAction::Layout(ViewLayout::Exercises);
-                ui.button("Practise").asks(exercises, desk.actions);
+                ui.button("Practise").asks(exercises, context.actions);
                 let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
-                ui.button("Start the lecture").asks(Leave::GoTo(lecture), desk.actions);
+                ui.button("Start the lecture").asks(Leave::GoTo(lecture), context.actions);
             });
         });
     }
     if switched {
-        desk.session.settings.unfolded.numbers = !all;
+        context.session.settings.unfolded.numbers = !all;
     }
 }
 
@@ -198,19 +192,19 @@ const DERIVATION: Page = Page {
 
 const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
 
-fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) {
-    let Some(derivation) = &desk.derived.derivation else { return };
-    let (session, actions) = (&mut *desk.session, &mut *desk.actions);
-    desk.tools.derivation.ui(ui, derivation, &desk.open.document, session, actions);
+fn derivation(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let Some(derivation) = &context.derived.derivation else { return };
+    let (session, actions) = (&mut *context.session, &mut *context.actions);
+    context.tools.derivation.ui(ui, derivation, &context.open.document, session, actions);
 }
 
 const PLOT: Page = Page {
     follows_pointer: true,
     areas: |divider| divider.both_above(Split::Plot),
-    rest: |ui, desk| {
-        let Session { ray_point_t, settings, .. } = &mut *desk.session;
+    rest: |ui, context| {
+        let Session { ray_point_t, settings, .. } = &mut *context.session;
         let compressed = &mut settings.plot_compressed;
-        plot::ui(ui, ray_point_t, compressed, desk.derived, desk.style.digits);
+        plot::ui(ui, ray_point_t, compressed, context.derived, context.style.digits);
     },
     hovered: |ctx, _, derived| plot::hovered(ctx, derived),
     ..Page::VIEWS
@@ -219,19 +213,19 @@ const PLOT: Page = Page {
 const LINES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, desk| lines::ui(ui, &mut desk.session.lines, desk.style.digits),
-    asked: |ui, desk| lines::asked(ui, &desk.session.lines),
+    rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
+    asked: |ui, context| lines::asked(ui, &context.session.lines),
     figure: Subject::Lines,
     ..Page::VIEWS
 };
 
 const TRANSLATOR: Page = Page {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
-    rest: |ui, desk| {
-        let document = &desk.open.document;
-        let Session { translator, selection, settings, .. } = &mut *desk.session;
-        let panel = &mut desk.tools.translator;
-        panel.ui(ui, document, translator, *selection, settings.digits, desk.actions);
+    rest: |ui, context| {
+        let document = &context.open.document;
+        let Session { translator, selection, settings, .. } = &mut *context.session;
+        let panel = &mut context.tools.translator;
+        panel.ui(ui, document, translator, *selection, settings.digits, context.actions);
     },
     ..Page::VIEWS
 };
@@ -239,8 +233,8 @@ const TRANSLATOR: Page = Page {
 const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, desk| {
-        exercises::ui(ui, desk.session, &mut desk.tools.question, desk.actions);
+    rest: |ui, context| {
+        exercises::ui(ui, context.session, &mut context.tools.question, context.actions);
     },
     ..Page::VIEWS
 };
@@ -254,10 +248,15 @@ const ACCURACY: Page = Page {
         Areas { world: None, camera: Some(left), second: Some(right), rest }
     },
     second: Some(SecondPicture::ErrorMap),
-    rest: |ui, desk| {
-        let (document, measuring) = (&desk.open.document, &mut desk.tools.measuring);
-        measuring.step(ui.ctx(), &title_of(desk.open.origin()), &document.camera, desk.derived);
-        accuracy::ui(ui, measuring, desk.derived, document, desk.session);
+    rest: |ui, context| {
+        let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
+        measuring.step(
+            ui.ctx(),
+            &title_of(context.open.origin()),
+            &document.camera,
+            context.derived,
+        );
+        accuracy::ui(ui, measuring, context.derived, document, context.session);
     },
     figure: Subject::Camera,
     ..Page::VIEWS
@@ -266,9 +265,9 @@ const ACCURACY: Page = Page {
 const MISTAKES: Page = Page {
     areas: |divider| divider.three_above(Split::Mistakes),
     second: Some(SecondPicture::WrongCamera),
-    rest: |ui, desk| {
-        let view = &mut desk.session.mistakes_view;
-        mistakes::ui(ui, desk.derived, &desk.open.document, view, desk.style);
+    rest: |ui, context| {
+        let view = &mut context.session.mistakes_view;
+        mistakes::ui(ui, context.derived, &context.open.document, view, context.style);
     },
     figure: Subject::Camera,
     ..Page::VIEWS
@@ -282,9 +281,9 @@ const COMPARE: Page = Page {
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
     },
     second: Some(SecondPicture::Ghost),
-    rest: |ui, desk| {
-        let (document, ghost) = (&desk.open.document, desk.session.ghost.as_ref());
-        compare::ui(ui, desk.derived, document, ghost, desk.style, desk.actions);
+    rest: |ui, context| {
+        let (document, ghost) = (&context.open.document, context.session.ghost.as_ref());
+        compare::ui(ui, context.derived, document, ghost, context.style, context.actions);
     },
     ..Page::VIEWS
 };
@@ -292,7 +291,7 @@ const COMPARE: Page = Page {
 const ANSWERS: Page = Page {
     areas: |divider| divider.three_above(Split::Answers),
     second: Some(SecondPicture::Answers),
-    rest: |ui, desk| answers::ui(ui, desk.derived, desk.session, desk.actions),
+    rest: |ui, context| answers::ui(ui, context.derived, context.session, context.actions),
     figure: Subject::Camera,
     ..Page::VIEWS
 };

@@ -14,10 +14,9 @@ use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, Z
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
-    LessonAction, LookAction, PlayAction,
+    LessonAction, LookAction, PlayAction, PlayEnd,
 };
-use crate::ui::app::files::Screen;
-use crate::ui::app::playback::Seen;
+use crate::ui::app::files::ScreenContents;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
@@ -48,7 +47,11 @@ impl App {
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // An animation that moves the camera is all that there is to undo.
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
-        self.playback.end(ctx, action.play_end(), &mut self.scene, &mut self.history);
+        match action.play_end() {
+            PlayEnd::GoesOn => {}
+            PlayEnd::Keeps => self.playback.keep(ctx, &mut self.scene, &mut self.history),
+            PlayEnd::GivesBack => self.playback.give_back(&mut self.scene),
+        }
         let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
         if let Some(dialog) = dialog {
             self.over.open(dialog);
@@ -80,7 +83,7 @@ impl App {
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => change_look(&mut self.scene.session, action),
-            Action::Overlay(overlay) => self.over.apply(overlay),
+            Action::Help(action) => self.over.apply(action),
         }
         None
     }
@@ -109,7 +112,7 @@ impl App {
             Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
             Leave::GoTo(id) => Ok(self.scene.go_to(id)),
             Leave::BackToStep => Ok(self.scene.back_to_step()),
-            Leave::Found { beside } => self.restore(beside),
+            Leave::Restore { as_new } => self.restore(as_new),
             Leave::Quit => {
                 self.window.close(ctx);
                 Ok(Opened::default())
@@ -154,11 +157,11 @@ impl App {
                 self.window.discarded = leave == Leave::Quit;
                 self.proceed(ctx, leave)
             }
-            FileAction::DiscardFound => {
+            FileAction::DiscardRecovered => {
                 self.recovery.take()?.discard();
                 None
             }
-            FileAction::Look => self.look(ctx),
+            FileAction::CheckFile => self.look(ctx),
             FileAction::KeepMine { saves, then } => {
                 self.scene.open.keep_mine();
                 if saves { self.save(ctx, then) } else { None }
@@ -171,10 +174,10 @@ impl App {
     }
 
     /// Opens the unsaved changes that were offered.
-    fn restore(&mut self, beside: bool) -> Result<Opened, Message> {
+    fn restore(&mut self, as_new: bool) -> Result<Opened, Message> {
         let Some(found) = self.recovery.take() else { return Ok(Opened::default()) };
         let problem = |reason| Message::new("The unsaved changes cannot be restored", reason);
-        let (open, slot) = found.restore(beside).map_err(problem)?;
+        let (open, slot) = found.restore(as_new).map_err(problem)?;
         self.recovery.go_on_in(slot);
         Ok(self.scene.restore(open))
     }
@@ -266,7 +269,7 @@ impl App {
 
     fn figure(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
         let (scene, derived) = (&self.scene, &self.views.derived);
-        let screen = Screen { ctx, scene, derived, derivation: &self.tools.derivation };
+        let screen = ScreenContents { ctx, scene, derived, derivation: &self.tools.derivation };
         match action {
             FigureAction::Ask => Some(screen.ask_export()),
             FigureAction::Export { order, path } => screen.export(&order, &path),
@@ -325,10 +328,8 @@ impl App {
 
     fn play(&mut self, ctx: &Context, action: PlayAction) {
         let aspect = self.views.world_size().aspect();
-        let (inspection, scene) =
-            (self.views.derived.inspection.as_deref(), self.views.derived.scene.as_deref());
-        let seen = Seen { inspection, scene, aspect };
-        self.playback.apply(ctx, action, &mut self.scene, &mut self.history, &seen);
+        let (scene, history) = (&mut self.scene, &mut self.history);
+        self.playback.apply(ctx, action, scene, history, &self.views.derived, aspect);
     }
 }
 

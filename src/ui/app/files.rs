@@ -158,14 +158,14 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 /// The screen as it was derived last.
-pub(super) struct Screen<'a> {
+pub(super) struct ScreenContents<'a> {
     pub(super) ctx: &'a Context,
     pub(super) scene: &'a OpenScene,
     pub(super) derived: &'a Derived,
     pub(super) derivation: &'a DerivationPanel,
 }
 
-impl Screen<'_> {
+impl ScreenContents<'_> {
     /// The dialog with what the layout is about chosen.
     pub(super) fn ask_export(&self) -> Dialog {
         let first = self.layout_subject();

@@ -27,7 +27,7 @@ use crate::ui::scene::dragging::Edited;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{pen, readouts, views};
 use crate::ui::second_picture;
-use crate::ui::workspaces::{Desk, Page, page};
+use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
 
 impl App {
@@ -41,7 +41,7 @@ impl App {
         self.window_inputs(&ctx, &mut actions);
         let inspection = self.views.derived.inspection.as_deref();
         self.playback.go_on(ui, &mut self.scene, &mut self.history, inspection, &mut actions);
-        let drawn = self.scene.drawn();
+        let start = self.scene.pass_start();
         self.panels(ui, &mut actions);
         // The first pass does not know yet where anything is.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
@@ -65,7 +65,7 @@ impl App {
         self.recovery.follow(&ctx, &self.scene.open);
         self.playback.record(&ctx, &mut self.over.dialog);
         self.window.follow(&ctx, &self.scene);
-        if is_old || self.scene.is_newer_than(drawn) {
+        if is_old || self.scene.has_changed_since(start) {
             ctx.request_discard("an edit changed what was drawn before it");
         }
     }
@@ -300,7 +300,7 @@ impl App {
         let actions = &mut self.waiting;
         self.views.show(ui, rects, &mut self.scene, &mut self.dragging);
         let style = NumberStyle::new(&self.scene.session.settings);
-        let mut desk = Desk {
+        let mut context = PageContext {
             open: &self.scene.open,
             session: &mut self.scene.session,
             derived: &self.views.derived,
@@ -312,17 +312,17 @@ impl App {
         if let (Some(second), Some(area), Some(rect)) =
             (page.second, rects.second_area, rects.second)
         {
-            second_picture::show(ui, &mut desk, second, [area, rect]);
+            second_picture::show(ui, &mut context, second, [area, rect]);
         }
         // Nothing is printed before the class has thought.
         // A vote asks its own question, and tells nothing of the step's.
-        let shown = !desk.session.is_asking || desk.session.shows_vote();
+        let shown = !context.session.is_asking || context.session.shows_vote();
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
             if shown {
-                (page.rest)(ui, &mut desk);
+                (page.rest)(ui, &mut context);
             } else {
-                (page.asked)(ui, &desk);
+                (page.asked)(ui, &context);
             }
         });
         files::notice(ui.ctx(), &mut self.scene);
@@ -338,7 +338,7 @@ impl App {
 }
 
 /// The document and the session as the panels of a pass began to draw them.
-struct Drawn {
+struct PassStart {
     document: Document,
     session: Session,
     marks: [bool; 2],
@@ -346,8 +346,8 @@ struct Drawn {
 
 impl OpenScene {
     /// Returns what the panels are about to draw.
-    fn drawn(&self) -> Drawn {
-        Drawn {
+    fn pass_start(&self) -> PassStart {
+        PassStart {
             document: self.open.document.clone(),
             session: self.session.clone(),
             marks: self.marks(),
@@ -356,8 +356,8 @@ impl OpenScene {
 
     /// Returns true if something that was `drawn` has changed since in a way that is seen above the
     /// views: the pass runs again before anything is presented.
-    fn is_newer_than(&self, drawn: Drawn) -> bool {
-        let (before, now) = (&drawn.document, &self.open.document);
+    fn has_changed_since(&self, start: PassStart) -> bool {
+        let (before, now) = (&start.document, &self.open.document);
         // The views take these in before they are derived, and nothing else shows them.
         let session = Session {
             observer: self.session.observer,
@@ -366,12 +366,12 @@ impl OpenScene {
             alt_dims: self.session.alt_dims,
             handles: self.session.handles.clone(),
             pen: self.session.pen.clone(),
-            ..drawn.session
+            ..start.session
         };
         !is_same_but_for_pose(&before.camera, &now.camera)
             || before.spheres != now.spheres
             || before.planes != now.planes
-            || drawn.marks != self.marks()
+            || start.marks != self.marks()
             || session != self.session
     }
 }

@@ -21,13 +21,13 @@ use egui::Context;
 use pinhole_exchange::document::Document;
 
 use self::history::SceneHistory;
-use self::over::Over;
+use self::over::Overlays;
 use self::playback::Playback;
 use self::recovery::Recovery;
 use self::scene::OpenScene;
 use self::views::Views;
 use self::window::AppWindow;
-use self::window::Watch;
+use self::window::FileWatch;
 use crate::model::files::OpenDocument;
 use crate::model::lessons::{Lesson, OpenLesson, StepId};
 use crate::model::play::Player;
@@ -50,13 +50,13 @@ pub struct App {
     scene: OpenScene,
     history: SceneHistory,
     playback: Playback,
-    over: Over,
+    over: Overlays,
     views: Views,
     tools: Tools,
     dragging: Dragging,
     window: AppWindow,
     recovery: Recovery,
-    watch: Watch,
+    watch: FileWatch,
     /// A fault of the program itself in the last frame.
     failure: Option<String>,
     /// Actions for the next pass.
@@ -83,13 +83,13 @@ impl App {
             scene: OpenScene::new(open, session),
             playback: Playback::default(),
             // What was found is offered as soon as no dialog is open.
-            over: Over::default(),
+            over: Overlays::default(),
             views: Views::default(),
             tools: Tools::default(),
             dragging: Dragging::default(),
             window,
             recovery,
-            watch: Watch::default(),
+            watch: FileWatch::default(),
             failure: None,
             waiting: Vec::new(),
             is_laid_out: false,
@@ -114,7 +114,7 @@ impl App {
     }
 
     /// Says what draws the window.
-    pub fn drawn_by(&mut self, renderer: String) {
+    pub fn set_renderer_name(&mut self, renderer: String) {
         self.window.renderer = renderer;
     }
 
@@ -187,7 +187,7 @@ impl App {
     pub fn look_at_file(&mut self) -> bool {
         let is_free = !self.over.covers() && self.playback.player.is_none();
         let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
-        self.waiting.extend(is_news.then(|| FileAction::Look.into()));
+        self.waiting.extend(is_news.then(|| FileAction::CheckFile.into()));
         is_news
     }
 

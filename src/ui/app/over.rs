@@ -6,10 +6,10 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
-use crate::ui::action::{Action, Available, Leave, ObjectAction, Overlay};
+use crate::ui::action::{Action, Available, HelpAction, Leave, ObjectAction};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::help;
-use crate::ui::dialogs::palette::{self, Palette};
+use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::path_field::FileAnswer;
 use crate::ui::dialogs::{self, Dialog};
 use crate::view::typesetting::theme;
@@ -19,17 +19,17 @@ const LISTED_OBJECTS: usize = 200;
 
 /// The overlays that are open.
 #[derive(Default)]
-pub(super) struct Over {
+pub(super) struct Overlays {
     pub(super) dialog: Option<Dialog>,
     /// True if the desktop has a dialog for files.
     pub(super) has_desktop: bool,
-    palette: Option<Palette>,
+    palette: Option<CommandPalette>,
     shows_keys: bool,
     /// The focus was moved by the keyboard, and is shown by a ring.
     by_keyboard: bool,
 }
 
-impl Over {
+impl Overlays {
     /// Returns true if something lies over the window, which takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
@@ -50,12 +50,12 @@ impl Over {
     }
 
     /// Opens the box.
-    pub(super) fn apply(&mut self, overlay: Overlay) {
-        match overlay {
-            Overlay::Palette => self.palette = Some(Palette::default()),
-            Overlay::Keys => self.shows_keys = true,
-            Overlay::Conventions => self.dialog = Some(help::conventions()),
-            Overlay::About => self.dialog = Some(help::about()),
+    pub(super) fn apply(&mut self, action: HelpAction) {
+        match action {
+            HelpAction::Palette => self.palette = Some(CommandPalette::default()),
+            HelpAction::Keys => self.shows_keys = true,
+            HelpAction::Conventions => self.dialog = Some(help::conventions()),
+            HelpAction::About => self.dialog = Some(help::about()),
         }
     }
 

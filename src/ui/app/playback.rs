@@ -4,7 +4,6 @@
 use std::path::PathBuf;
 
 use egui::{Context, Panel, Ui};
-use pinhole_core::Scene;
 
 use super::history::SceneHistory;
 use super::scene::OpenScene;
@@ -13,24 +12,16 @@ use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
 use crate::model::session::Session;
-use crate::ui::action::{Action, PlayAction, PlayEnd};
+use crate::ui::action::{Action, PlayAction};
 use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
+use crate::view::derive::Derived;
 
 /// The animation that is open, and the one that is being written.
 #[derive(Default)]
 pub(super) struct Playback {
     pub(super) player: Option<Player>,
     recorder: Option<Recorder>,
-}
-
-/// The state that an animation begins with, besides the scene.
-pub(super) struct Seen<'a> {
-    /// The selected ray.
-    pub(super) inspection: Option<&'a Inspection>,
-    pub(super) scene: Option<&'a Scene>,
-    /// Width by height of the world view.
-    pub(super) aspect: f64,
 }
 
 impl Playback {
@@ -74,13 +65,14 @@ impl Playback {
         action: PlayAction,
         scene: &mut OpenScene,
         history: &mut SceneHistory,
-        seen: &Seen<'_>,
+        derived: &Derived,
+        aspect: f64,
     ) {
         match (action, &mut self.player) {
             (PlayAction::Open(kind), _) => {
                 self.give_back(scene);
                 history.settle(ctx, &scene.open.document);
-                self.player = Some(opened(kind, scene, seen));
+                self.player = Some(opened(kind, scene, derived, aspect));
             }
             (PlayAction::Toggle, Some(player)) => player.toggle(),
             (PlayAction::Step(by), Some(player)) => player.step(by),
@@ -88,30 +80,7 @@ impl Playback {
             (PlayAction::Loop, Some(player)) => player.loops ^= true,
             (PlayAction::Keep, Some(_)) => self.keep(ctx, scene, history),
             (PlayAction::Close, Some(_)) => self.give_back(scene),
-            (
-                PlayAction::Toggle
-                | PlayAction::Step(_)
-                | PlayAction::Faster(_)
-                | PlayAction::Loop
-                | PlayAction::Keep
-                | PlayAction::Close,
-                None,
-            ) => {}
-        }
-    }
-
-    /// Ends the animation that is open as an action wants it.
-    pub(super) fn end(
-        &mut self,
-        ctx: &Context,
-        end: PlayEnd,
-        scene: &mut OpenScene,
-        history: &mut SceneHistory,
-    ) {
-        match end {
-            PlayEnd::GoesOn => {}
-            PlayEnd::Keeps => self.keep(ctx, scene, history),
-            PlayEnd::GivesBack => self.give_back(scene),
+            (_, None) => {}
         }
     }
 
@@ -213,10 +182,11 @@ impl Playback {
 }
 
 /// An animation at its start.
-fn opened(kind: Kind, scene: &mut OpenScene, seen: &Seen<'_>) -> Player {
-    let start = Start::new(&scene.open.document, &scene.session, seen.inspection, seen.scene);
+fn opened(kind: Kind, scene: &mut OpenScene, derived: &Derived, aspect: f64) -> Player {
+    let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());
+    let start = Start::new(&scene.open.document, &scene.session, inspection, traced);
     let mut player = Player::new(kind, start);
-    player.stepped_back = step_back(kind, &start, scene, seen.aspect);
+    player.stepped_back = step_back(kind, &start, scene, aspect);
     player
 }
 

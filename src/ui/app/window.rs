@@ -135,14 +135,14 @@ pub(crate) fn complain(text: &str) {
 
 /// The stamps that were seen.
 #[derive(Default)]
-pub(super) struct Watch {
+pub(super) struct FileWatch {
     /// The files at the last look, if one was changed.
     seen: Option<Stamps>,
     /// The files that were told about.
     told: Option<Stamps>,
 }
 
-impl Watch {
+impl FileWatch {
     /// Takes the stamps of files of which one was changed. Returns true if that is to be told: not before it
     /// rests from one look to the next, for it may still be written to; and only once.
     pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {

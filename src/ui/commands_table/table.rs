@@ -18,8 +18,9 @@ use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::{ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
-    Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
-    Leave, LessonAction, LookAction, ObjectAction, Observe, Overlay, PlayAction, Steer, Switch,
+    Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
+    HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, Steer,
+    Switch,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
@@ -143,12 +144,12 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL, Key::B)], LookAction::Toggle(Switch::Panel);
         Program, "Command palette", "Finds a command by a few of its letters.",
             [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
-            Overlay::Palette;
+            HelpAction::Palette;
         Program, "Keys", "Shows all keys on one sheet.",
-            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Overlay::Keys;
+            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], HelpAction::Keys;
         Program, "The lecture's conventions", "Shows what u, v, w, a pixel and a hit mean here.",
-            [], Overlay::Conventions;
-        Program, "About Pinhole", "Shows the version and the licences.", [], Overlay::About;
+            [], HelpAction::Conventions;
+        Program, "About Pinhole", "Shows the version and the licences.", [], HelpAction::About;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
             [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",

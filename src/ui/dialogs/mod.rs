@@ -78,11 +78,7 @@ impl Dialog {
             | Dialog::SaveAs { field, .. }
             | Dialog::Translate(field) => Some(field),
             Dialog::Export(form) => Some(form.field()),
-            Dialog::Progress { .. }
-            | Dialog::Unsaved { .. }
-            | Dialog::Found { .. }
-            | Dialog::Theirs { .. }
-            | Dialog::Message(_) => None,
+            _ => None,
         }
     }
 }
@@ -190,9 +186,9 @@ fn found_ui(
         let later = ui.button("Not now").on_hover_text("Asks again at the next start");
         *close |= later.clicked();
         match (restore.clicked(), beside.clicked(), discard.clicked()) {
-            (true, ..) => Some(Leave::Found { beside: false }.into()),
-            (_, true, _) => Some(Leave::Found { beside: true }.into()),
-            (.., true) => Some(FileAction::DiscardFound.into()),
+            (true, ..) => Some(Leave::Restore { as_new: false }.into()),
+            (_, true, _) => Some(Leave::Restore { as_new: true }.into()),
+            (.., true) => Some(FileAction::DiscardRecovered.into()),
             _ => None,
         }
     });

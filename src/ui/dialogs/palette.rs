@@ -17,7 +17,7 @@ const ROWS: f32 = 10.0;
 
 /// The typed text, and the index of the selected command among those that match it.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Palette {
+pub(crate) struct CommandPalette {
     typed: String,
     chosen: usize,
 }
@@ -26,7 +26,7 @@ pub(crate) struct Palette {
 /// palette stays open.
 pub(crate) fn ui(
     ctx: &Context,
-    palette: &mut Palette,
+    palette: &mut CommandPalette,
     commands: &[&UiCommand],
     session: &Session,
     actions: &mut Vec<Action>,
@@ -68,7 +68,7 @@ fn moves(ctx: &Context) -> isize {
     keys.into_iter().map(|(key, by)| by * pressed(key)).sum()
 }
 
-fn field(ui: &mut Ui, palette: &mut Palette) {
+fn field(ui: &mut Ui, palette: &mut CommandPalette) {
     let field = TextEdit::singleline(&mut palette.typed)
         .hint_text("a few letters of a command, scene, lesson, exercise…")
         .font(egui::FontId::proportional(TEXT + 2.0))

@@ -68,13 +68,13 @@ pub(crate) struct PathField {
     chooser: Chooser,
     /// The listed folder and its entries.
     folder: PathBuf,
-    entries: Vec<Entry>,
+    entries: Vec<FolderEntry>,
     /// The path of an existing file that may be overwritten.
     overwrite: Option<PathBuf>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Entry {
+struct FolderEntry {
     name: String,
     path: PathBuf,
     is_folder: bool,
@@ -124,7 +124,7 @@ impl PathField {
     pub(crate) fn request(&self) -> Option<&FileRequest> {
         match &self.chooser {
             Chooser::OpenDesktop(request) => Some(request),
-            Chooser::Field | Chooser::Desktop | Chooser::Answered(_) => None,
+            _ => None,
         }
     }
 
@@ -144,20 +144,22 @@ impl PathField {
     }
 
     fn list(&mut self, folder: PathBuf) {
-        let mut entries: Vec<Entry> = (std::fs::read_dir(&folder).into_iter().flatten().flatten())
-            .filter_map(|entry| {
-                let path = entry.path();
-                let name = entry.file_name().to_string_lossy().into_owned();
-                let is_folder = path.is_dir();
-                let ending = path.extension().and_then(|ending| ending.to_str());
-                let is_one = ending.is_some_and(|ending| self.question.endings.contains(&ending));
-                (!name.starts_with('.') && (is_folder || is_one)).then_some(Entry {
-                    name,
-                    path,
-                    is_folder,
+        let mut entries: Vec<FolderEntry> =
+            (std::fs::read_dir(&folder).into_iter().flatten().flatten())
+                .filter_map(|entry| {
+                    let path = entry.path();
+                    let name = entry.file_name().to_string_lossy().into_owned();
+                    let is_folder = path.is_dir();
+                    let ending = path.extension().and_then(|ending| ending.to_str());
+                    let is_one =
+                        ending.is_some_and(|ending| self.question.endings.contains(&ending));
+                    (!name.starts_with('.') && (is_folder || is_one)).then_some(FolderEntry {
+                        name,
+                        path,
+                        is_folder,
+                    })
                 })
-            })
-            .collect();
+                .collect();
         entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
         self.entries = entries;
         self.folder = folder;
@@ -168,9 +170,7 @@ impl PathField {
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = match self.chooser {
             Chooser::Field => self.list_ui(ui, cancel),
-            Chooser::Desktop | Chooser::OpenDesktop(_) | Chooser::Answered(_) => {
-                self.desktop_ui(ui, cancel)
-            }
+            _ => self.desktop_ui(ui, cancel),
         };
         if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
             self.list(folder);
@@ -239,7 +239,7 @@ impl PathField {
     fn desktop_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let chosen = match &self.chooser {
             Chooser::Answered(path) => Some(path.clone()),
-            Chooser::Field | Chooser::Desktop | Chooser::OpenDesktop(_) => None,
+            _ => None,
         };
         if let Some(path) = &chosen {
             self.overwrite = Some(path.clone());

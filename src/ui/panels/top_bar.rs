@@ -16,7 +16,7 @@ use crate::model::session::{
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HistoryAction, Leave, LookAction, Observe, Overlay,
+    HelpAction, HistoryAction, Leave, LookAction, Observe,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
@@ -258,11 +258,11 @@ fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
 }
 
 fn help_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
-    entry(ui, "Keys", Overlay::Keys, actions);
-    entry(ui, "Command palette", Overlay::Palette, actions);
+    entry(ui, "Keys", HelpAction::Keys, actions);
+    entry(ui, "Command palette", HelpAction::Palette, actions);
     ui.separator();
-    entry(ui, "The lecture's conventions", Overlay::Conventions, actions);
-    entry(ui, "About Pinhole", Overlay::About, actions);
+    entry(ui, "The lecture's conventions", HelpAction::Conventions, actions);
+    entry(ui, "About Pinhole", HelpAction::About, actions);
 }
 
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
