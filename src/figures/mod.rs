@@ -69,7 +69,7 @@ pub struct Figure {
 
 impl Figure {
     /// Draws a figure on a white page of `size` points.
-    pub(crate) fn drawn(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
+    pub(crate) fn draw(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
         let ctx = Context::default();
         theme::install_fonts(&ctx);
         let size = [size.x, size.y].map(|points| (points * scale).ceil() as usize);

@@ -10,7 +10,7 @@ use pinhole_exchange::document::Document;
 use super::{Figure, FigureFormat};
 use crate::model::fault::Fault;
 use crate::model::session::{Session, ViewLayout};
-use crate::view::derivation::{Derivation, Markup, Section};
+use crate::view::derivation::{Derivation, DerivedSection, Markup};
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::lines;
@@ -125,7 +125,7 @@ impl Order {
         &self,
         document: &Document,
         session: &Session,
-        is_folded: impl Fn(&Section) -> bool,
+        is_folded: impl Fn(&DerivedSection) -> bool,
     ) -> Result<Figure, String> {
         match self.subject {
             Subject::World | Subject::Camera => {
@@ -140,7 +140,7 @@ impl Order {
                 let drawn = UiPass::draw(&self.context(), self.dots(), self.scale, |ui| {
                     lines::draw(ui, page, &session.lines, session.settings.digits);
                 });
-                Ok(self.drawn(self.dots(), self.style.colors().background, drawn))
+                Ok(self.with_background(self.dots(), self.style.colors().background, drawn))
             }
         }
     }
@@ -179,11 +179,15 @@ impl Order {
         Ok(Figure {
             picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
             paths: drawing.paths().map(|path| path.scaled(1.0)).collect(),
-            ..self.drawn(self.dots(), style.colors().background, drawn)
+            ..self.with_background(self.dots(), style.colors().background, drawn)
         })
     }
 
-    fn derivation(&self, shown: &Derivation, is_folded: impl Fn(&Section) -> bool) -> Figure {
+    fn derivation(
+        &self,
+        shown: &Derivation,
+        is_folded: impl Fn(&DerivedSection) -> bool,
+    ) -> Figure {
         let width = self.size[0] as f32 / self.scale;
         let column = vec2((width - 2.0 * MARGIN).max(60.0), UNLIMITED);
         let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
@@ -199,7 +203,7 @@ impl Order {
         let size = [self.dots()[0], (height * self.scale).round().max(1.0) as usize];
         let ctx = self.context();
         let (drawn, _) = draw(&ctx, size);
-        self.drawn(size, ctx.global_style().visuals.panel_fill, drawn)
+        self.with_background(size, ctx.global_style().visuals.panel_fill, drawn)
     }
 
     fn dots(&self) -> [usize; 2] {
@@ -216,7 +220,7 @@ impl Order {
     }
 
     /// Creates a figure of shapes and text over the background.
-    fn drawn(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
+    fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
         Figure {
             title: self.subject.title().to_owned(),
             size,

@@ -73,7 +73,7 @@ pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
         pages.push(Box::new(move |painter| grid(painter, families)));
     }
     let figure = |(page, draw): (usize, &Box<dyn Fn(&Painter) + '_>)| {
-        Figure::drawn(TITLE, PAGE, scale, |painter| {
+        Figure::draw(TITLE, PAGE, scale, |painter| {
             painter.text(pos2(MARGIN, 28.0), Align2::LEFT_CENTER, TITLE, bold(24.0), TEXT);
             if pages.len() > 1 {
                 let (at, note) =

@@ -19,7 +19,7 @@ use crate::model::given::Givens;
 use crate::model::session::Session;
 use crate::ui::action::Action;
 use crate::ui::widgets::Spoken as _;
-use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
+use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, Markup, left_out};
 use crate::view::typesetting::derivation::Inks;
 use crate::view::typesetting::derivation::{
     BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
@@ -101,7 +101,7 @@ impl DerivationPanel {
     }
 
     /// Returns true if only the section's title is shown.
-    pub(crate) fn is_folded(&self, section: &Section) -> bool {
+    pub(crate) fn is_folded(&self, section: &DerivedSection) -> bool {
         self.folded.contains(&(section.section, section.object))
     }
 
@@ -215,17 +215,18 @@ impl DerivationPanel {
         if known {
             return;
         }
-        let id = |section: &Section, k: usize| {
+        let id = |section: &DerivedSection, k: usize| {
             Id::unique(("derivation line", section.section, section.object, k))
         };
         let lines = laid_lines(ui, derivation, width, id);
         self.laid = Some(Laid { derivation: Arc::clone(derivation), width, per_point, lines });
     }
 
-    fn section(&mut self, ui: &mut Ui, k: usize, section: &Section, frame: &mut Frame<'_>) {
+    fn section(&mut self, ui: &mut Ui, k: usize, section: &DerivedSection, frame: &mut Frame<'_>) {
         // Lines that are revealed one by one are in no folded section.
         let is_folded = frame.revealed.is_none() && self.is_folded(section);
-        let is_lit = |line: &Line| frame.highlighted.is_some_and(|concept| line.is_about(concept));
+        let is_lit =
+            |line: &DerivedLine| frame.highlighted.is_some_and(|concept| line.is_about(concept));
         let is_hidden = |line: usize| frame.revealed.is_some_and(|count| line >= count);
         ui.add_space(BEFORE_SECTION);
         if is_hidden(frame.line) {
@@ -270,7 +271,7 @@ impl DerivationPanel {
     }
 
     /// Shows a section's title, which folds it. Returns its rectangle.
-    fn title(&mut self, ui: &mut Ui, section: &Section, is_folded: bool) -> Rect {
+    fn title(&mut self, ui: &mut Ui, section: &DerivedSection, is_folded: bool) -> Rect {
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
@@ -309,7 +310,7 @@ fn band(ui: &Ui, rect: Rect) {
     ui.painter().rect_filled(edge, CornerRadius::same(2), ui.visuals().selection.stroke.color);
 }
 
-fn show(ui: &mut Ui, line: &Line, laid: &LaidLine, inks: Inks, is_lit: bool) -> Response {
+fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bool) -> Response {
     let size = vec2(ui.available_width(), laid.height);
     let (_, rect) = ui.allocate_space(size);
     // The accessible value of a plain text is the text.

@@ -8,7 +8,7 @@ use crate::model::concept::Concept;
 use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
 use crate::model::letters;
-use crate::view::derivation::Line;
+use crate::view::derivation::DerivedLine;
 use crate::view::derivation::numbers::{
     AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,
     normalize, related, times,
@@ -17,14 +17,14 @@ use crate::view::formula::{
     Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
 };
 
-pub(super) fn basis_lines(camera: &Camera, numbers: NumberFormat) -> Vec<Line> {
+pub(super) fn basis_lines(camera: &Camera, numbers: NumberFormat) -> Vec<DerivedLine> {
     match BasisDerivation::new(camera) {
         BasisDerivation::FromUp(from_up) => derived(&from_up, numbers),
         BasisDerivation::ByHand(by_hand) => checked(&by_hand, numbers),
     }
 }
 
-fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
+fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> {
     let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
     let vector =
         |name, as_given, value, concept| given_line(name, as_given, value, concept, numbers);
@@ -35,14 +35,14 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
             Some(at) => {
                 let substituted = minus(numbers.vector(at), numbers.vector(derivation.eye));
                 let sides = [VIEW, minus(AT, EYE), substituted];
-                Line::chain(Concept::View, sides, numbers.equals_vector(view.vector))
+                DerivedLine::chain(Concept::View, sides, numbers.equals_vector(view.vector))
             }
             None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
         });
     }
     if let Some(backwards) = derivation.backwards {
         let result = numbers.equals_vector(backwards);
-        lines.push(Line::chain(Concept::Backwards, [negative(VIEW)], result));
+        lines.push(DerivedLine::chain(Concept::Backwards, [negative(VIEW)], result));
     }
     lines.extend(normalized(derivation, numbers));
     if let Some(cross) = &derivation.up_cross_w {
@@ -52,7 +52,9 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
         let formula = equation(U, normalize(times(UP, W)));
         let quotient = quotient(cross.product, cross.area, numbers);
         lines.push(match derivation.u {
-            Some(u) => Line::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u))),
+            Some(u) => {
+                DerivedLine::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u)))
+            }
             None => failed(Concept::U, formula, derivation.basis.err()),
         });
     }
@@ -60,7 +62,8 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<Line> {
         let substituted =
             times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
         let sides = [V, times(W, U), substituted];
-        let line = Line::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
+        let line =
+            DerivedLine::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
         lines.push(line.also(&[Concept::V]));
     }
     lines
@@ -73,12 +76,12 @@ fn given_line(
     value: DVec3,
     concept: Concept,
     numbers: NumberFormat,
-) -> Line {
-    Line::new(concept, equation(name, numbers.given_vector(as_given, value)))
+) -> DerivedLine {
+    DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
 /// Returns the line of w, or the reason why there is no w.
-fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Line> {
+fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<DerivedLine> {
     let formula = equation(W, normalize(negative(VIEW)));
     let (Some(view), Some(backwards), Some(w)) =
         (derivation.view, derivation.backwards, derivation.w)
@@ -86,22 +89,23 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Line> {
         return Some(failed(Concept::W, formula, derivation.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);
-    Some(Line::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
+    Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
 /// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
-fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<Line> {
+fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     let substituted =
         times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = numbers.equals_vector(cross.product);
-    let mut lines = vec![Line::chain(Concept::UpCrossW, [times(UP, W), substituted], product)];
+    let mut lines =
+        vec![DerivedLine::chain(Concept::UpCrossW, [times(UP, W), substituted], product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
         let symbolic = row([norm(UP), sine(word("angle"))]);
         let substituted = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
         let sides = [norm(times(UP, W)), symbolic, substituted];
-        lines.push(Line::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
+        lines.push(DerivedLine::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
     }
     lines
 }
@@ -126,12 +130,12 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
 }
 
 /// Returns the line at which the derivation fails, with the reason.
-fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
+fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> DerivedLine {
     let why = why.map_or_else(String::new, letters::typeset_message);
-    Line { is_fault: true, ..Line::new(concept, formula).noted(why) }
+    DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
 }
 
-fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<Line> {
+fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> {
     let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
     let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
     let values = [
@@ -142,30 +146,33 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<Line> {
     for ((name, concept), (as_given, value)) in names().zip(values) {
         lines.push(given_line(name, as_given, value, concept, numbers).noted("set by hand"));
     }
-    let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
+    let verdict = |line: DerivedLine, passes: bool, right: &str, wrong: &str| DerivedLine {
         is_fault: !passes,
         ..line.noted(if passes { right } else { wrong })
     };
     for ((name, concept), check) in names().zip(derivation.lengths) {
         let Some(check) = check else { continue };
-        let line = Line::chain(concept, [norm(name)], numbers.equals(check.value));
+        let line = DerivedLine::chain(concept, [norm(name)], numbers.equals(check.value));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
     for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
         let Some(check) = check else { continue };
-        let line = Line::chain(concept, [dot(a, b)], numbers.equals(check.value));
+        let line = DerivedLine::chain(concept, [dot(a, b)], numbers.equals(check.value));
         lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
     }
     if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = Line::chain(Concept::W, [formula], numbers.equals(check.value));
+        let line = DerivedLine::chain(Concept::W, [formula], numbers.equals(check.value));
         let wrong = "left-handed: must be greater than 0";
         lines.push(verdict(line, check.passes, "right-handed", wrong));
     }
     if let Err(error) = derivation.basis {
-        let line = Line { concept: None, ..Line::new(Concept::W, word("there is no basis")) };
-        lines.push(Line { is_fault: true, ..line.noted(letters::typeset_message(error)) });
+        let line = DerivedLine {
+            concept: None,
+            ..DerivedLine::new(Concept::W, word("there is no basis"))
+        };
+        lines.push(DerivedLine { is_fault: true, ..line.noted(letters::typeset_message(error)) });
     }
     lines
 }
@@ -177,18 +184,19 @@ pub(super) fn ray_givens(
     selection: Selection,
     note: Option<&str>,
     numbers: NumberFormat,
-) -> Vec<Line> {
+) -> Vec<DerivedLine> {
     let scalar = |name, as_given, value: f64| {
         equation(Formula::Scalar(name), numbers.given(as_given, value))
     };
     let Viewport { width, height, distance, .. } = camera.viewport;
-    let distance = Line::new(Concept::Distance, scalar("distance", Given::Distance, distance));
+    let distance =
+        DerivedLine::new(Concept::Distance, scalar("distance", Given::Distance, distance));
     match selection {
         Selection::Uv(uv) => {
             let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
             let values = [(Given::PositionU, uv.x), (Given::PositionV, uv.y)];
             let values = tuple(values.map(|(as_given, x)| numbers.given(as_given, x)));
-            let position = Line::new(Concept::Pixel, equation(symbols, values));
+            let position = DerivedLine::new(Concept::Pixel, equation(symbols, values));
             vec![distance, position.noted(note.unwrap_or_default())]
         }
         Selection::Pixel(pixel) => {
@@ -206,10 +214,10 @@ pub(super) fn ray_givens(
             let pixel = [index("row", "i", Given::Row, i), index("column", "j", Given::Column, j)];
             let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
             vec![
-                Line::new(Concept::Viewport, list(viewport)),
-                Line::new(Concept::Viewport, list(image)).noted("pixels"),
+                DerivedLine::new(Concept::Viewport, list(viewport)),
+                DerivedLine::new(Concept::Viewport, list(image)).noted("pixels"),
                 distance,
-                Line::new(Concept::Pixel, list(pixel)).noted(counted),
+                DerivedLine::new(Concept::Pixel, list(pixel)).noted(counted),
             ]
         }
     }
@@ -221,7 +229,7 @@ pub(super) fn ray_lines(
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: NumberFormat,
-) -> Vec<Line> {
+) -> Vec<DerivedLine> {
     let mut lines = match ray.pixel {
         Some(pixel) => {
             let given = ray_givens(camera, Selection::Pixel(pixel), None, numbers);
@@ -243,7 +251,7 @@ pub(super) fn ray_lines(
     for (concept, scalar, vector, factor, value, product) in parts {
         let substituted = row([numbers.scalar(factor), numbers.vector(value)]);
         let sides = [row([scalar, vector]), substituted];
-        let line = Line::chain(concept, sides, numbers.equals_vector(product));
+        let line = DerivedLine::chain(concept, sides, numbers.equals_vector(product));
         lines.push(match concept {
             Concept::AlongW => line.also(&[Concept::Distance]),
             _ => line,
@@ -254,12 +262,12 @@ pub(super) fn ray_lines(
         [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
     let substituted = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
     let sides = [D, sum(symbols, Operator::Minus), sum(substituted, Operator::Plus)];
-    lines.push(Line::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
-    let length = Line::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
+    lines.push(DerivedLine::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
+    let length = DerivedLine::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
     lines.push(length.noted("the length of a step of 𝑡 = 1"));
     let substituted = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
     let formula = equation(along(P, T, D), substituted);
-    lines.push(Line::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
+    lines.push(DerivedLine::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines
 }
 
@@ -274,7 +282,7 @@ fn of_pixel(
     pixel: Pixel,
     ray: &RayDerivation,
     numbers: NumberFormat,
-) -> Vec<Line> {
+) -> Vec<DerivedLine> {
     let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
     // Counted from 0, the pixel's centre lies half a pixel after its index; counted from 1, half a
@@ -288,7 +296,7 @@ fn of_pixel(
     let line = |name, extent, symbols, size, substituted, value| {
         let symbols = row([Formula::Scalar(extent), symbols]);
         let substituted = row([numbers.scalar(size), substituted]);
-        Line::chain(
+        DerivedLine::chain(
             Concept::Pixel,
             [Formula::Scalar(name), symbols, substituted],
             numbers.equals(value),

@@ -3,7 +3,7 @@
 //! The derivation can be exported as LaTeX, and as Markdown with `$formulas$`.
 //!
 //! This module is pure: it turns the document, the view settings and the derived values into
-//! [`Section`]s of [`Line`]s. All arithmetic is in [`pinhole_lecture`].
+//! [`DerivedSection`]s of [`DerivedLine`]s. All arithmetic is in [`pinhole_lecture`].
 //!
 //! - `camera`: the lines of the basis and of the view ray;
 //! - `objects`: the lines of the intersection with one object;
@@ -30,9 +30,6 @@ mod camera;
 mod numbers;
 mod objects;
 
-#[cfg(test)]
-mod tests;
-
 /// Maximum number of listed objects. If there are more, those that the ray hits first are listed.
 pub const LISTED: usize = 6;
 
@@ -40,14 +37,14 @@ pub const LISTED: usize = 6;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivation {
     /// The sections from top to bottom.
-    pub sections: Vec<Section>,
+    pub sections: Vec<DerivedSection>,
     /// Number of objects that are not listed.
     pub left_out: usize,
 }
 
 /// The lines under one title.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Section {
+pub struct DerivedSection {
     /// The kind of section.
     pub section: DerivationSection,
     /// The index of the object, if the section is about one.
@@ -55,12 +52,12 @@ pub struct Section {
     /// The title above it.
     pub title: String,
     /// The lines in the lecture's order.
-    pub lines: Vec<Line>,
+    pub lines: Vec<DerivedLine>,
 }
 
 /// One step: symbols, substituted numbers, result.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct DerivedLine {
     /// The formula.
     pub formula: Formula,
     /// The concept that the line is about.
@@ -73,24 +70,34 @@ pub struct Line {
     pub is_fault: bool,
 }
 
-impl Line {
-    fn new(concept: Concept, formula: Formula) -> Line {
-        Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
+impl DerivedLine {
+    fn new(concept: Concept, formula: Formula) -> DerivedLine {
+        DerivedLine {
+            formula,
+            concept: Some(concept),
+            also: &[],
+            note: String::new(),
+            is_fault: false,
+        }
     }
 
     /// Returns the line of an equation with several sides, followed by the result.
-    fn chain<const N: usize>(concept: Concept, sides: [Formula; N], result: Formula) -> Line {
+    fn chain<const N: usize>(
+        concept: Concept,
+        sides: [Formula; N],
+        result: Formula,
+    ) -> DerivedLine {
         let mut sides = sides.into_iter();
         let first = sides.next();
-        Line::new(concept, row(first.into_iter().chain(sides.map(related)).chain([result])))
+        DerivedLine::new(concept, row(first.into_iter().chain(sides.map(related)).chain([result])))
     }
 
-    fn also(self, also: &'static [Concept]) -> Line {
-        Line { also, ..self }
+    fn also(self, also: &'static [Concept]) -> DerivedLine {
+        DerivedLine { also, ..self }
     }
 
-    fn noted(self, note: impl Into<String>) -> Line {
-        Line { note: note.into(), ..self }
+    fn noted(self, note: impl Into<String>) -> DerivedLine {
+        DerivedLine { note: note.into(), ..self }
     }
 
     /// Returns true if the line is highlighted together with this concept.
@@ -99,11 +106,11 @@ impl Line {
     }
 }
 
-impl fmt::Display for Line {
+impl fmt::Display for DerivedLine {
     /// Writes the formula and the note behind it. A note may contain brackets, so it is not put in
     /// brackets.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Line { formula, note, .. } = self;
+        let DerivedLine { formula, note, .. } = self;
         match note.is_empty() {
             true => formula.fmt(f),
             false => write!(f, "{formula}; {}", letters::plain_scalars(note)),
@@ -189,9 +196,9 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     let DerivationSettings { selection, sections, numbers, fault } = inputs.settings;
     let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
-    let mut add = |section: DerivationSection, lines: Vec<Line>| {
+    let mut add = |section: DerivationSection, lines: Vec<DerivedLine>| {
         let title = section.label().to_owned();
-        derivation.sections.push(Section { section, object: None, title, lines });
+        derivation.sections.push(DerivedSection { section, object: None, title, lines });
     };
     if sections.shows(DerivationSection::Basis) {
         add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
@@ -241,8 +248,8 @@ fn exact_ray(
     Some((selection.exact_ray(resolved).ok()?, derived))
 }
 
-fn fault_line(fault: &impl fmt::Display) -> Line {
-    Line {
+fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
+    DerivedLine {
         formula: word("no ray"),
         concept: None,
         also: &[],
@@ -269,15 +276,15 @@ fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
     for object in listed {
         let mut lines = objects::givens(document, object, settings.numbers);
         if let Some((_, error)) = faulty.filter(|(index, _)| *index == object) {
-            lines.push(Line { formula: word("no picture"), ..fault_line(&error) });
+            lines.push(DerivedLine { formula: word("no picture"), ..fault_line(&error) });
         }
         derivation.sections.push(object_section(document, object, lines));
     }
 }
 
-fn object_section(document: &Document, object: u32, lines: Vec<Line>) -> Section {
+fn object_section(document: &Document, object: u32, lines: Vec<DerivedLine>) -> DerivedSection {
     let title = document.title_of(object as usize);
-    Section { section: DerivationSection::Objects, object: Some(object), title, lines }
+    DerivedSection { section: DerivationSection::Objects, object: Some(object), title, lines }
 }
 
 fn add_objects(
@@ -374,7 +381,7 @@ impl Derivation {
     }
 }
 
-fn latex_line(line: &Line) -> String {
+fn latex_line(line: &DerivedLine) -> String {
     let formula = latex::aligned(&line.formula);
     match line.note.as_str() {
         "" => format!("  {formula}"),
@@ -395,3 +402,6 @@ fn markdown(text: &str) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests;

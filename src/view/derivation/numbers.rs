@@ -12,8 +12,8 @@ use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
 use crate::view::formula::{
-    Formula, Ink, Operator, fraction, given, number, parentheses, rounded, row, square_root, tuple,
-    word,
+    Formula, Operator, SymbolInk, fraction, given, number, parentheses, rounded, row, square_root,
+    tuple, word,
 };
 
 /// The format of numbers.
@@ -173,19 +173,19 @@ fn exact(form: NumberForm) -> Formula {
     row(sign.into_iter().chain([magnitude]))
 }
 
-pub(super) const U: Formula = Formula::Vector("u", Ink::U);
-pub(super) const V: Formula = Formula::Vector("v", Ink::V);
-pub(super) const W: Formula = Formula::Vector("w", Ink::W);
-pub(super) const EYE: Formula = Formula::Vector("eye", Ink::Text);
-pub(super) const AT: Formula = Formula::Vector("at", Ink::Given);
-pub(super) const VIEW: Formula = Formula::Vector("view", Ink::Given);
-pub(super) const UP: Formula = Formula::Vector("up", Ink::Given);
-pub(super) const P: Formula = Formula::Vector("p", Ink::Ray);
-pub(super) const D: Formula = Formula::Vector("d", Ink::Ray);
-pub(super) const N: Formula = Formula::Vector("n", Ink::Text);
-pub(super) const CENTRE: Formula = Formula::Vector("centre", Ink::Text);
-pub(super) const POINT: Formula = Formula::Vector("point", Ink::Text);
-pub(super) const HIT: Formula = Formula::Vector("hit", Ink::Text);
+pub(super) const U: Formula = Formula::Vector("u", SymbolInk::U);
+pub(super) const V: Formula = Formula::Vector("v", SymbolInk::V);
+pub(super) const W: Formula = Formula::Vector("w", SymbolInk::W);
+pub(super) const EYE: Formula = Formula::Vector("eye", SymbolInk::Text);
+pub(super) const AT: Formula = Formula::Vector("at", SymbolInk::Given);
+pub(super) const VIEW: Formula = Formula::Vector("view", SymbolInk::Given);
+pub(super) const UP: Formula = Formula::Vector("up", SymbolInk::Given);
+pub(super) const P: Formula = Formula::Vector("p", SymbolInk::Ray);
+pub(super) const D: Formula = Formula::Vector("d", SymbolInk::Ray);
+pub(super) const N: Formula = Formula::Vector("n", SymbolInk::Text);
+pub(super) const CENTRE: Formula = Formula::Vector("centre", SymbolInk::Text);
+pub(super) const POINT: Formula = Formula::Vector("point", SymbolInk::Text);
+pub(super) const HIT: Formula = Formula::Vector("hit", SymbolInk::Text);
 pub(super) const T: Formula = Formula::Scalar("t");
 pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 

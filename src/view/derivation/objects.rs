@@ -7,14 +7,14 @@ use pinhole_lecture::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
 };
 
-use super::Line;
+use super::DerivedLine;
 use super::camera::along;
 use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, minus};
 use crate::model::concept::Concept;
 use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
 use crate::view::formula::{
-    Formula, Operator, fraction, index, negative, norm, number, parentheses, power, row,
+    Formula, Operator, SymbolInk, fraction, index, negative, norm, number, parentheses, power, row,
     square_root,
 };
 
@@ -30,14 +30,14 @@ struct ObjectLines<'a> {
     ray: Ray,
     inspection: &'a Inspection,
     numbers: NumberFormat,
-    lines: Vec<Line>,
+    lines: Vec<DerivedLine>,
 }
 
 /// Returns the lines of an object's given numbers. The numbers of spheres from a CSV file cannot be
 /// changed here.
-pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<Line> {
+pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<DerivedLine> {
     let index = object as usize;
-    let line = |name, right| Line::new(Concept::Object(object), equation(name, right));
+    let line = |name, right| DerivedLine::new(Concept::Object(object), equation(name, right));
     if let Some(Sphere { center, radius }) = document.spheres.get(index).map(|item| item.shape) {
         let center = numbers.given_vector(GivenVector::Center(object), center);
         return vec![line(CENTRE, center), line(R, numbers.given(Given::Radius(object), radius))];
@@ -68,7 +68,7 @@ pub(super) fn lines(
     ray: Ray,
     inspection: &Inspection,
     numbers: NumberFormat,
-) -> Vec<Line> {
+) -> Vec<DerivedLine> {
     let lines = givens(document, object, numbers);
     let mut lines = ObjectLines { object, ray, inspection, numbers, lines };
     match derivation {
@@ -80,7 +80,7 @@ pub(super) fn lines(
 
 impl ObjectLines<'_> {
     fn line<const N: usize>(&mut self, sides: [Formula; N], result: Formula) {
-        self.lines.push(Line::chain(Concept::Object(self.object), sides, result));
+        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides, result));
     }
 
     fn root_concept(&self, number: usize) -> Concept {
@@ -154,7 +154,7 @@ impl ObjectLines<'_> {
         let of_d = square_root(numbers.scalar(quadratic.discriminant));
         let substituted = row([minus_b, sign.into(), of_d]);
         let sides = [name, fraction(symbols, A), fraction(substituted, a())];
-        let line = Line::chain(self.root_concept(k), sides, numbers.equals(root.t));
+        let line = DerivedLine::chain(self.root_concept(k), sides, numbers.equals(root.t));
         let verdict = self.verdict(k);
         self.lines.push(line.noted(verdict));
     }
@@ -175,7 +175,7 @@ impl ObjectLines<'_> {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
-            let line = Line::new(Concept::Object(self.object), equation(T, quotient));
+            let line = DerivedLine::new(Concept::Object(self.object), equation(T, quotient));
             self.lines.push(line.noted(note));
             return;
         };
@@ -184,7 +184,7 @@ impl ObjectLines<'_> {
             numbers.divisor(derivation.terms.rate),
         );
         let sides = [T, quotient, substituted];
-        let line = Line::chain(self.root_concept(0), sides, numbers.equals(root.t));
+        let line = DerivedLine::chain(self.root_concept(0), sides, numbers.equals(root.t));
         let verdict = self.verdict(0);
         self.lines.push(line.noted(verdict));
         if derivation.hit().is_some() {
@@ -202,7 +202,11 @@ impl ObjectLines<'_> {
             numbers.vector(self.ray.direction),
         );
         let sides = [HIT, along(P, t, D), substituted];
-        self.lines.push(Line::chain(self.root_concept(k), sides, numbers.equals_vector(hit.point)));
+        self.lines.push(DerivedLine::chain(
+            self.root_concept(k),
+            sides,
+            numbers.equals_vector(hit.point),
+        ));
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, substituted: Option<Formula>) {
@@ -211,11 +215,11 @@ impl ObjectLines<'_> {
             .first_hit()
             .is_some_and(|first| first.object == hit.object && first.t == hit.t);
         let concept = if is_first { Concept::Normal } else { self.root_concept(k) };
-        let normal = Formula::Vector("normal", crate::view::formula::Ink::Text);
+        let normal = Formula::Vector("normal", SymbolInk::Text);
         let result = self.numbers.equals_vector(hit.normal);
         let formula = equation(normal, symbols);
         let formula = substituted.into_iter().fold(formula, equation);
-        self.lines.push(Line::new(concept, row([formula, result])));
+        self.lines.push(DerivedLine::new(concept, row([formula, result])));
     }
 }
 

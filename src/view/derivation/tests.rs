@@ -353,7 +353,8 @@ fn an_object_that_is_none_keeps_its_numbers() {
     document.spheres[0].shape.radius = -1.0;
     let derivation = derive(&document, WARM_UP, 5, false);
     assert_eq!(derivation.sections.len(), 5);
-    let lines: Vec<String> = derivation.sections[2].lines.iter().map(Line::to_string).collect();
+    let lines: Vec<String> =
+        derivation.sections[2].lines.iter().map(DerivedLine::to_string).collect();
     assert_eq!(lines[..2], ["centre = (0, 0, −5)", "r = −1"]);
     assert!(lines[2].starts_with("no picture; radius is −1"), "{lines:?}");
 }

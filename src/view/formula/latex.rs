@@ -2,7 +2,7 @@
 
 use pinhole_exchange::is_hidden;
 
-use super::{Direction, Formula, Operator};
+use super::{Arrangement, Formula, Operator};
 
 /// Writes a formula for math mode.
 pub(crate) fn math(formula: &Formula) -> String {
@@ -23,8 +23,8 @@ pub(crate) fn math(formula: &Formula) -> String {
         Formula::Tuple(coordinates, direction) => {
             let coordinates: Vec<String> = coordinates.iter().map(math).collect();
             match direction {
-                Direction::Row => format!(r"\left( {} \right)", coordinates.join(", ")),
-                Direction::Column => {
+                Arrangement::Row => format!(r"\left( {} \right)", coordinates.join(", ")),
+                Arrangement::Column => {
                     format!(r"\begin{{bmatrix}} {} \end{{bmatrix}}", coordinates.join(r" \\ "))
                 }
             }
@@ -148,12 +148,12 @@ fn row(parts: &[Formula]) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{
-        Ink, fraction, index, negative, norm, number, parentheses, power, row, square_root, tuple,
-        word,
+        SymbolInk, fraction, index, negative, norm, number, parentheses, power, row, square_root,
+        tuple, word,
     };
     use super::*;
 
-    const UP: Formula = Formula::Vector("up", Ink::Given);
+    const UP: Formula = Formula::Vector("up", SymbolInk::Given);
 
     #[test]
     fn every_kind_of_formula() {
@@ -174,7 +174,7 @@ mod tests {
             (index(Formula::Scalar("t"), number("1")), "{t}_{1}"),
             (tuple([number("1"), number("-2")]), r"\left( 1, -2 \right)"),
             (
-                Formula::Tuple(vec![number("1"), number("2")], Direction::Column),
+                Formula::Tuple(vec![number("1"), number("2")], Arrangement::Column),
                 r"\begin{bmatrix} 1 \\ 2 \end{bmatrix}",
             ),
             (

@@ -13,7 +13,7 @@
 
 use crate::model::given::Given;
 use crate::model::letters;
-use crate::view::formula::{Direction, Formula, Gap, Ink, Operator, gap};
+use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
 
 /// The font of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -43,7 +43,7 @@ pub struct TextRun {
     /// Size of the em.
     pub size: f32,
     /// The colour.
-    pub ink: Ink,
+    pub ink: SymbolInk,
     /// The start of its baseline.
     pub at: [f32; 2],
 }
@@ -56,7 +56,7 @@ pub struct Rule {
     /// The width.
     pub width: f32,
     /// The colour.
-    pub ink: Ink,
+    pub ink: SymbolInk,
 }
 
 /// The box of a given number, around its baseline like the boxes of texts.
@@ -116,14 +116,14 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
                 1 => name.chars().map(letters::italic).collect(),
                 _ => (*name).to_owned(),
             };
-            text_box(text, Face::Italic, Ink::Text, size, measure)
+            text_box(text, Face::Italic, SymbolInk::Text, size, measure)
         }
         Formula::Vector(name, ink) => text_box((*name).to_owned(), Face::Bold, *ink, size, measure),
         Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
-            text_box(text.clone(), Face::Upright, Ink::Text, size, measure)
+            text_box(text.clone(), Face::Upright, SymbolInk::Text, size, measure)
         }
         Formula::Operator(operator) => {
-            text_box(operator.sign().to_owned(), Face::Upright, Ink::Text, size, measure)
+            text_box(operator.sign().to_owned(), Face::Upright, SymbolInk::Text, size, measure)
         }
         Formula::Given(given, inner) => {
             let mut inner = layout(inner, size, measure);
@@ -141,7 +141,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
         Formula::Index(base, small) => script(base, small, 0.2, size, measure),
         Formula::Norm(inner) => fenced(layout(inner, size, measure), Fence::Bar, size),
         Formula::Parentheses(inner) => in_parentheses(layout(inner, size, measure), size, measure),
-        Formula::Tuple(coordinates, Direction::Row) => {
+        Formula::Tuple(coordinates, Arrangement::Row) => {
             let mut parts = Vec::new();
             for coordinate in coordinates {
                 if !parts.is_empty() {
@@ -151,7 +151,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
             }
             in_parentheses(row(&parts, size, measure), size, measure)
         }
-        Formula::Tuple(coordinates, Direction::Column) => {
+        Formula::Tuple(coordinates, Arrangement::Column) => {
             let boxes = coordinates.iter().map(|c| layout(c, size, measure)).collect();
             fenced(column(boxes, size), Fence::Bracket, size)
         }
@@ -161,7 +161,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
 fn text_box(
     text: String,
     face: Face,
-    ink: Ink,
+    ink: SymbolInk,
     size: f32,
     measure: &mut dyn TextMeasure,
 ) -> Layout {
@@ -197,7 +197,7 @@ impl Layout {
     }
 
     fn rule(&mut self, points: Vec<[f32; 2]>, size: f32) {
-        self.rules.push(Rule { points, width: STROKE * size, ink: Ink::Text });
+        self.rules.push(Rule { points, width: STROKE * size, ink: SymbolInk::Text });
     }
 }
 
@@ -301,8 +301,8 @@ fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn TextMeasure) -> La
     if inner.height() > TALL * size {
         return fenced(inner, Fence::Parenthesis, size);
     }
-    let mut whole = text_box("(".to_owned(), Face::Upright, Ink::Text, size, measure);
-    for part in [inner, text_box(")".to_owned(), Face::Upright, Ink::Text, size, measure)] {
+    let mut whole = text_box("(".to_owned(), Face::Upright, SymbolInk::Text, size, measure);
+    for part in [inner, text_box(")".to_owned(), Face::Upright, SymbolInk::Text, size, measure)] {
         let x = whole.width;
         whole.put(part, x, 0.0);
     }
@@ -446,7 +446,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
 /// Writes the vectors in a formula as columns.
 fn upright(formula: &Formula) -> Formula {
     match formula {
-        Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
+        Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Arrangement::Column),
         Formula::Norm(inner) => Formula::Norm(Box::new(upright(inner))),
         Formula::Parentheses(inner) => Formula::Parentheses(Box::new(upright(inner))),
         Formula::Row(parts) => Formula::Row(parts.iter().map(upright).collect()),

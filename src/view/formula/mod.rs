@@ -21,16 +21,13 @@ pub use layout::{
 pub(crate) mod latex;
 mod layout;
 
-#[cfg(test)]
-mod tests;
-
 /// One formula, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
     /// The name of a scalar: italic.
     Scalar(&'static str),
     /// The name of a vector or point: bold, with a colour.
-    Vector(&'static str, Ink),
+    Vector(&'static str, SymbolInk),
     /// Another word: `normalize`, `sin`.
     Word(String),
     /// Digits, as written by [`number`].
@@ -56,12 +53,12 @@ pub enum Formula {
     /// Parentheses, `(x)`.
     Parentheses(Box<Formula>),
     /// The coordinates of a vector, side by side or one below the other.
-    Tuple(Vec<Formula>, Direction),
+    Tuple(Vec<Formula>, Arrangement),
 }
 
 /// The arrangement of a vector's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
+pub enum Arrangement {
     /// Side by side, `(x, y, z)`.
     Row,
     /// One below the other, in brackets.
@@ -70,7 +67,7 @@ pub enum Direction {
 
 /// A colour of the views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ink {
+pub enum SymbolInk {
     /// The colour of other text.
     Text,
     /// The colour of u.
@@ -218,7 +215,7 @@ pub fn given(given: Given, inner: Formula) -> Formula {
 
 /// Returns `(x, y, z)`.
 pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
-    Formula::Tuple(coordinates.into_iter().collect(), Direction::Row)
+    Formula::Tuple(coordinates.into_iter().collect(), Arrangement::Row)
 }
 
 impl Formula {
@@ -398,3 +395,6 @@ fn write_script(
     f.write_char(sign)?;
     write_guarded("", small, f)
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,9 +10,9 @@ impl TextMeasure for Even {
     }
 }
 
-const U: Formula = Formula::Vector("u", Ink::U);
-const W: Formula = Formula::Vector("w", Ink::W);
-const UP: Formula = Formula::Vector("up", Ink::Given);
+const U: Formula = Formula::Vector("u", SymbolInk::U);
+const W: Formula = Formula::Vector("w", SymbolInk::W);
+const UP: Formula = Formula::Vector("up", SymbolInk::Given);
 
 fn equals() -> Formula {
     Operator::Equals.into()
@@ -101,11 +101,11 @@ fn check(layout: &Layout) {
 fn parts_stand_beside_and_above_each_other() {
     let formulas = [
         long(),
-        Formula::Tuple(["1", "20", "-3.5"].map(number).to_vec(), Direction::Column),
+        Formula::Tuple(["1", "20", "-3.5"].map(number).to_vec(), Arrangement::Column),
         square_root(fraction(number("1"), square_root(number("2")))),
         parentheses(fraction(power(U, "2"), index(Formula::Scalar("t"), number("1")))),
         power(parentheses(fraction(number("1"), number("2"))), "2"),
-        norm(Formula::Tuple(["1", "2"].map(number).to_vec(), Direction::Column)),
+        norm(Formula::Tuple(["1", "2"].map(number).to_vec(), Arrangement::Column)),
     ];
     for formula in formulas {
         check(&layout(&formula, 17.0, &mut Even));
@@ -119,9 +119,9 @@ fn names_have_their_fonts_and_colours() {
     assert_eq!(
         runs,
         [
-            ("ℎ", Face::Italic, Ink::Text),
-            ("u", Face::Bold, Ink::U),
-            ("distance", Face::Italic, Ink::Text)
+            ("ℎ", Face::Italic, SymbolInk::Text),
+            ("u", Face::Bold, SymbolInk::U),
+            ("distance", Face::Italic, SymbolInk::Text)
         ]
     );
 }

@@ -11,8 +11,10 @@ use egui::{
 use crate::model::derivation_sections::DerivationSection;
 use crate::model::letters::plain_scalars;
 use crate::model::symbols::{Kind, meaning};
-use crate::view::derivation::{Derivation, Line, Section, left_out};
-use crate::view::formula::{Column, Face, Ink, Layout, TextMeasure, TextRun, left_width, lines};
+use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
+use crate::view::formula::{
+    Column, Face, Layout, SymbolInk, TextMeasure, TextRun, left_width, lines,
+};
 use crate::view::overlay::Colors;
 use crate::view::typesetting::theme::{self, error_color};
 
@@ -44,7 +46,7 @@ pub(crate) struct LaidLine {
     pub(crate) height: f32,
 }
 
-pub(crate) fn note_galley(ui: &Ui, line: &Line, width: f32) -> Arc<Galley> {
+pub(crate) fn note_galley(ui: &Ui, line: &DerivedLine, width: f32) -> Arc<Galley> {
     let color = if line.is_fault { error_color(ui) } else { ui.visuals().weak_text_color() };
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
@@ -58,17 +60,17 @@ pub(crate) fn laid_lines(
     ui: &Ui,
     derivation: &Derivation,
     width: f32,
-    id: impl Fn(&Section, usize) -> Id,
+    id: impl Fn(&DerivedSection, usize) -> Id,
 ) -> Vec<Vec<LaidLine>> {
     let inner = (width - 2.0 * PAD.x).max(20.0);
-    let left = |line: &Line| left_width(&line.formula, SIZE, &mut Fonts(ui.ctx()));
+    let left = |line: &DerivedLine| left_width(&line.formula, SIZE, &mut Fonts(ui.ctx()));
     let indent_of = |kind: DerivationSection| {
         let sections = derivation.sections.iter().filter(|section| section.section == kind);
         let lefts = sections.flat_map(|section| &section.lines).map(left);
         lefts.filter(|left| *left <= LEFT * inner).fold(INDENT.min(0.2 * inner), f32::max)
     };
     let indents = DerivationSection::ALL.map(indent_of);
-    let of_section = |section: &Section| {
+    let of_section = |section: &DerivedSection| {
         let column = Column { size: SIZE, width: inner, indent: indents[section.section as usize] };
         let lines = section.lines.iter().enumerate();
         lines.map(|(k, line)| laid_line(ui, line, id(section, k), column)).collect()
@@ -76,7 +78,7 @@ pub(crate) fn laid_lines(
     derivation.sections.iter().map(of_section).collect()
 }
 
-fn laid_line(ui: &Ui, line: &Line, id: Id, column: Column) -> LaidLine {
+fn laid_line(ui: &Ui, line: &DerivedLine, id: Id, column: Column) -> LaidLine {
     let Column { width: inner, indent, .. } = column;
     let layout = lines(&line.formula, column, &mut Fonts(ui.ctx()));
     let height = layout.ascent + layout.descent;
@@ -102,7 +104,7 @@ pub(crate) fn baseline_of(rect: Rect, laid: &LaidLine) -> egui::Pos2 {
 }
 
 /// Paints a line's formula and its note.
-pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &Line, laid: &LaidLine, inks: Inks) {
+pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLine, inks: Inks) {
     paint_formula(ui.painter(), baseline_of(rect, laid), &laid.layout, inks);
     if !line.note.is_empty() {
         let width = (rect.width() - laid.note.x).max(20.0);
@@ -117,7 +119,7 @@ pub(crate) fn draw(
     ui: &Ui,
     derivation: &Derivation,
     column: Rect,
-    is_folded: impl Fn(&Section) -> bool,
+    is_folded: impl Fn(&DerivedSection) -> bool,
 ) -> f32 {
     let (inks, painter) = (Inks::from_ui(ui), ui.painter());
     let mut at = column.min;
@@ -180,14 +182,14 @@ impl Inks {
         Inks { text: ui.visuals().text_color(), colors: theme::style(ui).colors() }
     }
 
-    fn color(self, ink: Ink) -> Color32 {
+    fn color(self, ink: SymbolInk) -> Color32 {
         match ink {
-            Ink::Text => self.text,
-            Ink::U => self.colors.basis[0],
-            Ink::V => self.colors.basis[1],
-            Ink::W => self.colors.basis[2],
-            Ink::Given => self.colors.given,
-            Ink::Ray => self.colors.ray,
+            SymbolInk::Text => self.text,
+            SymbolInk::U => self.colors.basis[0],
+            SymbolInk::V => self.colors.basis[1],
+            SymbolInk::W => self.colors.basis[2],
+            SymbolInk::Given => self.colors.given,
+            SymbolInk::Ray => self.colors.ray,
         }
     }
 }
