@@ -32,19 +32,191 @@
 //! everyday sizes by 1e-12; where it would be more (eye and at are much closer to each other than to the
 //! origin, up nearly parallel to the view) the answer is [`SteerError::Unsteady`].
 
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::viewport::ViewportError;
+use crate::camera::{Camera, CameraError};
+use crate::exact::scale::{angle_between, shortest, unit};
+
+pub use handles::Keep;
+pub use pointer::{
+    DragAlong, FARTHEST, LEAST_ANGLE, nice_step, pixel_in_world, rounded_to, snapped,
+};
+
 mod handles;
 mod moves;
 mod pointer;
-mod pole;
-mod single_parameter;
-mod snap;
-mod steered;
-mod turns;
 
-#[cfg(doc)]
-use crate::camera::Camera;
+/// The smallest angle between up, or -up, and the view that [`Camera::orbited`] and
+/// [`Camera::looked_round`] go to, in radians: 1 degree.
+pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
 
-pub use handles::Keep;
-pub use pointer::{DragAlong, FARTHEST, LEAST_ANGLE, pixel_in_world};
-pub use snap::{nice_step, rounded_to, snapped};
-pub use steered::{CONE, POLE_GAP, ROUNDING_TURN, SteerError, Steered};
+/// The angle to up, or to -up, within which a handle that is dragged takes up along, in radians:
+/// 5 degrees.
+pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
+
+/// The most that rounding may turn u, v and w besides what the hand did, in radians.
+pub const ROUNDING_TURN: f64 = 1e-6;
+
+/// A camera after the drag of a handle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Steered {
+    /// The camera after it.
+    pub camera: Camera,
+    /// True if up was changed, because the view came within [`CONE`] of it.
+    pub up_went_along: bool,
+}
+
+/// Reason why a camera cannot be steered, or a point not be dragged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SteerError {
+    /// There would be no camera, or there was none before.
+    Camera(CameraError),
+    /// A number that is NaN or infinite.
+    NotFinite {
+        /// The number's name: `yaw`, `pitch`, `forward`, `value`.
+        field: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// A number that is not positive and finite.
+    NotPositive {
+        /// The number's name: `factor`, `scale`, `step`, `pixel`.
+        field: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// A coordinate would be beyond the range of `f64`.
+    OutOfRange,
+    /// The camera's basis is set by hand: it has no up to drag.
+    NoUp,
+    /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
+    Unsteady {
+        /// The turn in radians.
+        turn: f64,
+    },
+    /// The eye would be moved to `at` or past it.
+    PastAt,
+    /// The dragged point is not in front of the observer.
+    NotInFront {
+        /// Its depth, 0 or negative.
+        depth: f64,
+    },
+    /// The axis of a drag is zero, or the two axes of its plane are parallel.
+    NoDirection,
+    /// The axis of a drag points at the observer, or its plane is seen from its edge.
+    OnEdge {
+        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`](crate::steering::LEAST_ANGLE).
+        angle: f64,
+    },
+    /// The pointer is past the horizon of the drag's axis or plane, or nearly there.
+    PastHorizon,
+}
+
+impl fmt::Display for SteerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SteerError::Camera(e) => e.fmt(f),
+            SteerError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: it must be a finite number", shortest(*value))
+            }
+            SteerError::NotPositive { field, value } => {
+                write!(f, "{field} is {}: it must be finite and greater than 0", shortest(*value))
+            }
+            SteerError::OutOfRange => write!(
+                f,
+                "the camera would be beyond the range of numbers: move eye, at and up nearer to the origin"
+            ),
+            SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to drag"),
+            SteerError::Unsteady { turn } => write!(
+                f,
+                "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \
+                 apart or nearer to the origin, or up away from the view direction"
+            ),
+            SteerError::PastAt => write!(f, "the eye is moved towards at and never reaches it"),
+            SteerError::NotInFront { depth } => {
+                write!(f, "the handle is at depth {}: not in front", shortest(*depth))
+            }
+            SteerError::NoDirection => write!(f, "the axes are zero or parallel"),
+            SteerError::OnEdge { angle } => write!(
+                f,
+                "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
+                angle.to_degrees()
+            ),
+            SteerError::PastHorizon => write!(f, "past the horizon of the drag's axis or plane"),
+        }
+    }
+}
+
+impl std::error::Error for SteerError {}
+
+impl From<CameraError> for SteerError {
+    fn from(e: CameraError) -> Self {
+        SteerError::Camera(e)
+    }
+}
+
+impl From<BasisError> for SteerError {
+    fn from(e: BasisError) -> Self {
+        SteerError::Camera(e.into())
+    }
+}
+
+impl From<ViewportError> for SteerError {
+    fn from(e: ViewportError) -> Self {
+        SteerError::Camera(e.into())
+    }
+}
+
+fn check_finite(field: &'static str, value: f64) -> Result<(), SteerError> {
+    if value.is_finite() { Ok(()) } else { Err(SteerError::NotFinite { field, value }) }
+}
+
+fn check_positive(field: &'static str, value: f64) -> Result<(), SteerError> {
+    let is_positive = value.is_finite() && value > 0.0;
+    if is_positive { Ok(()) } else { Err(SteerError::NotPositive { field, value }) }
+}
+
+/// A turn about an axis of length 1, right-handed: `x cos + (k x x) sin + k (k . x) (1 - cos)` (O.
+/// Rodrigues 1840), written so that a small angle keeps its digits.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    axis: DVec3,
+    sin: f64,
+    one_minus_cos: f64,
+}
+
+impl Turn {
+    fn about(axis: DVec3, radians: f64) -> Turn {
+        let half = (0.5 * radians).sin();
+        Turn { axis, sin: radians.sin(), one_minus_cos: 2.0 * half * half }
+    }
+
+    fn turned(&self, x: DVec3) -> DVec3 {
+        let across = self.axis.cross(x);
+        x + self.sin * across + self.one_minus_cos * self.axis.cross(across)
+    }
+
+    fn turned_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
+        Basis { u: self.turned(*u), v: self.turned(*v), w: self.turned(*w) }
+    }
+}
+
+/// The nearest basis with this w: unit and orthogonal but for one rounding of each coordinate.
+fn orthonormal(basis: &Basis) -> Basis {
+    let w = unit(basis.w);
+    let u = unit(basis.v.cross(w));
+    // Added to 0, a negative zero is 0, which readers expect to see.
+    Basis { u: u + DVec3::ZERO, v: w.cross(u) + DVec3::ZERO, w: w + DVec3::ZERO }
+}
+
+/// The camera, if its basis is this one but for rounding.
+fn steady(camera: Camera, meant: &Basis) -> Result<Camera, SteerError> {
+    let found = camera.basis()?;
+    let turn = angle_between(found.v, meant.v).max(angle_between(found.w, meant.w));
+    if turn <= ROUNDING_TURN { Ok(camera) } else { Err(SteerError::Unsteady { turn }) }
+}
