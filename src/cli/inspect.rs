@@ -70,7 +70,7 @@ impl Readout<'_> {
             }
             Orientation::Basis(_) => {}
         }
-        let has_up = !matches!(camera.orientation, Orientation::Basis(_));
+        let has_up = camera.orientation.has_up();
         let readings = of_basis(&self.camera, has_up.then_some(self.up_angle));
         lines.extend(readings.iter().map(|reading| self.row_of(reading)));
         lines.push(row(

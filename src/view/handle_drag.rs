@@ -175,7 +175,7 @@ impl HandleDrag<'_> {
         set: Camera,
         steered: Result<Steered, SteerError>,
     ) -> Result<Steered, SteerError> {
-        let has_up = !matches!(set.orientation, Orientation::Basis(_));
+        let has_up = set.orientation.has_up();
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
         if has_up && (self.settings.keep_up || is_at_fault) {
             return Ok(Steered { camera: set, up_went_along: false });

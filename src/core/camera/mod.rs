@@ -246,6 +246,18 @@ fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
 }
 
 impl Orientation {
+    /// Returns whether the camera looks at a point, so that `at` is one of its inputs.
+    #[must_use]
+    pub fn has_at(&self) -> bool {
+        matches!(self, Orientation::At { .. })
+    }
+
+    /// Returns whether up is one of the inputs: true unless the basis is set by hand.
+    #[must_use]
+    pub fn has_up(&self) -> bool {
+        !matches!(self, Orientation::Basis(_))
+    }
+
     /// Returns which of the three ways this is.
     pub fn kind(&self) -> OrientationKind {
         match self {

@@ -95,7 +95,7 @@ pub(super) fn constructed(given: &Given) -> Option<Parts> {
 /// The cameras that an answer can come from, with the mistake that makes them.
 fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCamera)> {
     const USUAL: usize = 1;
-    let is_at = matches!(camera.orientation, Orientation::At { .. });
+    let is_at = camera.orientation.has_at();
     // Given points, at - eye is what is taken for w.
     let w_forwards = if is_at { Mistake::WIsAtMinusEye } else { Mistake::WAsPrinted };
     let mistakes = [

@@ -379,7 +379,7 @@ impl GivenCamera {
             view,
             up,
             sine: unit(up).cross(resolved.basis().w).length(),
-            by_hand: matches!(camera.orientation, Orientation::Basis(_)),
+            by_hand: !camera.orientation.has_up(),
             roundings: ROUNDINGS * (1.0 + lost) * conditioning,
         })
     }

@@ -74,7 +74,7 @@ impl WrongCamera {
         if pipeline.basis != BasisChoices::RIGHT && right.given.by_hand {
             return Err(NoWrongCamera::GivenByHand(mistake));
         }
-        let is_at = matches!(camera.orientation, Orientation::At { .. });
+        let is_at = camera.orientation.has_at();
         if mistake == Mistake::WIsAtMinusEye && !is_at {
             return Err(NoWrongCamera::NotGivenByAt);
         }

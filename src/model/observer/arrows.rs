@@ -1,6 +1,6 @@
 //! The arrows of the world view: their lengths, and where their tips are.
 
-use pinhole_core::{Camera, DVec3, Orientation, extent_of_fov};
+use pinhole_core::{Camera, DVec3, extent_of_fov};
 
 use super::FOV;
 use super::fit::{Ball, ViewSize};
@@ -60,7 +60,7 @@ impl Arrows {
             let near = viewport.width.max(viewport.height).max(viewport.distance);
             has_axes = items.shows(Item::Axes) && camera.eye.length() <= near;
         }
-        if items.shows(Item::ViewAndUp) && !matches!(camera.orientation, Orientation::Basis(_)) {
+        if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
             let given = [(camera.view(), VIEW_LENGTH), (camera.up(), UP_LENGTH)];
             at_eye.extend(given.into_iter().filter_map(|(vector, times)| {
                 let scaled = vector / vector.abs().max_element();

@@ -294,7 +294,7 @@ impl Start {
 /// itself, and where nothing is ahead.
 fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     const ASKED_SPHERES: usize = 4096;
-    if matches!(camera.orientation, Orientation::At { .. }) {
+    if camera.orientation.has_at() {
         return None;
     }
     let resolved = camera.resolve().ok()?;

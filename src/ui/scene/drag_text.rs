@@ -7,7 +7,6 @@ use egui::{
     Align, Align2, CursorIcon, Id, PopupAnchor, Pos2, Rect, RectAlign, RichText, Sense, Ui, Vec2,
     vec2,
 };
-use pinhole_core::Orientation;
 use pinhole_exchange::document::Document;
 
 use super::dragging::{Dragging, View};
@@ -104,7 +103,7 @@ impl Dragging {
             (_, Some(recent)) => (recent.way, recent.by_keys),
             _ => return,
         };
-        let by_at = matches!(document.camera.orientation, Orientation::At { .. });
+        let by_at = document.camera.orientation.has_at();
         let corner = Handle::Corner(Corner { is_right: true, is_top: true });
         let (title, changed) = match way {
             Way::Look => ("look around", Handle::At),

@@ -11,7 +11,7 @@ use pinhole::model::session::ViewLayout;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{UP_LENGTH, arrow_length};
-use pinhole_core::{DVec2, DVec3, Orientation, Sphere};
+use pinhole_core::{DVec2, DVec3, Sphere};
 
 use super::camera;
 use crate::harness::{click_at, command, show, type_into, window_with};
@@ -173,7 +173,7 @@ fn misframed(harness: &Harness<'_, App>) -> Option<String> {
     let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point());
     let items = harness.state().session().settings.items;
     let mut points = vec![camera.eye];
-    if items.shows(Item::ViewAndUp) && !matches!(camera.orientation, Orientation::Basis(_)) {
+    if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
         points.push(camera.eye + UP_LENGTH * length * camera.up().normalize());
     }
     if let Ok(resolved) = camera.resolve() {

@@ -82,7 +82,7 @@ pub(crate) struct Outlines {
     /// go up the ladder.
     pub(crate) thin: Lane8,
     /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
-    pub(crate) is_wide: u64,
+    pub(crate) corrects_root: u64,
     /// Lanes in which all of the above holds.
     pub(crate) is_plain: u64,
     /// Lanes whose spheres lie wholly behind the eye.
@@ -109,7 +109,7 @@ pub(crate) struct Outline {
     pub(crate) nearest: f64,
     pub(crate) thin: f64,
     /// True if the error of the root needs correction too.
-    pub(crate) is_wide: bool,
+    pub(crate) corrects_root: bool,
 }
 
 /// `a . b` of lanes with numbers.
@@ -203,7 +203,7 @@ impl Outlines {
             & size.simd_gt(splat(1e-12));
         self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
         (self.is_behind, self.is_outside) = centers.not_seen(simd, space);
-        self.is_wide = kinds.is_wide.to_bitmask();
+        self.corrects_root = kinds.corrects_root.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
         put(&mut self.column, column_center + offset);
         self.middle_row = space.middle_row;
@@ -244,7 +244,7 @@ impl Outlines {
             last_row: self.last_row[lane],
             nearest: self.nearest[lane],
             thin: self.thin[lane],
-            is_wide: self.is_wide >> lane & 1 == 1,
+            corrects_root: self.corrects_root >> lane & 1 == 1,
         }
     }
 }
@@ -316,9 +316,9 @@ impl<S: Simd> Centers<S> {
 /// The kinds of rows by which spheres are drawn. With the least b only as its square, no root is
 /// needed but one in `f32`, rounded up.
 struct Kinds<S: Simd> {
-    is_wide: <S::f64s as SimdBase<S>>::Mask,
+    corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which wide rows would do.
-    can_be_wide: <S::f64s as SimdBase<S>>::Mask,
+    can_correct_root: <S::f64s as SimdBase<S>>::Mask,
     /// The root of `w^2` below which a row is thin.
     thin: S::f64s,
     /// The square of the least b.
@@ -340,15 +340,15 @@ impl<S: Simd> Kinds<S> {
         let widest = size.narrow(size).sqrt().widen().0 * splat(1.0 + 1e-6);
         let b_column = b_column.abs();
         let error = (splat(4.5) + splat(4.0) * b_column) * widest;
-        let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);
-        let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
+        let corrects_root = (error * error).simd_gt(splat(0.42 * 0.42) * least);
+        let root_error = corrects_root.select(splat(KEEP), splat(16.0 * KEEP));
         let keep = (square_doubt * root_error * (h_by_c * slope)).max(splat(32.0));
         let thin = square_doubt * keep * splat(1.0 / MARGIN);
         let twice = b_column * widest + b_column * widest;
-        let can_be_wide = widest.simd_lt(splat(2040.0))
+        let can_correct_root = widest.simd_lt(splat(2040.0))
             & (twice * twice).simd_lt(splat(16.0) * least)
             & (widest + widest + one).simd_lt(splat(0.01) * least);
-        Kinds { is_wide, can_be_wide, thin, least }
+        Kinds { corrects_root, can_correct_root, thin, least }
     }
 
     /// Finds the lanes in which rows of the kind will do, and `f32` holds the numbers.
@@ -362,7 +362,7 @@ impl<S: Simd> Kinds<S> {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
         self.thin.simd_lt(splat(32.0))
-            & (self.can_be_wide | !self.is_wide)
+            & (self.can_correct_root | !self.corrects_root)
             & self.least.simd_gt(splat(1e-40))
             & self.least.simd_lt(splat(1e40))
             & in_range(numerator)

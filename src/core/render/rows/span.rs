@@ -38,8 +38,8 @@ pub(crate) struct Doubt {
 impl Span {
     #[inline(always)]
     pub(crate) fn new(index: u32, outline: &Outline) -> Span {
-        let Outline { b_column, numerator, is_wide, .. } = *outline;
-        let b_column = if is_wide {
+        let Outline { b_column, numerator, corrects_root, .. } = *outline;
+        let b_column = if corrects_root {
             let high = rounded_to_12_bits(b_column as f32);
             [high, (b_column - f64::from(high)) as f32]
         } else {
@@ -202,7 +202,7 @@ impl Span {
         let own = (self.index, span_row.nearest, &target.bounds);
         target.decided += (columns.1 - columns.0 + 1) as u64;
         target.is_reached[row - target.rows.start] = true;
-        if self.outline.is_wide {
+        if self.outline.corrects_root {
             draw_row::<S, true>(simd, &mut buffers, columns, own, &lanes)
         } else {
             draw_row::<S, false>(simd, &mut buffers, columns, own, &lanes)
@@ -229,8 +229,8 @@ impl Span {
                 || {
                     let columns = &target.axes.columns[at..at + S::f32s::LEN];
                     let columns = S::f32s::from_slice(simd, columns);
-                    let is_wide = self.outline.is_wide;
-                    if is_wide { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
+                    let corrects_root = self.outline.corrects_root;
+                    if corrects_root { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
                 },
             );
             for (column, &t) in (at..=to).zip(found.as_slice()) {
@@ -266,7 +266,7 @@ impl Span {
         if first <= last
             && let Some(columns) = target.axes.columns_between(first, last)
         {
-            let pivot = match (self.outline.is_wide, self.outline.b_column > 0.0) {
+            let pivot = match (self.outline.corrects_root, self.outline.b_column > 0.0) {
                 (true, false) => first,
                 (true, true) => last,
                 (false, _) => 0.5 * (first + last),
@@ -349,8 +349,8 @@ impl SpanRows {
         let ends = RowEnds::<S>::new(simd, middle, squared, splat(span.outline.thin));
         let RowEnds { start, end, first, last, is_sure } = ends;
         let (from, to, is_there) = axes.clip(simd, first, last);
-        let is_wide = span.outline.is_wide;
-        let pivot = match (is_wide, b_column > 0.0) {
+        let corrects_root = span.outline.corrects_root;
+        let pivot = match (corrects_root, b_column > 0.0) {
             (true, false) => first,
             (true, true) => last,
             (false, _) => splat(0.5) * (first + last),
@@ -358,7 +358,8 @@ impl SpanRows {
         let b = splat(b0) + splat(b_row) * j + splat(b_column) * pivot;
         let high = b.narrow(b);
         let (left, right) = (first - start, end - last);
-        let offset = if is_wide { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
+        let offset =
+            if corrects_root { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
         // Within the row `b <= b(pivot) + |b_column| 2 w` and `S <= w`.
         let half = (end - start) * splat(0.5);
         let most = b + half * splat(1.0 + 2.0 * b_column.abs());

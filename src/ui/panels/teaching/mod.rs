@@ -4,7 +4,7 @@
 mod dial;
 
 use egui::{CollapsingHeader, Context, Id, Label, RichText, Slider, Ui};
-use pinhole_core::{Camera, Orientation};
+use pinhole_core::Camera;
 
 use crate::model::session::Settings;
 use crate::ui::widgets::Spoken as _;
@@ -19,7 +19,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
         let hint = "The picture stays: d is scaled, and t is divided by the same factor";
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
         // A basis set by hand has no up.
-        if !matches!(camera.orientation, Orientation::Basis(_)) {
+        if camera.orientation.has_up() {
             let hint = "On: up stays as given while eye or at is dragged, so that view can meet it. \
                         Off: up turns with the camera where view comes close to it";
             ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
