@@ -4,7 +4,7 @@ use std::fmt;
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{
-    Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, Ray, RayError, ResolvedCamera,
+    Camera, CameraError, DVec2, DVec3, ImageSize, Pixel, Ray, RayError, ResolvedCamera,
 };
 
 use super::pipeline::{BasisChoices, GivenCamera, Pipeline, PipelineCamera};
