@@ -21,11 +21,11 @@ use crate::ui::action::{
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files};
 use crate::ui::commands_table::{self, When};
-use crate::ui::panels::{camera, objects, section, selection, top_bar};
-use crate::ui::practice::mistakes::vote;
+use crate::ui::panels::{camera, objects, section, top_bar};
+use crate::ui::practice::vote;
 use crate::ui::scene::dragging::Edited;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
-use crate::ui::scene::{pen, readouts, views};
+use crate::ui::scene::{readouts, views};
 use crate::ui::second_picture;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
@@ -57,7 +57,7 @@ impl App {
             self.outputs(ui, &rects);
             is_old |= self.waiting.len() > waiting;
             if let Some(pen) = &mut self.scene.session.pen {
-                pen::ui(ui, ui.max_rect(), pen);
+                views::pen(ui, ui.max_rect(), pen);
             }
         });
         self.over.marks(ui, self.scene.session.spotlight);
@@ -213,7 +213,7 @@ impl App {
         // Its numbers may be what the class is asked for.
         if !scene.session.is_asking {
             section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
-                selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+                camera::selected_ray(ui, selected, resolved.as_ref(), settings.count_from_one);
             });
             ui.separator();
         }

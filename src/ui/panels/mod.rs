@@ -5,7 +5,6 @@ pub(crate) mod camera;
 pub(crate) mod lesson_strip;
 pub(crate) mod objects;
 pub(crate) mod play;
-pub(crate) mod selection;
 mod teaching;
 pub(crate) mod top_bar;
 

@@ -1,8 +1,9 @@
-//! The practice workspace: exercises, wrong cameras, and a student's answers.
+//! The practice workspace: exercises, mistakes in cameras with votes on them, and a student's answers.
 
 pub mod answers;
 pub mod exercises;
 pub mod mistakes;
+pub mod vote;
 
 use egui::{DragValue, Ui};
 

@@ -113,21 +113,21 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
 
 /// A quantity of the ghost and of the current camera, with the difference between the two.
 #[derive(Clone)]
-struct Line {
+struct ComparedLine {
     name: &'static str,
     ghost: String,
     now: String,
     between: String,
 }
 
-impl Line {
-    fn new(name: &'static str, ghost: String, now: String, between: String) -> Line {
-        Line { name, ghost, now, between }
+impl ComparedLine {
+    fn new(name: &'static str, ghost: String, now: String, between: String) -> ComparedLine {
+        ComparedLine { name, ghost, now, between }
     }
 
     /// Shows the name in its own colour; screen readers read the whole line.
     fn name(&self, ui: &mut Ui) {
-        let Line { name, ghost, now, between } = self;
+        let ComparedLine { name, ghost, now, between } = self;
         let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
         let text = RichText::new(*name).strong();
         let text = match vector_color(ui, name) {
@@ -147,7 +147,7 @@ fn wide(ui: &mut Ui, characters: f32, text: RichText) {
 }
 
 /// Shows vectors of both cameras, one above the other, with the difference between them.
-fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
+fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
         for head in ["", "now", "apart"] {
@@ -167,7 +167,7 @@ fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
 }
 
 /// Shows numbers of both cameras, side by side.
-fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
+fn scalars(ui: &mut Ui, lines: &[ComparedLine], style: NumberStyle) {
     let characters = style.digits as f32 + 2.6;
     Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
         for head in ["", "ghost", "now", "difference"] {
@@ -197,11 +197,11 @@ fn signed(x: f64, style: NumberStyle) -> String {
 }
 
 /// Returns the lines of u, v, w.
-fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
+fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<ComparedLine> {
     let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
     let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
     let line = |((name, here, there), angle)| {
-        Line::new(name, style.vector(there), style.vector(here), degrees(angle, style))
+        ComparedLine::new(name, style.vector(there), style.vector(here), degrees(angle, style))
     };
     vectors.into_iter().zip(by.basis).map(line).collect()
 }
@@ -212,7 +212,7 @@ fn moved(
     ghost: &Ghost,
     against: &AgainstGhost,
     style: NumberStyle,
-) -> Vec<Line> {
+) -> Vec<ComparedLine> {
     let (now, then, by) = (&document.camera, &ghost.camera, &against.difference);
     let vector = |v: DVec3| style.vector(v);
     let way = |v: DVec3| style.number(v.length());
@@ -222,9 +222,9 @@ fn moved(
     };
     let between = by.at.map(way).unwrap_or_default();
     vec![
-        Line::new("eye", vector(then.eye), vector(now.eye), way(by.eye)),
-        Line::new("at", at(&then.orientation), at(&now.orientation), between),
-        Line::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
+        ComparedLine::new("eye", vector(then.eye), vector(now.eye), way(by.eye)),
+        ComparedLine::new("at", at(&then.orientation), at(&now.orientation), between),
+        ComparedLine::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
     ]
 }
 
@@ -244,7 +244,7 @@ fn numbers(
     ghost: &Ghost,
     against: &AgainstGhost,
     style: NumberStyle,
-) -> Vec<Line> {
+) -> Vec<ComparedLine> {
     let by = &against.difference;
     let (old, new) = (ghost.camera.viewport, document.camera.viewport);
     let [width, height] = by.extent;
@@ -254,7 +254,7 @@ fn numbers(
         ("height", old.height, new.height, height),
     ];
     let line = |(name, old, new, by)| {
-        Line::new(name, style.number(old), style.number(new), signed(by, style))
+        ComparedLine::new(name, style.number(old), style.number(new), signed(by, style))
     };
     lines.map(line).to_vec()
 }
@@ -265,7 +265,7 @@ fn hits(
     ghost: &Inspection,
     document: &Document,
     style: NumberStyle,
-) -> [Line; 2] {
+) -> [ComparedLine; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
     // Names do not fit; the list of objects has their numbers.
     let kind = |hit: &Root| {
@@ -282,7 +282,7 @@ fn hits(
     };
     let hit = if same { "the same" } else { "another" };
     [
-        Line::new("hit", named(there), named(here), hit.to_owned()),
-        Line::new("t", t(there), t(here), between),
+        ComparedLine::new("hit", named(there), named(here), hit.to_owned()),
+        ComparedLine::new("t", t(there), t(here), between),
     ]
 }

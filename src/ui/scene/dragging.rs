@@ -49,14 +49,14 @@ pub(crate) struct Edited<'a> {
 }
 
 /// The world view on the screen.
-pub(super) struct View<'a> {
+pub(super) struct WorldArea<'a> {
     pub(super) rect: Rect,
     pub(super) id: Id,
     pub(super) observer: &'a ResolvedCamera,
     pub(super) scale: f32,
 }
 
-impl View<'_> {
+impl WorldArea<'_> {
     fn dots(&self, at: Pos2) -> Vec2 {
         (at - self.rect.min) * self.scale
     }
@@ -165,10 +165,14 @@ impl Dragging {
     }
 
     /// Returns the world view as it was drawn last.
-    pub(super) fn world_view<'a>(&self, ctx: &Context, shown: &'a Derived) -> Option<View<'a>> {
+    pub(super) fn world_view<'a>(
+        &self,
+        ctx: &Context,
+        shown: &'a Derived,
+    ) -> Option<WorldArea<'a>> {
         let (rect, id) = self.world?;
         let observer = shown.world_frame.as_deref()?.camera();
-        Some(View { rect, id, observer, scale: ctx.pixels_per_point() })
+        Some(WorldArea { rect, id, observer, scale: ctx.pixels_per_point() })
     }
 
     /// Releases the handle or the camera.
@@ -182,7 +186,7 @@ impl Dragging {
     fn point(
         &mut self,
         ctx: &Context,
-        (view, response): (&View, &Response),
+        (view, response): (&WorldArea, &Response),
         edited: &mut Edited,
         shown: &Derived,
     ) {
@@ -229,7 +233,7 @@ impl Dragging {
     fn hit(
         &mut self,
         all: &[PlacedHandle],
-        view: &View,
+        view: &WorldArea,
         at: Pos2,
         session: &Session,
         shown: &Derived,
@@ -285,7 +289,13 @@ impl Dragging {
     }
 
     /// Moves what is held with the pointer; Escape takes everything back.
-    fn hold(&mut self, ctx: &Context, mut drag: Drag, world: Option<&View>, edited: &mut Edited) {
+    fn hold(
+        &mut self,
+        ctx: &Context,
+        mut drag: Drag,
+        world: Option<&WorldArea>,
+        edited: &mut Edited,
+    ) {
         let Edited { document, session, .. } = edited;
         let is_down = ctx.input(|i| match drag.grabbed {
             Grabbed::Handle(_) => i.pointer.primary_down(),

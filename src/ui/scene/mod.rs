@@ -2,9 +2,7 @@
 //! below.
 
 pub mod compare;
-pub mod drag_text;
 pub mod dragging;
-pub mod pen;
 pub mod readouts;
 pub mod steps;
 pub mod view_rects;

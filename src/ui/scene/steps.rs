@@ -1,21 +1,38 @@
-//! Steps by keys and by the wheel: of the focused handle, of the camera in its view, and of the loupe.
-//! [`pinhole_core::steering`] calculates the cameras.
+//! Steps by keys and by the wheel, which move the focused handle, the camera in its view, and the loupe;
+//! and the text next to the pointer during a drag or after a step. [`pinhole_core::steering`] calculates
+//! the cameras.
 
-use egui::{Context, Key, Response};
+use std::time::Duration;
+
+use egui::accesskit::Role;
+use egui::{
+    Align, Align2, Context, CursorIcon, Id, Key, PopupAnchor, Pos2, Rect, RectAlign, Response,
+    RichText, Sense, Ui, Vec2, vec2,
+};
 use pinhole_core::steering::{SteerError, rounded_to};
 use pinhole_core::{Basis, Camera, DVec2, DVec3, ResolvedCamera};
+use pinhole_exchange::document::Document;
 
-use super::dragging::{Dragging, Edited, View};
-use crate::model::interaction::{KEY_NEARER, KEY_ROLL, KEY_TURN, LOUPE_SCROLL, PAUSE};
+use crate::model::concept::{HoverSource, Hovered};
+use crate::model::interaction::{
+    HANDLE_REACH, KEY_NEARER, KEY_ROLL, KEY_TURN, LOUPE_SCROLL, PAUSE,
+};
 use crate::model::overlay_items::Item;
-use crate::model::session::handles::{Drag, Handle};
-use crate::model::session::{LOUPE_PIXELS, Settings};
+use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
+use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::ui::action::Steer;
+use crate::ui::scene::dragging::{Dragging, Edited, WorldArea};
+use crate::ui::scene::view_rects::ViewRects;
+use crate::ui::scene::views::{CAMERA, WORLD};
+use crate::ui::widgets::fault_text;
+use crate::ui::widgets::{Spoken as _, keep_arrows};
+use crate::view::derive::Derived;
 use crate::view::handle_drag::{step_of, turned_by};
+use crate::view::handles::{PlacedHandle, label, value};
 
 /// The effect of a drag in the camera view, of its keys or of the wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum CameraMove {
     Look,
     Orbit,
     Zoom,
@@ -25,7 +42,7 @@ pub(super) enum Way {
 /// The recent steps of the camera by wheel or keys.
 #[derive(Debug)]
 pub(super) struct RecentSteps {
-    pub(super) way: Way,
+    pub(super) way: CameraMove,
     before: Camera,
     /// The resulting camera.
     made: Camera,
@@ -35,7 +52,7 @@ pub(super) struct RecentSteps {
     pub(super) by_keys: bool,
 }
 
-impl View<'_> {
+impl WorldArea<'_> {
     /// Moves the handle that has the focus by the arrow keys.
     pub(super) fn move_focused(&self, ctx: &Context, edited: &mut Edited) {
         let steps = arrow_steps(ctx);
@@ -131,7 +148,7 @@ impl Dragging {
         let (scroll, pinch) = ctx.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
         if pinch != 1.0 {
             let by = DVec2::new(f64::from(pinch).ln(), 0.0);
-            self.step(Way::Zoom, by, camera, time, false);
+            self.step(CameraMove::Zoom, by, camera, time, false);
             return;
         }
         self.scrolled += scroll;
@@ -144,10 +161,10 @@ impl Dragging {
     pub(crate) fn steer(&mut self, steer: Steer, camera: &mut Camera, time: f64) {
         let by = |x: i32, y: i32, length: f64| length * DVec2::new(x.into(), y.into());
         let (way, by) = match steer {
-            Steer::Look(right, up) => (Way::Look, by(right, up, KEY_TURN)),
-            Steer::Orbit(right, up) => (Way::Orbit, by(right, up, KEY_TURN)),
-            Steer::Zoom(on) => (Way::Zoom, by(on, 0, KEY_NEARER)),
-            Steer::Dolly(on) => (Way::Dolly, by(on, 0, KEY_NEARER)),
+            Steer::Look(right, up) => (CameraMove::Look, by(right, up, KEY_TURN)),
+            Steer::Orbit(right, up) => (CameraMove::Orbit, by(right, up, KEY_TURN)),
+            Steer::Zoom(on) => (CameraMove::Zoom, by(on, 0, KEY_NEARER)),
+            Steer::Dolly(on) => (CameraMove::Dolly, by(on, 0, KEY_NEARER)),
         };
         self.forget(camera, time);
         self.step(way, by, camera, time, true);
@@ -159,15 +176,15 @@ impl Dragging {
     }
 
     /// Adds to the recent steps if they are of the same kind; otherwise begins new ones.
-    fn step(&mut self, way: Way, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
+    fn step(&mut self, way: CameraMove, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
         let now = *camera;
         let recent = self.recent.take().filter(|recent| recent.way == way);
         let (before, total) = recent.map_or((now, by), |recent| (recent.before, recent.total + by));
         let made = match way {
-            Way::Look => before.looked_round(-total.x, total.y),
-            Way::Orbit => before.orbited(total.x, -total.y),
-            Way::Dolly => before.dollied(total.x),
-            Way::Zoom => zoomed(&before, (-total.x).exp()),
+            CameraMove::Look => before.looked_round(-total.x, total.y),
+            CameraMove::Orbit => before.orbited(total.x, -total.y),
+            CameraMove::Dolly => before.dollied(total.x),
+            CameraMove::Zoom => zoomed(&before, (-total.x).exp()),
         };
         self.refused = made.err();
         let made = made.unwrap_or(now);
@@ -205,4 +222,150 @@ fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     let width = factor * camera.viewport.width;
     let readable = rounded_to(width, 0.01 * width)? / camera.viewport.width;
     camera.zoomed(readable)
+}
+
+/// Sizes of the text, in points: of the first line, and of the rest.
+const FIRST: f32 = 19.0;
+const REST: f32 = 15.0;
+
+/// Distance from the pointer to the text, in points, across and down.
+const GAP: f32 = 20.0;
+
+impl Dragging {
+    /// Shows the text about handles and steps, and notes where the views are now.
+    pub(crate) fn tell(
+        &mut self,
+        ui: &Ui,
+        rects: &ViewRects,
+        (document, session): (&Document, &Session),
+        shown: &Derived,
+    ) {
+        let view = |rect: Option<Rect>, name: &str| Some((rect?, ui.scope_id().with(name)));
+        (self.world, self.camera) = (view(rects.world, WORLD), view(rects.camera, CAMERA));
+        if let Some(view) = self.world_view(ui.ctx(), shown) {
+            self.tell_handles(ui, &view, document, session);
+        }
+        if let Some(view) = self.camera {
+            self.tell_steps(ui, view, document, session);
+        }
+    }
+
+    fn tell_handles(&self, ui: &Ui, view: &WorldArea, document: &Document, session: &Session) {
+        let all = view.placed(document, session);
+        let spot = |one: &PlacedHandle| {
+            view.rect.min + vec2(one.spot.x as f32, one.spot.y as f32) / view.scale
+        };
+        for one in &all {
+            node(ui, view, one.handle, spot(one), document, session);
+        }
+        let Some(handle) = session.handles.over else { return };
+        let is_held = session.handles.drag.is_some();
+        let by_pointer = is_held || self.by_pointer;
+        if by_pointer {
+            ui.ctx().set_cursor_icon(if is_held { CursorIcon::Grabbing } else { CursorIcon::Grab });
+        }
+        let own = all.iter().find(|one| one.handle == handle).map(spot);
+        // A held handle may have no place for a while, when the viewport has no area.
+        let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| by_pointer);
+        let Some(at) = pointer.or(own) else { return };
+        let text = value_of(handle, 6, document, session);
+        let mut lines = vec![match handle.object() {
+            Some(object) => format!("{}: {text}", document.title_of(object)),
+            None => text,
+        }];
+        match session.hovered {
+            Some(Hovered { concept, by: HoverSource::View }) if !is_held => {
+                lines.push(concept.description(|object| document.title_of(object as usize)));
+            }
+            _ => {}
+        }
+        if self.up_went_along {
+            lines.push("up turns with the camera".to_owned());
+        }
+        let refused = self.refused.filter(|_| is_held).map(|reason| reason.to_string());
+        say(ui, view.id, at, at - view.rect.center(), &lines, refused);
+    }
+
+    /// Returns true if there is something to show about the camera view.
+    pub(crate) fn has_word(&self, session: &Session, time: f64) -> bool {
+        session.handles.drag.is_some_and(|drag| drag.handle().is_none())
+            || self.recent.as_ref().is_some_and(|recent| recent.is_shown(time))
+    }
+
+    fn tell_steps(&self, ui: &Ui, (rect, id): (Rect, Id), document: &Document, session: &Session) {
+        let time = ui.input(|i| i.time);
+        let recent = self.recent.as_ref().filter(|recent| recent.is_shown(time));
+        if let Some(recent) = recent {
+            let left = Duration::from_secs_f64(PAUSE - (time - recent.time));
+            ui.ctx().request_repaint_after(left);
+        }
+        let (way, by_keys) = match (session.handles.drag.map(|drag| drag.grabbed), recent) {
+            (Some(Grabbed::Look), _) => (CameraMove::Look, false),
+            (Some(Grabbed::Orbit), _) => (CameraMove::Orbit, false),
+            (_, Some(recent)) => (recent.way, recent.by_keys),
+            _ => return,
+        };
+        let by_at = document.camera.orientation.has_at();
+        let corner = Handle::Corner(Corner { is_right: true, is_top: true });
+        let (title, changed) = match way {
+            CameraMove::Look => ("look around", Handle::At),
+            CameraMove::Orbit if by_at => ("orbit around at", Handle::Eye),
+            CameraMove::Orbit => ("orbit", Handle::Eye),
+            CameraMove::Zoom => ("zoom: the field of view", corner),
+            CameraMove::Dolly => ("dolly: the eye along 𝐰", Handle::Dolly),
+        };
+        let lines = [title.to_owned(), value_of(changed, 5, document, session)];
+        let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
+        // The pointer has no part in key presses: show the text in the picture's lower left.
+        let at = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
+        let refused = self.refused.map(|reason| reason.to_string());
+        say(ui, id, at, vec2(1.0, 1.0), &lines, refused);
+    }
+}
+
+/// Returns a handle's value, with at most `digits` digits.
+fn value_of(handle: Handle, digits: usize, document: &Document, session: &Session) -> String {
+    let values = HandleValues::read(document, session.selection, handle.object());
+    let settings = &session.settings;
+    value(handle, &values, settings.digits.min(digits), settings.count_from_one)
+}
+
+/// Shows lines of text beside a position, on the side to which `away` points.
+fn say(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: Option<String>) {
+    let align = |is_far: bool| if is_far { Align::Max } else { Align::Min };
+    let side = RectAlign::outside(Align2([align(away.x >= 0.0), align(away.y >= 0.0)]));
+    let anchor = PopupAnchor::ParentRect(Rect::from_center_size(at, Vec2::splat(2.0 * GAP)));
+    let id = id.with("said");
+    let mut tooltip =
+        egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, anchor).gap(0.0);
+    tooltip.popup = tooltip.popup.align(side);
+    tooltip.show(|ui| {
+        for (k, text) in lines.iter().enumerate() {
+            let text = match k {
+                0 => RichText::new(text).size(FIRST).strong(),
+                _ => RichText::new(text).size(REST),
+            };
+            ui.add(egui::Label::new(text).wrap_mode(egui::TextWrapMode::Extend));
+        }
+        if let Some(reason) = refused {
+            ui.label(fault_text(ui, reason).size(REST));
+        }
+    });
+}
+
+/// Makes a handle focusable, with a name and a value for screen readers.
+fn node(
+    ui: &Ui,
+    view: &WorldArea,
+    handle: Handle,
+    at: Pos2,
+    document: &Document,
+    session: &Session,
+) {
+    let rect = Rect::from_center_size(at, Vec2::splat(2.0 * HANDLE_REACH as f32));
+    let response = ui.interact(rect, view.id_of(handle), Sense::focusable_noninteractive());
+    keep_arrows(&response, true, true);
+    let value = value_of(handle, usize::MAX, document, session);
+    let response = response.with_role(Role::Slider).described(value);
+    response.named(format!("{} handle", label(handle, document)));
 }

@@ -1,11 +1,14 @@
-//! The two views: mouse and keyboard input, and display of the finished pictures.
+//! The two views: mouse and keyboard input, display of the finished pictures, and the pen of presenter
+//! mode that draws over them.
 
 use std::sync::Arc;
 
 use egui::accesskit::Role;
+use egui::epaint::PathStroke;
 use egui::text::LayoutJob;
 use egui::{
-    Color32, FontId, Galley, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+    Area, Color32, CursorIcon, FontId, Galley, Order, Pos2, Rect, Response, RichText, Sense, Ui,
+    UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::steering::Keep;
 use pinhole_core::{ImageSize, Selection};
@@ -17,6 +20,7 @@ use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
 use crate::model::letters::typeset_message;
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::readings::NumberStyle;
+use crate::model::session::pen::Pen;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
@@ -461,4 +465,51 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let response = ui.put(position, egui::Label::new(galley));
     // Without the spaces that break no line.
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
+}
+
+/// Name of the area that the pen draws on, for screen readers.
+const PEN: &str = "Pen";
+/// Width of a pen's line and of its casing, and radius of the pen's pointer, in points.
+const PEN_LINE: f32 = 3.0;
+const PEN_CASING: f32 = 5.0;
+const PEN_POINTER: f32 = 5.0;
+/// Colour of the pen, which nothing in the views has.
+const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
+
+/// Draws with the pen of presenter mode on `area`, above everything below the lesson's text. The pen has a
+/// pointer that can be seen from the back row.
+pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
+    let id = ui.scope_id().with(PEN);
+    Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false).show(
+        ui.ctx(),
+        |ui| {
+            let (_, response) = ui.allocate_exact_size(area.size(), Sense::drag());
+            let response = response.named(PEN).on_hover_cursor(CursorIcon::Crosshair);
+            let share = |at: Pos2| ((at - area.min) / area.size().max(Vec2::splat(1.0))).into();
+            let at = response.interact_pointer_pos();
+            if let (true, Some(from)) =
+                (response.drag_started(), ui.input(|i| i.pointer.press_origin()))
+            {
+                pen.press(share(from));
+            }
+            if let (true, Some(at)) = (response.dragged(), at) {
+                pen.draw_to(share(at));
+            }
+            for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, PEN_INK)] {
+                for line in &pen.lines {
+                    let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
+                    let points = line.iter().map(at).collect();
+                    ui.painter().line(points, PathStroke::new(width, color));
+                }
+            }
+            if let Some(at) = at.or(response.hover_pos()) {
+                ui.painter().circle(
+                    at,
+                    PEN_POINTER,
+                    PEN_INK,
+                    (PEN_CASING - PEN_LINE, Color32::BLACK),
+                );
+            }
+        },
+    );
 }

@@ -1,5 +1,4 @@
-//! The tools: the translator to other programs, accuracy, and what a frame left out.
+//! The tools: the translator to other programs, and accuracy.
 
 pub mod accuracy;
-pub mod measuring;
 pub mod translator;

@@ -37,12 +37,12 @@ const ABOUT: f32 = 118.0;
 /// The last translation and its inputs.
 #[derive(Default)]
 pub(crate) struct TranslatorPanel {
-    known: Option<(Key, Translation)>,
+    known: Option<(TranslatorInputs, Translation)>,
 }
 
 /// The inputs of a translation.
 #[derive(Clone, PartialEq)]
-struct Key {
+struct TranslatorInputs {
     document: Document,
     target: &'static str,
     objects: bool,
@@ -104,7 +104,7 @@ impl TranslatorPanel {
             true => document.clone(),
             false => Document { camera: document.camera, ..Document::default() },
         };
-        let key = Key { document, target, objects, pixel, digits };
+        let key = TranslatorInputs { document, target, objects, pixel, digits };
         let known = self.known.take().filter(|(known, _)| *known == key);
         let known = known.unwrap_or_else(|| {
             let format = choice.chosen();

@@ -8,7 +8,7 @@ use egui::{
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
-use super::checks;
+use super::mistakes::failing;
 use crate::model::practice::mistakes_view::{MistakesView, OpenVote};
 use crate::model::practice::next_seed;
 use crate::model::session::{Session, ViewLayout};
@@ -51,7 +51,7 @@ const SIGN_WIDTH: f32 = 44.0;
 const WITH_FORMULA: f32 = 54.0;
 
 /// The camera and the objects of which a vote is made.
-pub(super) type Seen<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
+pub(super) type VoteInputs<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
 
 /// Reveals the right option where Enter or Page Down was pressed and there is a secret.
 pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
@@ -70,7 +70,7 @@ pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
 }
 
 /// Shows the button that opens a vote.
-pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, seen: Option<Seen>) {
+pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInputs>) {
     let hint = "Shows a wrong picture without its name, and four mistakes to choose from";
     let button = ui.add_enabled(seen.is_some(), egui::Button::new("Guess which"));
     if button.on_hover_text(hint).clicked()
@@ -89,7 +89,7 @@ pub(super) fn ui(
     ui: &mut Ui,
     view: &mut MistakesView,
     wrong: Option<&ComparedCamera>,
-    seen: Option<Seen>,
+    seen: Option<VoteInputs>,
 ) {
     let whole = ui.available_rect_before_wrap().shrink2(vec2(6.0, 2.0));
     let Some(open) = &mut view.open_vote else { return };
@@ -211,7 +211,7 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     ui.label(text(verdict).strong());
     ui.label(text(mistake.formula().to_owned()));
     let catching: Vec<&str> = wrong.map_or(Vec::new(), |wrong| {
-        checks::failing(wrong).map(|checked| checked.check.formula()).collect()
+        failing(wrong).map(|checked| checked.check.formula()).collect()
     });
     match &catching[..] {
         [] => (),
@@ -220,7 +220,7 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     }
 }
 
-fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<Seen>) {
+fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInputs>) {
     let is_revealed = view.is_revealed();
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     if ui.add_enabled(!is_revealed, reveal).on_hover_text("Enter or Page Down").clicked() {

@@ -1,19 +1,17 @@
 //! The mistakes view: a wrong camera's picture beside the right one; below, the gallery, the
 //! explanation of the mistake, and the checks that catch it.
 
-mod checks;
-pub(crate) mod vote;
-
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
     vec2,
 };
 use pinhole_exchange::document::Document;
-use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
 use crate::model::practice::mistakes_view::MistakesView;
 use crate::model::readings::NumberStyle;
+use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::Spoken as _;
@@ -127,8 +125,8 @@ pub(crate) fn ui(
         Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
     };
     let is_narrow = whole.width() < NARROW;
-    let checks = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
-    let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
+    let checks_width = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
+    let (left, right) = (whole.left() + GALLERY, whole.right() - checks_width);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
         vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
@@ -142,11 +140,11 @@ pub(crate) fn ui(
         if is_narrow {
             ui.add_space(4.0);
             ui.spacing_mut().item_spacing.y = 0.0;
-            checks::ui(ui, wrong, style);
+            checks(ui, wrong, style);
         }
     });
     if !is_narrow {
-        column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
+        column(ui, part(right, whole.right()), "checks", |ui| checks(ui, wrong, style));
     }
 }
 
@@ -241,4 +239,102 @@ fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
         content(ui)
     });
     inner.inner
+}
+
+/// Widths of the verdict and of the formula, in points.
+const VERDICT: f32 = 76.0;
+const FORMULA: f32 = 192.0;
+
+/// Shows the checks as a table, those that catch the mistake first.
+fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
+    if wrong.checks.is_empty() {
+        ui.label("Without a wrong camera there is nothing to check.");
+        return;
+    }
+    ui.strong(summary(wrong));
+    ui.add_space(3.0);
+    let rows = || wrong.checks.iter().zip(&wrong.right_checks);
+    for passes in [false, true] {
+        for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
+            row(ui, here, right, style);
+        }
+    }
+}
+
+/// Returns `2 of 14 checks catch it`.
+fn summary(wrong: &ComparedCamera) -> String {
+    let (all, failing) = (wrong.checks.len(), failing(wrong).count());
+    match failing {
+        0 => format!("None of {all} checks catches it"),
+        1 => format!("1 of {all} checks catches it"),
+        _ => format!("{failing} of {all} checks catch it"),
+    }
+}
+
+pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> {
+    wrong.checks.iter().filter(|checked| !checked.passes)
+}
+
+/// Shows the verdict, then the formula, then its value, and the right one if it differs: below them
+/// where they have no room beside them.
+fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
+    let value = text_of(here.value, style);
+    let right = format!("right: {}", wanted(here, right, style));
+    let mut fits = true;
+    ui.horizontal_top(|ui| {
+        verdict_and_formula(ui, here, &value);
+        fits = text_width(ui, &value).max(text_width(ui, &right)) <= ui.available_width();
+        if here.passes {
+            let value = RichText::new(&value).size(TEXT);
+            cell(ui, ui.available_width(), |ui| ui.label(value));
+        } else if fits {
+            both(ui, &value, &right);
+        }
+    });
+    if !here.passes && !fits {
+        ui.horizontal_top(|ui| {
+            cell(ui, VERDICT, |_| ());
+            both(ui, &value, &right);
+        });
+    }
+}
+
+fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
+    let said = if here.passes { "passes" } else { "catches it" };
+    let verdict = RichText::new(said).size(TEXT);
+    let verdict =
+        if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
+    sign(ui, here.passes);
+    let spoken = format!("{}: {value} {said}", here.check.formula());
+    cell(ui, VERDICT, |ui| ui.label(verdict)).spoken(spoken);
+    cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
+}
+
+/// Shows the wrong value and the right one, in two lines where there is no room for one.
+fn both(ui: &mut Ui, value: &str, right: &str) {
+    cell(ui, ui.available_width(), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.horizontal_wrapped(|ui| {
+            let value = RichText::new(value).size(TEXT).strong().color(error_color(ui));
+            ui.label(value);
+            ui.add(Label::new(right).extend());
+        });
+    });
+}
+
+fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {
+    let value = text_of(right.value, style);
+    match here.wanted {
+        Wanted::Equal(_) => value,
+        Wanted::Negative => format!("{value} < 0"),
+        Wanted::Positive => format!("{value} > 0"),
+        Wanted::LeftAndUp => value,
+    }
+}
+
+fn text_of(value: Value, style: NumberStyle) -> String {
+    match value {
+        Value::Number(x) => style.number(x),
+        Value::Uv(uv) => format!("({}, {})", style.number(uv.x), style.number(uv.y)),
+    }
 }

@@ -1,20 +1,181 @@
-//! The drawing of f(p + t d) against t.
+//! The plot of f(p + t d) against t, with the point that walks along the ray. It lies below both views,
+//! has all objects on one axis of t, and has a text for each curve on its right.
 
 use egui::accesskit::Role;
-use egui::{Align2, Color32, Key, Painter, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{
+    Align2, Color32, Context, FontId, Id, Key, Label, Painter, Pos2, Rect, RichText, ScrollArea,
+    Sense, Slider, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+};
 use pinhole_lecture::numbers::written as number;
 
+use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::inspection::Inspection;
 use crate::model::session::Heights;
+use crate::model::session::presenting::WRITTEN;
+use crate::ui::widgets::fault_text;
+use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{Spoken as _, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
+use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
-use crate::view::typesetting::notation::formula;
+use crate::view::typesetting::notation::{self, formula, plain, unbroken};
 use crate::view::typesetting::theme;
 
-/// Size of the text, in points.
-const TEXT: f32 = 15.0;
+/// Size of the text, in points: legible from the back row.
+const TEXT: f32 = 15.5;
+/// Maximum width of the text beside the plot, in points and as a share of the whole.
+const WORDS: (f32, f32) = (430.0, 0.44);
+/// Minimum width of the slider of t, in points.
+const SLIDER: f32 = 72.0;
+
+/// Shows the plot and the text beside it.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    ray_point_t: &mut Option<f64>,
+    compressed: &mut bool,
+    derived: &Derived,
+    digits: usize,
+) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    if let Some(fault) = derived.fault {
+        ui.label(fault_text(ui, fault).strong());
+    }
+    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
+    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
+    let area = ui.available_rect_before_wrap();
+    let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
+    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
+    let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
+    draw(ui, left, plot, first, ray_point_t);
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        if theme::installed(ui.ctx()).presenting {
+            return brief(ui, plot, inspection, first, digits);
+        }
+        ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
+            walk(ui, ray_point_t, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
+            if let Some((t, values)) = &plot.ray_point_t {
+                text(ui, &point(inspection, *t, digits));
+                ui.label(RichText::new(objects_at(plot, values)).strong());
+            }
+            ui.separator();
+            for k in 0..plot.curves.len() {
+                said(ui, plot, k, first, digits);
+            }
+            let text = "Compress values beyond ±1 unit";
+            let hint = "The axis is then logarithmic there: lines and parabolas are bent";
+            ui.checkbox(compressed, text).on_hover_text(hint);
+            if plot.left_out > 0 {
+                ui.label(left_out(plot.left_out));
+            }
+            if plot.curves.is_empty() && plot.left_out == 0 {
+                ui.label("There is no object.");
+            }
+        });
+    });
+}
+
+/// Returns the text about objects without a curve.
+fn left_out(count: usize) -> String {
+    match count {
+        1 => "1 more object is left out".to_owned(),
+        n => format!("{n} more objects are left out"),
+    }
+}
+
+fn text(ui: &mut Ui, text: &str) {
+    notation::label(ui, text, TEXT, ui.visuals().text_color());
+}
+
+/// Shows the t of the walking point, as a number and as a slider.
+fn walk(
+    ui: &mut Ui,
+    ray_point_t: &mut Option<f64>,
+    range: std::ops::RangeInclusive<f64>,
+    first_hit: f64,
+) {
+    ui.horizontal(|ui| {
+        let mut walks = ray_point_t.is_some();
+        if ui.checkbox(&mut walks, "Walk along the ray").changed() {
+            *ray_point_t = walks.then_some(0.5 * first_hit);
+        }
+        let Some(t) = ray_point_t else { return };
+        text(ui, "t =");
+        NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
+        // Without room for a slider, the line in the plot can be dragged.
+        if ui.available_width() < SLIDER {
+            return;
+        }
+        ui.spacing_mut().slider_width = ui.available_width() - 12.0;
+        let slider = Slider::new(t, range).show_value(false);
+        ui.add(slider.clamping(egui::SliderClamping::Never)).named("walk to t");
+    });
+}
+
+/// Returns the coordinates of the point at t, as a formula.
+fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
+    let [x, y, z] = inspection.ray.at(t).to_array().map(|x| number(x, digits));
+    format!("p + t d = ({x}, {y}, {z})")
+}
+
+/// Returns which objects contain the point, and on which ones it is, by the values of f there.
+fn objects_at(plot: &Plot, values: &[f64]) -> String {
+    let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
+        let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
+        curves.map(|(curve, _)| curve.named.title.as_str()).collect()
+    };
+    let inside = titles(&|curve, f| curve.is_inside(f)).join(", ");
+    let on = titles(&|_, f| f == 0.0).join(", ");
+    match (inside.is_empty(), on.is_empty()) {
+        (true, true) => "outside all objects".to_owned(),
+        (false, true) => format!("inside {inside}"),
+        (true, false) => format!("on {on}"),
+        (false, false) => format!("inside {inside}; on {on}"),
+    }
+}
+
+/// Returns the concept that the mouse is on in the text beside the last frame's plot.
+pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
+    let curves = &derived.plot.as_ref()?.curves;
+    let is_hovered =
+        |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
+    let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
+    Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
+}
+
+fn said_id(object: u32) -> Id {
+    Id::unique(("said of a curve", object))
+}
+
+/// Shows a curve's line sample, title and text, and f at the walking point.
+fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
+    let curve: &Curve = &plot.curves[k];
+    let object = curve.named.object;
+    let title = ui.horizontal_wrapped(|ui| {
+        let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
+        line_sample(ui, sample, curve);
+        ui.label(RichText::new(&curve.named.title).strong());
+        text(ui, &curve.unit_words(digits));
+        if first.is_some_and(|(hit, _)| hit == object) {
+            ui.add(Label::new(RichText::new("the first hit").strong()).extend());
+        }
+    });
+    let words = ui.indent(("said", object), |ui| {
+        text(ui, &curve.description(digits));
+        if let Some((t, values)) = &plot.ray_point_t {
+            text(
+                ui,
+                &format!("at t = {}: {}", number(*t, digits), curve.reading(values[k], digits)),
+            );
+        }
+    });
+    ui.interact(title.response.rect | words.response.rect, said_id(object), Sense::hover());
+}
+
+/// Size of the text in the drawing, in points.
+const DRAWN_TEXT: f32 = 15.0;
 
 /// Value of f, in units, at the upper edge: for even and for compressed heights.
 const TOP: (f64, f64) = (4.4, 45.0);
@@ -28,7 +189,7 @@ const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 const ROW: f32 = 20.0;
 
 /// The plot on the screen.
-struct Drawing<'a> {
+struct PlotDrawing<'a> {
     painter: Painter,
     rect: Rect,
     t: Scale,
@@ -39,15 +200,15 @@ struct Drawing<'a> {
 }
 
 /// A curve on the screen.
-struct Drawn {
+struct DrawnCurve {
     /// The parts inside the plot.
     parts: Vec<Vec<Pos2>>,
     /// The points where it leaves the plot, each with the direction, down or up, in which it does.
     exits: Vec<(Pos2, Vec2)>,
 }
 
-/// Shows the plot and handles drags of t in it.
-pub(super) fn ui(
+/// Shows the drawing, and handles drags of t in it.
+fn draw(
     ui: &Ui,
     rect: Rect,
     plot: &Plot,
@@ -65,9 +226,10 @@ pub(super) fn ui(
     let height = Scale::even(heights, [inner.bottom(), inner.top()]);
     input(ui, inner, &t, ray_point_t);
     let painter = ui.painter_at(inner);
-    let drawing = Drawing { painter, rect: inner, t, height, plot, first, colors };
+    let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);
-    let curves: Vec<Drawn> = plot.samples.iter().map(|samples| drawing.drawn(samples)).collect();
+    let curves: Vec<DrawnCurve> =
+        plot.samples.iter().map(|samples| drawing.drawn(samples)).collect();
     drawing.curves(&curves);
     let mut words = LabelLayout::new(ui.painter_at(inner), colors.halo, inner.shrink(2.0));
     drawing.roots(&mut words);
@@ -121,11 +283,11 @@ fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
 }
 
 /// Draws a sample of the curve's line, as a key to the text beside the plot.
-pub(super) fn sample(ui: &Ui, rect: Rect, curve: &Curve) {
+fn line_sample(ui: &Ui, rect: Rect, curve: &Curve) {
     stroke(ui.painter(), &[rect.left_center(), rect.right_center()], curve);
 }
 
-impl Drawing<'_> {
+impl PlotDrawing<'_> {
     fn at(&self, t: f64, height: f64) -> Pos2 {
         pos2(self.t.position(t), self.height.position(height))
     }
@@ -144,7 +306,7 @@ impl Drawing<'_> {
                 &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0],
             ),
         };
-        let grid = GridInk { line: ink.gamma_multiply(0.2), text: ink, size: TEXT };
+        let grid = GridInk { line: ink.gamma_multiply(0.2), text: ink, size: DRAWN_TEXT };
         let row = |value: &f64| {
             let at = self.height.position(heights.height(*value));
             Tick { value: *value, at, text: number(*value, 3) }
@@ -159,8 +321,8 @@ impl Drawing<'_> {
         last.for_each(|tick| tick.text.clear());
         chart::columns(around, rect, &ticks, grid);
         for (text, size, at) in [
-            (title, TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
-            ("t", TEXT + 2.0, rect.right_bottom() + vec2(-14.0, 2.0)),
+            (title, DRAWN_TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
+            ("t", DRAWN_TEXT + 2.0, rect.right_bottom() + vec2(-14.0, 2.0)),
         ] {
             around.galley(at, around.layout_job(formula(text, size, ink)), ink);
         }
@@ -172,7 +334,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn drawn(&self, samples: &[(f64, f64)]) -> Drawn {
+    fn drawn(&self, samples: &[(f64, f64)]) -> DrawnCurve {
         let points: Vec<Pos2> = samples.iter().map(|(t, y)| self.at(*t, *y)).collect();
         let parts = chart::parts_inside(self.rect, &points);
         let (top, bottom) = (self.rect.top() + 0.1, self.rect.bottom() - 0.1);
@@ -188,11 +350,11 @@ impl Drawing<'_> {
             let edge = points.first().map(|at| at.y.clamp(self.rect.top(), self.rect.bottom()));
             exits.extend(edge.and_then(|y| exit(pos2(self.rect.center().x, y))));
         }
-        Drawn { parts, exits }
+        DrawnCurve { parts, exits }
     }
 
     /// Draws the curves, with an arrowhead wherever one leaves the plot.
-    fn curves(&self, curves: &[Drawn]) {
+    fn curves(&self, curves: &[DrawnCurve]) {
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let dashes = DASHES[curve.index % DASHES.len()];
             // The casing has the curve's dashes, so that an equal curve below is seen in the gaps.
@@ -254,7 +416,7 @@ impl Drawing<'_> {
     }
 
     /// Names the lines of the eye and of the viewport, where no curve runs through the words.
-    fn captions(&self, curves: &[Drawn], words: &mut LabelLayout) {
+    fn captions(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let [eye, viewport] = [0.0, 1.0].map(|t| self.t.position(t));
         for x in [eye, viewport] {
             words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, self.rect.y_range()));
@@ -266,7 +428,7 @@ impl Drawing<'_> {
         };
         let left = |x: f32| rows(x - 5.0, Align2::RIGHT_BOTTOM);
         let right = |x: f32| rows(x + 5.0, Align2::LEFT_BOTTOM);
-        let font = Font { size: TEXT, color: self.colors.ink, bold: false };
+        let font = Font { size: DRAWN_TEXT, color: self.colors.ink, bold: false };
         let covered = self.covered(curves);
         let mut write = |text: &str, places: &mut dyn Iterator<Item = (Pos2, Align2)>| {
             words.write_clear_of(&covered, text, font, places).is_some()
@@ -279,7 +441,7 @@ impl Drawing<'_> {
     }
 
     /// Returns points on what must not run through a word: the curves and the line f = 0.
-    fn covered(&self, curves: &[Drawn]) -> Vec<Pos2> {
+    fn covered(&self, curves: &[DrawnCurve]) -> Vec<Pos2> {
         let y = self.height.position(0.0);
         let zero = vec![pos2(self.rect.left(), y), pos2(self.rect.right(), y)];
         let chains = curves.iter().flat_map(|drawn| &drawn.parts).chain([&zero]);
@@ -293,7 +455,7 @@ impl Drawing<'_> {
             let at = self.at(t, 0.0);
             let t = number(t, 5);
             let texts = [format!("first hit: t = {t}"), format!("hit: t = {t}"), t];
-            let font = Font { size: TEXT + 1.0, color: ink, bold: true };
+            let font = Font { size: DRAWN_TEXT + 1.0, color: ink, bold: true };
             let places = || around(at, Vec2::DOWN, 15.0);
             let _ = texts.iter().any(|text| words.write(text, font, places()).is_some());
         }
@@ -303,7 +465,7 @@ impl Drawing<'_> {
                 let y = top + ROW * k as f32;
                 [(pos2(x + 7.0, y), Align2::LEFT_TOP), (pos2(x - 7.0, y), Align2::RIGHT_TOP)]
             });
-            let font = Font { size: TEXT + 2.0, color: self.colors.ray, bold: false };
+            let font = Font { size: DRAWN_TEXT + 2.0, color: self.colors.ray, bold: false };
             words.write(&format!("t = {}", number(*t, 5)), font, rows);
         }
         // Objects that are met at one t share its number.
@@ -314,15 +476,15 @@ impl Drawing<'_> {
                 continue;
             }
             let places = around(at, Vec2::DOWN, 8.0).chain(around(at, Vec2::DOWN, 27.0));
-            words.write(&text, Font { size: TEXT, color: ink, bold: false }, places);
+            words.write(&text, Font { size: DRAWN_TEXT, color: ink, bold: false }, places);
             written.push(text);
         }
     }
 
     /// Writes each curve's name, underlined in the curve's own style.
-    fn names(&self, curves: &[Drawn], words: &mut LabelLayout) {
+    fn names(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let covered = self.covered(curves);
-        let font = Font { size: TEXT, color: self.colors.ink, bold: true };
+        let font = Font { size: DRAWN_TEXT, color: self.colors.ink, bold: true };
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let (name, places) = (&curve.named.name, self.places_at(drawn));
             let clear = words.write_clear_of(&covered, name, font, places.iter().copied());
@@ -334,7 +496,7 @@ impl Drawing<'_> {
     }
 
     /// Returns the positions for a curve's name: beside points along the curve, inside the plot.
-    fn places_at(&self, drawn: &Drawn) -> Vec<(Pos2, Align2)> {
+    fn places_at(&self, drawn: &DrawnCurve) -> Vec<(Pos2, Align2)> {
         let all: Vec<Pos2> = drawn.parts.iter().flat_map(|part| closely(part)).collect();
         let shares = [0.3, 0.22, 0.4, 0.15, 0.5, 0.6, 0.7, 0.08, 0.8, 0.9, 0.02, 0.98];
         let along = shares.iter().filter_map(|share| all.get((share * all.len() as f32) as usize));
@@ -349,4 +511,104 @@ fn closely(chain: &[Pos2]) -> impl Iterator<Item = Pos2> {
         let count = (ends[0].distance(ends[1]) / 4.0).ceil().max(1.0) as usize;
         (0..=count).map(move |k| ends[0].lerp(ends[1], k as f32 / count as f32))
     })
+}
+
+/// Sizes of the text, in points, from the largest.
+const SIZES: [f32; 3] = [TEXT, 13.5, WRITTEN];
+/// Length of a curve's line sample, in points.
+const SAMPLE: f32 = 34.0;
+/// Distance between two paragraphs, in points.
+const GAP: f32 = 3.0;
+
+/// A paragraph: the curve that it is about, and its text in two parts, of which the first is bold.
+struct Paragraph {
+    curve: Option<usize>,
+    bold: String,
+    text: String,
+}
+
+/// Shows the text while presenting: a paragraph for each curve, at the largest size that fits.
+fn brief(
+    ui: &mut Ui,
+    plot: &Plot,
+    inspection: &Inspection,
+    first: Option<(u32, f64)>,
+    digits: usize,
+) {
+    let paragraphs = paragraphs(plot, inspection, first, digits);
+    let (width, height) = (ui.available_width(), ui.available_height());
+    let fits = |size: &f32| {
+        let heights = paragraphs.iter().map(|one| {
+            let job = one.laid_out(ui, *size, width);
+            ui.painter().layout_job(job).size().y + GAP
+        });
+        heights.sum::<f32>() <= height
+    };
+    let size = SIZES.into_iter().find(fits).unwrap_or(WRITTEN);
+    ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = GAP;
+        for one in &paragraphs {
+            one.ui(ui, plot, size);
+        }
+    });
+}
+
+fn paragraphs(
+    plot: &Plot,
+    inspection: &Inspection,
+    first: Option<(u32, f64)>,
+    digits: usize,
+) -> Vec<Paragraph> {
+    let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
+        curve: None,
+        bold: String::new(),
+        text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
+    });
+    let curves = plot.curves.iter().enumerate().map(|(k, curve)| {
+        let hit = first.is_some_and(|(hit, _)| hit == curve.named.object);
+        let hit = if hit { "the first hit; " } else { "" };
+        let text = format!(": {hit}{}", curve.description(digits));
+        Paragraph { curve: Some(k), bold: curve.named.name.clone(), text }
+    });
+    walked.chain(curves).collect()
+}
+
+impl Paragraph {
+    fn indent(&self) -> f32 {
+        if self.curve.is_some() { SAMPLE + 8.0 } else { 0.0 }
+    }
+
+    fn laid_out(&self, ui: &Ui, size: f32, width: f32) -> LayoutJob {
+        let color = ui.visuals().text_color();
+        let bold = FontId::new(size, theme::bold());
+        let mut job = LayoutJob::default();
+        job.append(&self.bold, 0.0, TextFormat::simple(bold, ui.visuals().strong_text_color()));
+        let rest = formula(&unbroken(&self.text), size, color);
+        for part in rest.sections {
+            let text = &rest.text[part.byte_range.start.0..part.byte_range.end.0];
+            job.append(text, part.leading_space, part.format);
+        }
+        job.wrap.max_width = width - self.indent();
+        job
+    }
+
+    fn ui(&self, ui: &mut Ui, plot: &Plot, size: f32) {
+        let job = self.laid_out(ui, size, ui.available_width());
+        let galley = ui.painter().layout_job(job);
+        let row = ui.available_width();
+        let (rect, _) = ui.allocate_exact_size(vec2(row, galley.size().y), Sense::hover());
+        let spoken = format!("{}{}", self.bold, plain(&self.text));
+        let id = match self.curve {
+            Some(k) => said_id(plot.curves[k].named.object),
+            None => Id::unique("position on the ray"),
+        };
+        let response = ui.interact(rect, id, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &spoken));
+        if let Some(k) = self.curve {
+            let line = vec2(SAMPLE, 1.2 * size);
+            line_sample(ui, Rect::from_min_size(rect.min, line), &plot.curves[k]);
+        }
+        let color = ui.visuals().text_color();
+        ui.painter().galley(rect.min + vec2(self.indent(), 0.0), galley, color);
+    }
 }

@@ -1,28 +1,27 @@
-//! The derivation of every number, line by line. Hovering a line highlights its concept in the
-//! views, and hovering a concept in a view highlights its line. The numbers that it begins with can be
-//! changed where they stand.
-
-mod givens;
+//! The derivation of every number, line by line. Hovering a line highlights its concept in the views,
+//! and hovering a concept in a view highlights its line. The given numbers can be dragged or typed over
+//! in the formulas.
 
 use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Tooltip, Ui,
-    pos2, vec2,
+    Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Stroke, Tooltip,
+    Ui, pos2, vec2,
 };
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::derivation_sections::DerivationSection;
-use crate::model::given::Givens;
+use crate::model::given::{Given, Givens};
 use crate::model::session::Session;
 use crate::ui::action::Action;
 use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::number::NumberField;
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, Markup, left_out};
-use crate::view::typesetting::derivation::Inks;
+use crate::view::formula::GivenBox;
 use crate::view::typesetting::derivation::{
-    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
+    BEFORE_SECTION, BETWEEN_LINES, Inks, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
     paint_line,
 };
 use crate::view::typesetting::theme;
@@ -41,7 +40,7 @@ pub(crate) struct DerivationPanel {
 }
 
 /// The line-independent inputs of a frame, and its outputs.
-struct Frame<'a> {
+struct DerivationPass<'a> {
     givens: Givens<'a>,
     inks: Inks,
     highlighted: Option<Concept>,
@@ -138,7 +137,7 @@ impl DerivationPanel {
         self.scrolled_to = by_view.map(|hovered| hovered.concept);
         let revealed = session.revealed_lines;
         let is_new = std::mem::replace(&mut self.revealed, revealed) != revealed;
-        let mut frame = Frame {
+        let mut frame = DerivationPass {
             givens: Givens {
                 document,
                 selection: session.shown_selection().inside(document.camera.image),
@@ -222,7 +221,13 @@ impl DerivationPanel {
         self.laid = Some(Laid { derivation: Arc::clone(derivation), width, per_point, lines });
     }
 
-    fn section(&mut self, ui: &mut Ui, k: usize, section: &DerivedSection, frame: &mut Frame<'_>) {
+    fn section(
+        &mut self,
+        ui: &mut Ui,
+        k: usize,
+        section: &DerivedSection,
+        frame: &mut DerivationPass<'_>,
+    ) {
         // Lines that are revealed one by one are in no folded section.
         let is_folded = frame.revealed.is_none() && self.is_folded(section);
         let is_lit =
@@ -254,7 +259,7 @@ impl DerivationPanel {
             if let Some(actions) = frame.actions.as_deref_mut() {
                 let baseline = baseline_of(response.rect, laid);
                 for given in &laid.layout.givens {
-                    let field = givens::field(ui, given, baseline, &frame.givens, SIZE, actions);
+                    let field = field(ui, given, baseline, &frame.givens, SIZE, actions);
                     self.fields.extend(field.map(|field| (field.id, line.concept)));
                 }
             }
@@ -342,4 +347,57 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
         });
     }
     response
+}
+
+/// Distance of the dots below a given number, and their radius, in points.
+const BETWEEN_DOTS: f32 = 3.0;
+const DOT: f32 = 0.7;
+
+/// Shows the field of a given number over its digits in a formula whose first baseline begins at
+/// `baseline`. An edit becomes an action, which is carried out before the frame is presented.
+fn field(
+    ui: &mut Ui,
+    shown: &GivenBox,
+    baseline: egui::Pos2,
+    givens: &Givens,
+    size: f32,
+    actions: &mut Vec<Action>,
+) -> Option<Response> {
+    let given = shown.given;
+    let mut value = givens.value(given)?;
+    let start = baseline + vec2(shown.at[0], shown.at[1]);
+    let rect = Rect::from_min_max(
+        start - vec2(0.0, shown.ascent),
+        start + vec2(shown.width, shown.descent),
+    );
+    underline(ui, rect);
+    let name = givens.name(given);
+    let spoken = format!("derivation {name}");
+    let mut field = NumberField::new(&spoken, &mut value).hint(&name);
+    if let Some(range) = givens.whole_range(given) {
+        field = field.whole().within(range);
+    }
+    // One digit alone is too narrow for a hand.
+    let rect = rect.expand2(vec2((0.5 * (size - rect.width())).max(0.0), 1.0));
+    let response = field.show_over(ui, id_of(given), rect, size);
+    if response.changed() {
+        actions.push(Action::Give(given, value));
+    }
+    Some(response)
+}
+
+fn id_of(given: Given) -> Id {
+    Id::unique(("derivation number", given))
+}
+
+/// Marks a number as one that can be changed.
+fn underline(ui: &Ui, rect: Rect) {
+    let color = ui.visuals().weak_text_color();
+    let y = rect.bottom() - 1.0;
+    let dots = ((rect.width() / BETWEEN_DOTS).round() as usize).max(2);
+    for k in 0..dots {
+        let share = (k as f32 + 0.5) / dots as f32;
+        let center = pos2(egui::lerp(rect.x_range(), share), y);
+        ui.painter().circle(center, DOT, color, Stroke::NONE);
+    }
 }

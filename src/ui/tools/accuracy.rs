@@ -1,0 +1,459 @@
+//! The accuracy view: another method's error map next to the camera's picture, and below them the error
+//! of every method against its run time, as a plot and a table. [`Measuring`] measures them for the
+//! current scene, a slice in each frame, so that the window never stalls.
+
+use std::sync::{Arc, Weak};
+
+use egui::accesskit::Role;
+use egui::epaint::shape_transform::adjust_colors;
+use egui::layers::ShapeIdx;
+use egui::{
+    Color32, ComboBox, Context, Grid, Painter, PopupAnchor, Pos2, ProgressBar, Rect, RichText,
+    ScrollArea, Sense, Tooltip, Ui, UiBuilder, pos2, vec2,
+};
+use pinhole_core::methods::{Method, trace_by};
+use pinhole_core::{
+    Camera, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, Selection, trace,
+};
+use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::{short, written_whole};
+
+use crate::model::session::{Session, Settings};
+use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
+use crate::report::plot::marker::{lightened, marker_of};
+use crate::report::plot::panels;
+use crate::report::summary::Summary;
+use crate::ui::scene::readouts;
+use crate::ui::scene::view_rects::strip_above;
+use crate::ui::scene::views::MAP;
+use crate::ui::widgets::Spoken as _;
+use crate::view::accuracy::{self, Comparison, PixelError};
+use crate::view::derive::{Compared, Derived};
+use crate::view::typesetting::theme::{self, error_color};
+
+#[cfg(feature = "report")]
+use crate::report::measure::Measurement;
+#[cfg(feature = "report")]
+use std::time::Duration;
+
+/// Height of the map's legend, in points.
+pub(crate) const LEGEND: f32 = 44.0;
+
+/// Maximum width of the table, in points; the plot gets the rest.
+const TABLE: f32 = 560.0;
+
+/// Shows the choice of a method; `name` is for screen readers.
+pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
+    let combo = ComboBox::from_id_salt(name).selected_text(chosen.name()).width(150.0);
+    let response = combo
+        .height(520.0)
+        .show_ui(ui, |ui| {
+            for method in Method::of_frames() {
+                let hint = format!("{}\n{}", method.about(), method.source());
+                ui.selectable_value(chosen, method, method.name()).on_hover_text(hint);
+            }
+        })
+        .response;
+    response.named(name);
+}
+
+/// Shows the name of the map above it, and the choice of its method.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
+    strip_above(ui, area, |ui| {
+        ui.label(MAP);
+        method(ui, "error map of", &mut settings.compared);
+    });
+}
+
+/// Shows the legend of the map's colours and the number of wrong pixels, below the map.
+pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
+    let below = Rect::from_min_size(
+        pos2(area.left(), area.bottom() + 2.0),
+        vec2(area.width(), LEGEND - 2.0),
+    );
+    ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
+        ui.set_clip_rect(below);
+        ui.horizontal(|ui| {
+            let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
+            let wrong = theme::finished(ui, accuracy::WRONG);
+            ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
+            ui.painter().rect_filled(mark.shrink(1.5), 0.0, wrong);
+            ui.strong(summary(compared));
+        });
+        ui.horizontal(|ui| {
+            ui.label("t off by 1 ulp of f64");
+            let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
+            color_bar(ui, width);
+            ui.label("10¹⁶");
+        });
+    });
+}
+
+/// Shows the map's colours, from 1 ulp to the most.
+fn color_bar(ui: &mut Ui, width: f32) {
+    let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
+    let slices = width as usize;
+    for slice in 0..slices {
+        let left = bar.left() + slice as f32;
+        let area = Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
+        let share = (slice as f64 + 0.5) / slices as f64;
+        let color = accuracy::color_of_ulps(10_f64.powf(accuracy::DECADES * share));
+        ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
+    }
+}
+
+/// Returns `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
+pub(crate) fn summary(compared: &Compared) -> String {
+    let Compared { method, comparison, .. } = compared;
+    let (wrong, all) = (comparison.wrong, comparison.errors.len());
+    let errors = match comparison.largest {
+        Some(NO_DIGIT..) => ", at worst no digit of t right".to_owned(),
+        Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
+        None => String::new(),
+    };
+    format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
+}
+
+/// Returns the text on a picture that the ladder did not draw, or drew in place of the chosen
+/// method.
+pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
+    if let Some(why) = derived.too_many {
+        return (chosen != Method::Ladder)
+            .then(|| format!("drawn by the ladder, not by {chosen}: {why}"));
+    }
+    let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
+    Some(match comparison.wrong {
+        1 => format!("drawn by {method}: 1 wrong screen pixel"),
+        wrong => format!("drawn by {method}: {wrong} wrong screen pixels"),
+    })
+}
+
+/// Shows plot and table, and above them the progress of measuring and the results at the selected
+/// pixel.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    measuring: &Measuring,
+    derived: &Derived,
+    document: &Document,
+    session: &mut Session,
+) {
+    // Always a single line: the content below must not jump during a drag.
+    let text = selected(derived, document, session).unwrap_or_default();
+    ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
+    ui.horizontal(|ui| {
+        if let Some(steps) = derived.steps {
+            ui.weak(readouts::steps(steps)).on_hover_text(readouts::STEPS);
+            ui.separator();
+        }
+        progress(ui, measuring, derived);
+    });
+    if derived.too_many.is_some() {
+        // The numbers of another scene could be mistaken for this one's.
+        return;
+    }
+    let Some(report) = measuring.report().cloned() else { return };
+    let Some(case) = report.cases.first() else { return };
+    let area = ui.available_rect_before_wrap();
+    let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
+    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
+    let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot(ui, case));
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            table(ui, case, &mut session.settings.compared);
+        });
+    });
+}
+
+/// Shows the progress of measuring, or the processor and reference of the numbers.
+fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
+    if !cfg!(feature = "report") {
+        ui.label("Nothing is measured: this build has no feature `report`");
+    } else if derived.fault.is_some() {
+        ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
+    } else if let Some(why) = derived.too_many {
+        ui.label(format!("Nothing is measured: {why}"));
+    } else if let Some(share) = measuring.share() {
+        ui.label("Measuring: so far");
+        let bar = ProgressBar::new(share).desired_width(180.0).show_percentage();
+        ui.add(bar).named(format!("measured {:.0} %", 100.0 * share));
+        if measuring.report().is_some() && !measuring.is_current() {
+            ui.weak("until then the last scene's numbers");
+        }
+    } else if let Some(report) = measuring.report() {
+        let text = format!("Measured on {}, against {}", report.cpu, report.reference);
+        ui.add(egui::Label::new(text).truncate());
+    }
+}
+
+/// Returns the results of the ladder and of the map's method at the selected pixel, whether or not
+/// the map shows that pixel.
+fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
+    if derived.too_many.is_some() {
+        return None;
+    }
+    let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
+    let pixel = pixel_of(session.selection, resolved)?;
+    let from = u32::from(session.settings.count_from_one);
+    let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
+    let method = session.settings.compared;
+    let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
+    let truth = trace(scene, resolved, &raster, Outputs::default());
+    let traced = trace_by(method, scene, resolved, &raster);
+    let says = |object: u32, t: f64| match object {
+        NO_OBJECT => "hits nothing".to_owned(),
+        // Every digit: the difference is in the last ones.
+        object => {
+            format!("hits {} at t = {}", document.title_of(object as usize), written_whole(t))
+        }
+    };
+    let verdict = match Comparison::new(&truth, &traced).errors[0] {
+        PixelError::Wrong => "wrong".to_owned(),
+        PixelError::Miss => "right".to_owned(),
+        PixelError::Ulps(NO_DIGIT..) => "no digit of t right".to_owned(),
+        PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
+    };
+    let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
+    let text = format!("{position}: ladder {ladder}; {method} {other}: {verdict}");
+    Some(RichText::new(text).strong())
+}
+
+fn pixel_of(selection: Selection, resolved: &ResolvedCamera) -> Option<Pixel> {
+    match selection.inside(resolved.image()) {
+        Selection::Pixel(pixel) => Some(pixel),
+        Selection::Uv(uv) => resolved.pixel_of_uv(uv).map(|position| position.pixel),
+    }
+}
+
+/// The columns' names and their explanations.
+const COLUMNS: [(&str, &str); 7] = [
+    (
+        "wrong",
+        "Decisions (hit or miss, which object is first, which of its roots) that differ from exact arithmetic",
+    ),
+    ("share", "Wrong decisions as a share of all"),
+    ("median", "Error in t, in ulps of f64: half are at most this"),
+    ("p99", "Error in t, in ulps of f64: 99 of 100 are at most this"),
+    ("max ulps", "Error in t, in ulps of f64: all are at most this"),
+    ("rad", "The largest angle between its normal and the true one, in radians"),
+    ("ns", "Nanoseconds a pixel, the shortest of interleaved rounds, on one thread"),
+];
+
+/// Greatest distance of the pointer from the mark that it shows the numbers of, in points.
+const NEAR: f32 = 14.0;
+
+/// Shows the plot of a case; at the mark under the pointer, the numbers of its method.
+fn plot(ui: &mut Ui, case: &Case) {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
+    let response = response.named("Every method's error against its time");
+    let summary = Summary::new(vec![case]);
+    let marks = in_window_colors(ui, |painter| panels(painter, rect, &summary));
+    let Some(pointer) = response.hover_pos() else { return };
+    let distance = |center: Pos2| center.distance(pointer);
+    let nearest = marks.iter().min_by(|a, b| distance(a.center).total_cmp(&distance(b.center)));
+    let name = nearest.filter(|mark| distance(mark.center) < NEAR).map(|mark| mark.method.name);
+    if let Some(row) = case.methods.iter().find(|row| Some(row.name.as_str()) == name) {
+        let (layer, pointer) = (response.layer_id, PopupAnchor::Pointer);
+        let tooltip = Tooltip::always_open(ui.ctx().clone(), layer, response.id, pointer);
+        tooltip.show(|ui| ui.label(description(row)));
+    }
+}
+
+/// Draws what is made for white paper, and changes its colours to the window's.
+fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
+    let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
+    let next_shape =
+        || ui.ctx().graphics_mut(|graphics| graphics.entry(painter.layer_id()).next_idx().0);
+    let first = next_shape();
+    let result = draw(painter);
+    let drawn = first..next_shape();
+    let recolor = move |color: &mut Color32| {
+        let mut dots = [if style.is_dark() { on_dark(*color, ground) } else { *color }];
+        style.finish(&mut dots);
+        *color = dots[0];
+    };
+    ui.ctx().graphics_mut(|graphics| {
+        let list = graphics.entry(painter.layer_id());
+        for k in drawn {
+            list.mutate_shape(ShapeIdx(k), |clipped| adjust_colors(&mut clipped.shape, recolor));
+        }
+    });
+    result
+}
+
+/// Returns the colour on a dark ground of what is drawn on white paper: greys and pale colours are
+/// mirrored, others lightened.
+fn on_dark(color: Color32, ground: Color32) -> Color32 {
+    let [r, g, b, a] = color.to_array().map(f32::from);
+    let (least, most) = (r.min(g).min(b), r.max(g).max(b));
+    if a == 0.0 {
+        return color;
+    }
+    if most - least > 64.0 {
+        return lightened(color);
+    }
+    let middle = 0.5 * (least + most);
+    let mirrored = 255.0 - middle / 255.0 * (255.0 - f32::from(ground.g()));
+    let [r, g, b] = [r, g, b].map(|part| (part - middle + mirrored) as u8);
+    Color32::from_rgb(r, g, b)
+}
+
+/// Returns the description of a method under the pointer.
+fn description(row: &MethodRow) -> String {
+    let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
+    let mut lines = vec![
+        row.name.clone(),
+        format!("{} ns a pixel", number(row.ns_per_pixel.min)),
+        format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
+        format!("{} of {} decisions wrong", row.wrong, row.decisions),
+    ];
+    if let Some(method) = Method::from_name(&row.name) {
+        lines.extend([method.about(), method.source()].map(str::to_owned));
+    }
+    lines.join("\n")
+}
+
+/// Shows one row per method; a click on a row shows its method in the error map.
+fn table(ui: &mut Ui, case: &Case, compared: &mut Method) {
+    // All methods and all columns must fit into the room below two pictures.
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
+    ui.spacing_mut().interact_size.y = 17.0;
+    ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+    Grid::new("methods").striped(true).num_columns(COLUMNS.len() + 1).spacing([10.0, 1.0]).show(
+        ui,
+        |ui| {
+            ui.strong("method");
+            for (name, hint) in COLUMNS {
+                ui.strong(name).on_hover_text(hint);
+            }
+            ui.end_row();
+            for row in &case.methods {
+                line(ui, row, compared);
+                ui.end_row();
+            }
+        },
+    );
+    for row in &case.methods {
+        if let Some(text) = row.decided() {
+            ui.label(text);
+        }
+    }
+}
+
+fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
+    ui.horizontal(|ui| {
+        let (mark, _) = ui.allocate_exact_size(vec2(20.0, 12.0), Sense::hover());
+        in_window_colors(ui, |painter| {
+            marker_of(row.formula()).draw(painter, mark.center(), row.digits());
+        });
+        match Method::from_name(&row.name) {
+            Some(method) => {
+                let hint = format!("{}\n{}", method.about(), method.source());
+                let name = ui.selectable_value(compared, method, &row.name);
+                name.named(format!("error map of {}", row.name)).on_hover_text(hint);
+            }
+            None => {
+                ui.label(&row.name);
+            }
+        }
+    });
+    let wrong = RichText::new(row.wrong.to_string());
+    ui.label(if row.wrong > 0 { wrong.strong().color(error_color(ui)) } else { wrong });
+    let number = |x: Option<f64>| x.map_or("-".to_owned(), short).replace('-', "−");
+    ui.label(row.wrong_share.map_or(String::new(), |share| format!("{} %", short(100.0 * share))));
+    let ulps = row.ulp_f64;
+    for x in [ulps.median, ulps.p99, ulps.max, row.normal_error_max] {
+        ui.label(number(x));
+    }
+    ui.label(number(row.ns_per_pixel.min));
+}
+
+/// Time without changes before measuring starts, in seconds: during a drag, each frame is another
+/// scene.
+#[cfg(feature = "report")]
+const REST: f64 = 0.5;
+
+/// Time between two reports while measuring, in seconds.
+#[cfg(feature = "report")]
+const BETWEEN: f64 = 0.3;
+
+/// The present measurement and the last report.
+#[derive(Default)]
+#[cfg_attr(not(feature = "report"), expect(dead_code, reason = "nothing is measured"))]
+pub(crate) struct Measuring {
+    /// The scene is identified by its address, and not held: another owner would make its next
+    /// change a copy.
+    subject: Option<(Camera, Weak<Scene>)>,
+    /// Time when the subject was first seen, in the context's seconds.
+    since: f64,
+    #[cfg(feature = "report")]
+    run: Option<Measurement>,
+    /// Progress of the run, 0 to 1; `None` if nothing is left to measure.
+    share: Option<f32>,
+    report: Option<Arc<Report>>,
+    /// Time when the report was made, in the context's seconds.
+    made_at: f64,
+    /// True if the report is about the subject.
+    is_current: bool,
+}
+
+impl Measuring {
+    /// Does nothing in a build without the feature `report`.
+    #[cfg(not(feature = "report"))]
+    pub(crate) fn step(&mut self, _: &Context, _: &str, _: &Camera, _: &Derived) {}
+
+    /// Measures a slice, if something is left to measure, and requests the next frame.
+    #[cfg(feature = "report")]
+    pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
+        // The report's methods too test every object at every pixel.
+        let why_not = (derived.fault, derived.too_many);
+        let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
+        let now = ctx.input(|input| input.time);
+        let subject = self.subject.as_ref();
+        let address = Arc::as_ptr(scene);
+        if subject.is_none_or(|(known, objects)| known != camera || objects.as_ptr() != address) {
+            self.subject = Some((*camera, Arc::downgrade(scene)));
+            self.share = Some(0.0);
+            (self.since, self.run, self.is_current) = (now, None, false);
+        }
+        if self.share.is_none() {
+            return;
+        }
+        let left = REST - (now - self.since);
+        if self.run.is_none() && left > 0.0 {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+            return;
+        }
+        if self.run.is_none() {
+            // An invalid camera is a fault, for which this function returned above.
+            self.run = Measurement::of_scene(name, scene, camera).ok();
+        }
+        let Some(run) = &mut self.run else { return };
+        run.step();
+        let share = run.done() as f32 / run.total().max(1) as f32;
+        self.share = (!run.is_done()).then_some(share);
+        if run.is_done() || now - self.made_at >= BETWEEN {
+            self.report = Some(Arc::new(run.report()));
+            (self.made_at, self.is_current) = (now, true);
+        }
+        if self.share.is_some() {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Returns the last report, even if it is about an older scene.
+    pub(crate) fn report(&self) -> Option<&Arc<Report>> {
+        self.report.as_ref()
+    }
+
+    /// Returns true if the report is about the shown scene.
+    pub(crate) fn is_current(&self) -> bool {
+        self.is_current
+    }
+
+    /// Returns the progress, 0 to 1; `None` if nothing is left to measure.
+    pub(crate) fn share(&self) -> Option<f32> {
+        self.share
+    }
+}
