@@ -66,7 +66,7 @@ pub struct Frame<T = f64> {
     /// is one; a pixel that is decided by itself may make several: whether it is met, and ahead,
     /// and first.
     pub steps: Steps,
-    /// Counts of what was left out, and of what was left to do.
+    /// Counts of the work that was left out, and of the work that remained.
     pub counts: Counts,
     /// Number of [`Frame::t`] in `f64` that each step of the ladder found: more digits than `f64` has are
     /// needed to round one right, so none is found in `f64`. In `f32`, `t` comes with the decision.
@@ -294,8 +294,7 @@ pub(crate) fn or_own<'a, T: Copy>(
     &mut own[..len]
 }
 
-/// Counts of how much of a scene a frame had to look at. Rows and columns are those of the traced
-/// raster.
+/// Counts of how much of a scene a frame had to examine. Rows and columns are those of the traced raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
@@ -303,17 +302,17 @@ pub struct Counts {
     pub spheres: u64,
     /// Spheres dropped because they lie wholly behind the eye.
     pub behind: u64,
-    /// Spheres dropped because they lie beside the picture, or between two of its rows.
+    /// Spheres dropped because they lie outside the picture, or between two of its rows.
     pub outside: u64,
-    /// The other spheres, whether or not anything hides them.
+    /// All remaining spheres, hidden or not.
     pub in_view: u64,
-    /// Times that a band of rows passed over a sphere because nearer ones hide all of it there. Which
-    /// are hidden when their turn comes depends on the order of drawing, and that on the width of the
-    /// processor's vectors; the picture does not.
+    /// Number of times that a band of rows skipped a sphere because nearer spheres hide all of it there.
+    /// The count depends on the drawing order, and so on the width of the processor's vectors; the picture
+    /// does not.
     pub hidden: u64,
     /// Rows of the picture.
     pub rows: u64,
-    /// Rows that the bounds of no object's outline reach: background only.
+    /// Rows that no object's outline can reach: they show only the background.
     pub rows_untouched: u64,
 }
 

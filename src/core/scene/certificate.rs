@@ -29,7 +29,7 @@ use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 
-/// How surely a ray's first hit, or that there is none, is decided.
+/// The certainty with which a ray's first hit, or a miss, is decided.
 ///
 /// A decision is the sign of a value that the step computed within a bound of its error. Its margin
 /// is
@@ -38,12 +38,11 @@ use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 /// margin = log2(|value| / bound)      so that     |exact value| >= (2^margin - 1) * bound
 /// ```
 ///
-/// in bits: how many bits more the error could have had, and the decision would still stand. It is
-/// never below 0. What integers have to decide, because double-double cannot, has nothing to spare: its
-/// margin is 0.
+/// in bits: the error could have been larger by this many bits without changing the decision. It is never
+/// below 0. A decision that needs integers, because double-double does not suffice, has a margin of 0.
 ///
-/// It tells what a ray by itself needs. A frame may get on with less: it tells nearly equal spheres apart
-/// in `f64`, for example, by the difference of both.
+/// A certificate reports what a single ray needs. A frame may need less: for example, it distinguishes
+/// nearly equal spheres in `f64`, by their difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
@@ -56,13 +55,13 @@ pub struct Certificate {
     pub hardest: Option<Hardest>,
 }
 
-/// The decision about a ray that has the least to spare.
+/// The decision about a ray that has the smallest margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Hardest {
-    /// What was to be decided.
+    /// The question that was decided.
     pub question: Question,
-    /// The object that it was about.
+    /// The object that the question is about.
     pub object: u32,
     /// The bound of the error, as a share, in the unit of [`Question`]; of [`Step::Exact`], that of
     /// double-double, which did not suffice.
@@ -87,7 +86,7 @@ pub enum Question {
     Order,
 }
 
-/// A number to be decided about, with its bound and the share that both are told in.
+/// A number whose sign is decided, with its error bound, and the unit in which both are reported.
 struct Bounded {
     question: Question,
     value: f64,
@@ -96,14 +95,14 @@ struct Bounded {
 }
 
 impl Certificate {
-    /// The largest margin that is told, in bits: also where there is nothing to decide. An error
-    /// could be ten trillion times as large, and nothing would change.
+    /// The largest margin reported, in bits; also the margin where there is nothing to decide. The error
+    /// could be ten trillion times as large, and no decision would change.
     pub const MOST: f64 = 44.0;
 
     const SURE: Certificate =
         Certificate { step: Step::F64, margin: Certificate::MOST, hardest: None };
 
-    /// The decision by a value, where it is beyond its bound.
+    /// Returns the decision that a value makes, if the value is beyond its bound.
     fn decided(step: Step, object: u32, bounded: &Bounded) -> Option<Certificate> {
         let Bounded { question, value, bound, unit } = *bounded;
         (value.abs() > bound).then(|| {
@@ -116,29 +115,30 @@ impl Certificate {
         })
     }
 
-    /// A decision that only integers made.
+    /// Returns a decision that only integers could make.
     fn exact(question: Question, object: u32, bound: f64) -> Certificate {
         let hardest = Some(Hardest { question, object, bound });
         Certificate { step: Step::Exact, margin: 0.0, hardest }
     }
 
-    /// Compares how sure they are: the lower step first, in a step the larger margin.
+    /// Compares how sure two certificates are: a lower step is surer and, at the same step, a larger
+    /// margin.
     fn compare(&self, other: &Certificate) -> Ordering {
         self.step.cmp(&other.step).then(other.margin.total_cmp(&self.margin))
     }
 
-    /// That both hold.
+    /// Returns the weaker of two certificates: both statements must hold.
     fn and(self, other: Certificate) -> Certificate {
         if other.compare(&self) == Ordering::Greater { other } else { self }
     }
 
-    /// That one of them holds.
+    /// Returns the stronger of two certificates: one of the statements suffices.
     fn or(self, other: Certificate) -> Certificate {
         if other.compare(&self) == Ordering::Less { other } else { self }
     }
 }
 
-/// The surest of what is known.
+/// Returns the strongest of the certificates that are known.
 fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate> {
     ways.into_iter().flatten().reduce(Certificate::or)
 }
@@ -152,8 +152,8 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
 impl Scene {
-    /// How surely [`Scene::first_hit_of`] is decided. The answer does not depend on the order in
-    /// which objects are looked at.
+    /// Returns the certainty with which [`Scene::first_hit_of`] is decided. The answer does not depend on
+    /// the order in which objects are examined.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -172,8 +172,8 @@ impl Scene {
         certificate(&ObjectsFromOrigin::for_one_ray(self, ray), ray)
     }
 
-    /// [`Scene::certificate_of`] of a camera's pixels in these rows and columns, row by row; in
-    /// parallel. `done` hears of finished rows.
+    /// Returns [`Scene::certificate_of`] for a camera's pixels in these rows and columns, row by row,
+    /// computed in parallel. `done` is called with the number of rows just finished.
     pub fn certificates(
         &self,
         camera: &ResolvedCamera,
@@ -196,7 +196,7 @@ impl Scene {
     }
 }
 
-/// How surely the ray's first hit is decided.
+/// Returns the certainty with which the ray's first hit is decided.
 fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     let scene = objects.scene();
     let first = objects.first_hit(ray, &mut Steps::default());
@@ -215,7 +215,7 @@ fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     found
 }
 
-/// How surely this first hit is the first one of these spheres and all planes.
+/// Returns the certainty that this hit is the first one among these spheres and all planes.
 pub(crate) fn certificate_among(
     objects: &ObjectsFromOrigin,
     ray: &ExactRay,
@@ -251,7 +251,7 @@ fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     discriminant < -factor * discriminant_doubt || b < -factor * b_doubt
 }
 
-/// That the ray hits the object.
+/// Certifies that the ray hits the object.
 fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
     let index = hit.index;
     let side = side_of(index, &hit.object);
@@ -276,7 +276,7 @@ fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
     }
 }
 
-/// That the ray does not hit the object before its first hit.
+/// Certifies that the ray does not hit the object before its first hit.
 fn is_not_first(
     index: u32,
     object: Cow<'_, ObjectFromOrigin>,
@@ -302,7 +302,7 @@ fn is_not_first(
     }
 }
 
-/// That of a sphere, where it may be later for sure.
+/// Certifies this for a sphere whose hit may surely be later.
 fn sphere_is_not_first(
     hit: &Hit,
     sphere: &SphereFromOrigin,
@@ -358,7 +358,7 @@ impl Signs {
     }
 }
 
-/// On which side of the object the eye is.
+/// Certifies on which side of the object the eye is.
 fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
     let (value, unit, [rough, fine]) = match seen {
         ObjectFromOrigin::Sphere(sphere) => {
@@ -376,8 +376,8 @@ fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
     decided.unwrap_or_else(|| Certificate::exact(question, index, fine))
 }
 
-/// Whether the ray goes along a plane's normal or against it, and its sign where a step with a bound
-/// knows it.
+/// Certifies whether the ray goes along a plane's normal or against it; also returns the sign if a step
+/// with an error bound decides it.
 fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate, Option<Ordering>) {
     fn bounded<T: Number>(
         plane: &PlaneFromOrigin,
@@ -399,7 +399,8 @@ fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate,
     }
 }
 
-/// That the object is met after the first hit, if it is met at all, where `f64` knows.
+/// Certifies that the line meets the object after the first hit or not at all; `None` if `f64` cannot
+/// decide it.
 fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     let (t, share) = rough_t(hit, ray)?;
     let (first_t, first_share) = rough_t(first, ray)?;
@@ -431,7 +432,7 @@ fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
 }
 
-/// The order of two hits that `f64` does not know.
+/// Certifies the order of two hits that `f64` cannot decide.
 fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
     let Some(first) = first else { return Certificate::SURE };
     let (t, first_t) = (hit.object.t(ray, hit.root), first.object.t(ray, first.root));

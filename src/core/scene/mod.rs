@@ -149,8 +149,9 @@ impl Scene {
         })
     }
 
-    /// Makes the index over many spheres, which the first question makes otherwise: called before
-    /// parallel work in which each part asks, as a part that waits for it would ask again.
+    /// Makes the index over many spheres, which the first query would make otherwise. Call it before
+    /// parallel work whose parts query the index, because a part that waits for the index would query it
+    /// again.
     pub fn make_index(&self) {
         let _ = self.index();
     }

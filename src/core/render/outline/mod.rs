@@ -108,7 +108,7 @@ pub(crate) struct Outline {
     pub(crate) last_row: f64,
     pub(crate) nearest: f64,
     pub(crate) thin: f64,
-    /// True if the error of the root needs correction too.
+    /// True if the sphere is so wide that the error of the root has to be corrected too.
     pub(crate) corrects_root: bool,
 }
 
@@ -317,7 +317,7 @@ impl<S: Simd> Centers<S> {
 /// needed but one in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
-    /// Lanes in which wide rows would do.
+    /// Lanes in which the kernel that corrects the root is exact enough.
     can_correct_root: <S::f64s as SimdBase<S>>::Mask,
     /// The root of `w^2` below which a row is thin.
     thin: S::f64s,

@@ -20,7 +20,8 @@ pub(crate) const DOUBT: f64 = f64::NAN;
 /// `f32`, and its rounding half of one.
 pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
 
-/// The range of `t` in a frame, so far within that of `f32` that what is computed of it is, too.
+/// The range of `t` in a frame, so far within the range of `f32` that the numbers computed from it are,
+/// too.
 pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
 
 /// Two `t` that are closer than this share of them may be in the wrong order for their rounding.
@@ -38,8 +39,8 @@ pub(crate) fn is_in_range(t: f64) -> bool {
     t > RANGE.0.into() && t < RANGE.1.into()
 }
 
-/// Takes over what is nearer than what is there, and tells whether anything [is in doubt](is_in_doubt),
-/// which it leaves as it is.
+/// Writes the pixels that are nearer than the known hits. Returns whether any pixel
+/// [is in doubt](is_in_doubt); such pixels stay unchanged.
 #[inline(always)]
 pub(crate) fn blend<S: Simd>(
     simd: S,
@@ -66,15 +67,15 @@ pub(crate) fn blend<S: Simd>(
     any
 }
 
-/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, that is close to
-/// the ends of the range, or closer to what is there than their rounding.
+/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, `t` is near the ends of
+/// the range, or it is closer to the known hit than the rounding of both.
 #[inline(always)]
 pub(crate) fn is_in_doubt(found: f64, t: f32, object: u32, index: u32) -> bool {
     let x = found as f32;
     let is_plain = (x > RANGE.0) & (x < RANGE.1);
-    // A miss is infinite in f64 already; what only the narrowing makes infinite is none.
+    // A miss is already infinite in f64; a number that only the narrowing makes infinite is not a miss.
     let is_sure = (found == MISS) | (is_plain & ((x - t).abs() > TIE * x));
-    // What was just taken over is there itself.
+    // Pixels that were just written hold this t itself.
     !is_sure && object != index
 }
 
@@ -99,7 +100,8 @@ fn blend_vector<S: Simd>(
         x.simd_gt(S::f32s::splat(simd, RANGE.0)) & x.simd_lt(S::f32s::splat(simd, RANGE.1));
     let is_sure = is_miss | (is_plain & is_apart);
     let take = is_sure & x.simd_lt(known);
-    // Not a selection of what is stored: that would become a masked store, slow on many processors.
+    // This does not select what is stored: that would become a masked store, which is slow on many
+    // processors.
     take.select(x, S::f32s::splat(simd, f32::INFINITY)).min(known).store_slice(t);
     let objects = S::u32s::from_slice(simd, object);
     let change = S::u32s::splat(simd, index) ^ objects;
@@ -107,8 +109,8 @@ fn blend_vector<S: Simd>(
     (!is_sure).any_true()
 }
 
-/// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
-/// surely does not; NaN in doubt.
+/// Returns `t` where a ray surely hits a sphere, seen from outside, before the known hit; infinity where it
+/// surely does not; NaN if in doubt.
 #[inline(always)]
 pub(crate) fn pixel_hit(
     quadratic: &Quadratic<f64>,
@@ -116,7 +118,8 @@ pub(crate) fn pixel_hit(
     factor: f64,
     known: f32,
 ) -> f64 {
-    /// Share by which two `t` are apart for sure: far more than one in `f64` is off by.
+    /// Relative difference from which two `t` are surely different: far more than the error of a `t` in
+    /// `f64`.
     const APART: f64 = 1e-6;
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
     if discriminant < -discriminant_doubt || b < -b_doubt {

@@ -1,5 +1,5 @@
-//! An object's polynomials over a patch of pixels, and what they say of a row: `t` of every pixel that
-//! is beyond doubt, several at a time.
+//! An object's polynomials over a patch of pixels, and the `t` that they give for a row's pixels, several
+//! at a time, wherever it is beyond doubt.
 
 use std::cmp::Ordering;
 
@@ -62,7 +62,7 @@ impl SphereKernel {
         Some(SphereKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
-    /// Finds from which to which m a row can have a hit, generously; `None` where it has none.
+    /// Finds a range of m that contains all hits of a row; `None` if the row has none.
     pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if self.side != Ordering::Greater {
             return Some(EVERYWHERE);
@@ -155,7 +155,8 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Two columns farther to one side, and more where the number is so large that it may be off by more.
+/// Moves a column by two to one side, and by more where the number is so large that its error may be
+/// larger.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
 }

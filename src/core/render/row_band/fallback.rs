@@ -23,14 +23,14 @@ use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
 use crate::scene::plane_predicates::{PlaneFromOrigin, PlaneOrder};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// Number of pixels in doubt from which it is worth while to keep what is known of each pixel, and to
-/// share them among the threads.
+/// Number of pixels in doubt from which it pays to keep the rough hit of each pixel, and to share the
+/// pixels among the threads.
 const MANY: usize = 1024;
 
-/// Number of parts that the rows of a band are shared in.
+/// Number of parts into which the rows of a band are split.
 const SHARES: usize = 4;
 
-/// What a pixel is asked about.
+/// The question about a pixel.
 #[derive(Clone, Copy)]
 pub(crate) struct PixelQuery<'a> {
     pub(crate) index: u32,
@@ -38,17 +38,17 @@ pub(crate) struct PixelQuery<'a> {
     /// The pixel's row and column in the raster.
     pub(crate) row: usize,
     pub(crate) column: usize,
-    /// t, where it is known that the object is hit.
+    /// t, if the object is known to be hit.
     pub(crate) t: Option<f32>,
 }
 
-/// Some rows of a frame, and what is known of their pixels, to decide pixel by pixel.
+/// Some rows of a frame, with the hits known so far, to decide pixel by pixel.
 pub(crate) struct PixelLadder<'a> {
     plan: &'a Plan<'a>,
     rows: Range<usize>,
     t: &'a mut [f32],
     object: &'a mut [u32],
-    /// What `f64` knows of the sphere that each pixel shows; empty where few are in doubt.
+    /// The rough hit of the sphere that each pixel shows, in `f64`; empty if few pixels are in doubt.
     hits: &'a mut [RoughHit],
     known_objects: KnownObjects,
     steps: Steps,
@@ -113,7 +113,7 @@ fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 }
 
 impl PixelLadder<'_> {
-    /// Decides those of these pixels that lie in its rows.
+    /// Decides the doubts that lie in these rows.
     fn resolve_all(&mut self, doubts: &[Doubt]) {
         // Most come sphere by sphere.
         let mut last: Option<(u32, ObjectFromOrigin)> = None;
@@ -146,7 +146,7 @@ impl PixelLadder<'_> {
         (query.row - self.rows.start) * self.plan.rays.n.len() + query.column
     }
 
-    /// Decides a pixel in `f64`, if that is sure; returns whether it is.
+    /// Decides a pixel in `f64`, if that is certain; returns whether it is.
     fn decide_roughly(&mut self, query: &PixelQuery, seen: &SphereFromOrigin) -> bool {
         let PixelQuery { index, row, column, t, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -205,7 +205,7 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Decides in `f64` which of two planes a pixel shows, if that is sure; returns whether it is.
+    /// Decides in `f64` which of two planes a pixel shows, if that is certain; returns whether it is.
     fn decide_planes_roughly(&mut self, query: &PixelQuery, plane: &PlaneFromOrigin) -> bool {
         let PixelQuery { index, row, column, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -230,7 +230,7 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is sure of it.
+    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is certain of it.
     fn known_hit(
         &mut self,
         offset: usize,
@@ -256,7 +256,7 @@ impl PixelLadder<'_> {
         }
     }
 
-    /// Returns t as the frame has it, if `f64` knows it well enough.
+    /// Returns t in the frame's precision, if `f64` gives it accurately enough.
     fn single_t(&self, hit: &RoughHit) -> Option<f32> {
         let rays = &self.plan.rays;
         let t = hit.t_of(rays.stretch, rays.scale);
@@ -304,7 +304,7 @@ impl KnownObjects {
     /// Maximum number of pairs of planes that are kept.
     const PAIRS: usize = 4096;
 
-    /// Returns an object as the eye sees it, which is made if it is not at hand.
+    /// Returns an object as the eye sees it, from the cache or newly made.
     pub(crate) fn get(
         &mut self,
         index: u32,
@@ -318,7 +318,7 @@ impl KnownObjects {
         &slot.get_or_insert_with(|| (index, make())).1
     }
 
-    /// Returns the order of two planes, which is made if it is not at hand.
+    /// Returns the order of two planes, from the cache or newly made.
     pub(crate) fn plane_order(
         &mut self,
         indices: [u32; 2],
@@ -331,8 +331,8 @@ impl KnownObjects {
     }
 }
 
-/// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
-/// is no room for it. Returns the steps that `t` took.
+/// Fills in `t` and normals of the pixels in some rows, whose objects are known. A buffer without room is
+/// skipped. Returns the steps that `t` took.
 pub(crate) fn fill_exactly(
     plan: &Plan,
     rows: Range<usize>,

@@ -32,27 +32,28 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// The widest vector there is: rows are padded to whole ones.
 const LANES: usize = 8;
 
-/// Rows of a frame with their part of the buffers. Objects are added in any order: of two that are
-/// too close to tell, or equal, the ladder finds the first, and of equals the one that is listed first.
+/// Rows of a frame with their part of the buffers. Objects may be added in any order. Where two of them are
+/// too close to call, the ladder finds the first; of equal ones, the one listed first.
 pub(crate) struct RowBand<'a> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    /// Which pixels have been written, while spheres are drawn by rows into what has not been cleared.
+    /// The pixels that have been written, while spheres are drawn by rows into buffers that are not
+    /// cleared.
     written: Option<WrittenBlocks>,
-    /// The sphere, or group and block of many, from which rows are drawn next; `None` where all are.
+    /// The sphere, or the group and block of many, to be drawn next; `None` if all are drawn.
     next: Option<(usize, usize)>,
-    /// Pixels in doubt, left to be decided.
+    /// Pixels in doubt that remain to be decided.
     doubts: Vec<Doubt>,
-    /// What `f64` knows of pixels that were in doubt.
+    /// The rough hits, in `f64`, of pixels that were in doubt.
     hits: Vec<RoughHit>,
     known_objects: KnownObjects,
     drawn: DrawnSpheres,
-    /// True, by row, if an object's outline reaches it.
+    /// For each row, true if an object's outline reaches it.
     is_reached: Vec<bool>,
-    /// Columns from the middle of the patch at hand.
+    /// Column numbers, counted from the middle of the current patch.
     m: Vec<f64>,
     /// The kernels' answers for one row.
     found: Vec<f64>,
@@ -100,7 +101,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws what of many spheres is near or large, and hides much of the rest.
+    /// Draws those of many spheres that are near or large, and so hide much of the rest.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
         for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
@@ -108,8 +109,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres by rows, until all are or too many pixels are in doubt; tells whether any were left
-    /// to draw.
+    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns whether any
+    /// remain.
     pub(crate) fn draw_rows(&mut self) -> bool {
         let Some(from) = self.next else { return false };
         let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
@@ -143,7 +144,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Tells how the decisions were made, and what was left out.
+    /// Returns the steps of the decisions, and the counts of the work that was left out.
     pub(crate) fn counted(self) -> (Steps, Counts) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
         let mut counts = self.drawn.counts;
@@ -152,13 +153,13 @@ impl<'a> RowBand<'a> {
         (self.steps, counts)
     }
 
-    /// The slices of rows that it consists of.
+    /// Returns the slices of rows of which the band consists.
     fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let Range { start, end } = self.rows;
         (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
     }
 
-    /// Tells that an object's outline reaches rows of the raster.
+    /// Marks these rows of the raster as reached by an object's outline.
     fn reach(&mut self, rows: &Range<usize>) {
         let start = self.rows.start;
         self.is_reached[rows.start - start..rows.end - start].fill(true);
@@ -173,7 +174,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres until all are, or too many pixels are in doubt: then, from where to go on.
+    /// Draws spheres until all are drawn or too many pixels are in doubt; returns where to continue in that
+    /// case.
     fn draw_spans(
         &mut self,
         from: (usize, usize),
@@ -201,7 +203,7 @@ impl<'a> RowBand<'a> {
         next
     }
 
-    /// Adds a sphere, which can cover these rows and columns of the raster at most.
+    /// Adds a sphere that covers no pixels outside these rows and columns of the raster.
     fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
@@ -237,8 +239,8 @@ impl<'a> RowBand<'a> {
         self.add(index, rows, columns, &patch, (row, reach), None);
     }
 
-    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
-    /// itself, in `f64`.
+    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is intersected
+    /// with it in `f64`.
     fn add_per_pixel(
         &mut self,
         index: u32,
@@ -266,7 +268,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Adds a plane; none that the eye lies in, which no ray hits.
+    /// Adds a plane, unless the eye lies in it, as no ray hits it then.
     fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectFromOrigin, rows: Range<usize>) {
         let ObjectFromOrigin::Plane(seen) = seen_by_eye else {
             return;
@@ -291,7 +293,7 @@ impl<'a> RowBand<'a> {
         self.add(index, rows, columns, &patch, (row, reach), Some(seen_by_eye));
     }
 
-    /// Asks the pixels of the patch that the object can reach.
+    /// Evaluates the object's polynomials at the pixels of the patch that it can reach.
     fn add(
         &mut self,
         index: u32,

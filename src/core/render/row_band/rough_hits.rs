@@ -1,5 +1,5 @@
-//! Pixels in doubt, decided in `f64`: what is known of the sphere that a pixel shows is kept, so that
-//! each further sphere costs one comparison.
+//! Decides pixels in doubt in `f64`. The hit of the sphere that a pixel shows is kept, so that each further
+//! sphere costs one comparison.
 
 use std::cmp::Ordering;
 
@@ -28,7 +28,7 @@ pub(crate) struct RoughHit {
     half_chord: f64,
 }
 
-/// What `f64` knows of a pixel's ray and a sphere.
+/// The answer of `f64` about a pixel's ray and a sphere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rough {
     Miss,
@@ -40,7 +40,7 @@ pub(crate) enum Rough {
 const LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
 
 impl Rough {
-    /// Asks a sphere.
+    /// Intersects the ray with a sphere.
     pub(crate) fn new(
         object: u32,
         seen: &SphereFromOrigin,
@@ -81,7 +81,7 @@ impl Rough {
 }
 
 impl RoughHit {
-    /// Nothing known.
+    /// No hit known.
     pub(crate) const NONE: RoughHit = RoughHit {
         object: NO_OBJECT,
         t: 0.0,

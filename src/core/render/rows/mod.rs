@@ -15,7 +15,7 @@ pub(crate) struct RowBuffers<'a> {
     pub(crate) columns: &'a [f32],
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// True, by block of the row, if its pixels have been written; none where all have.
+    /// For each block of the row, true if its pixels have been written; empty if all blocks have.
     pub(crate) is_written: &'a mut [bool],
 }
 
@@ -23,10 +23,10 @@ pub(crate) struct RowBuffers<'a> {
 /// each is off by an ulp at most.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
-/// Which blocks of a band have been written: each is written without being read the first time, and
-/// what nothing covers is cleared at the end.
+/// The blocks of a band that have been written. A block is written for the first time without being read;
+/// the blocks that no sphere covers are cleared at the end.
 ///
-/// A block is a vector of neighbouring pixels of a row. The last pixels of a row, which fill none,
+/// A block is a vector of neighbouring pixels of a row. The last pixels of a row that do not fill a block
 /// are cleared at the start.
 pub(crate) struct WrittenBlocks {
     is_written: Vec<bool>,
@@ -35,7 +35,7 @@ pub(crate) struct WrittenBlocks {
 }
 
 impl WrittenBlocks {
-    /// The blocks of rows of so many columns, none of which is written.
+    /// Returns blocks for rows of this many columns, none of them written.
     #[inline(always)]
     pub(crate) fn new<S: Simd>(
         _simd: S,
@@ -61,7 +61,7 @@ impl WrittenBlocks {
         &mut self.is_written[row * self.per_row..(row + 1) * self.per_row]
     }
 
-    /// Clears what has not been written.
+    /// Clears the blocks that have not been written.
     #[inline(always)]
     pub(crate) fn clear_others<S: Simd>(
         self,
@@ -88,7 +88,7 @@ impl WrittenBlocks {
     }
 }
 
-/// Sets all to no hit.
+/// Marks all pixels as having no hit.
 #[inline(always)]
 pub(crate) fn clear<S: Simd>(simd: S, t: &mut [f32], object: &mut [u32]) {
     let none = S::f32s::splat(simd, f32::INFINITY);
@@ -116,13 +116,14 @@ struct Drawing<S: Simd> {
 impl<S: Simd> Drawing<S> {
     /// `t` of some columns.
     #[inline(always)]
-    fn find<const IS_WIDE: bool>(&self, columns: S::f32s, lanes: &SpanLanes<S>) -> S::f32s {
-        if IS_WIDE { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
+    fn find<const CORRECTS_ROOT: bool>(&self, columns: S::f32s, lanes: &SpanLanes<S>) -> S::f32s {
+        if CORRECTS_ROOT { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
     }
 
-    /// One vector, from the row's first column on: which lanes are in doubt.
+    /// Draws one vector, which starts at a column counted from the row's first one; returns the lanes in
+    /// doubt.
     #[inline(always)]
-    fn draw<const IS_WIDE: bool>(
+    fn draw<const CORRECTS_ROOT: bool>(
         &self,
         columns: &[f32],
         t: &mut [f32],
@@ -134,10 +135,10 @@ impl<S: Simd> Drawing<S> {
         if known.simd_lt(nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
-        let found = self.find::<IS_WIDE>(columns, lanes);
+        let found = self.find::<CORRECTS_ROOT>(columns, lanes);
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
-        // Not a selection of what is stored: that would become a masked store, slow on many
+        // This does not select what is stored: that would become a masked store, which is slow on many
         // processors.
         let nearest = is_nearer.select(found, self.none).min(known);
         nearest.store_slice(t);
@@ -148,9 +149,9 @@ impl<S: Simd> Drawing<S> {
         is_inside & !(is_nearer | is_farther)
     }
 
-    /// One block that has not been written yet; `is_whole` if the sphere covers all of it.
+    /// Draws one block that has not been written yet. `is_whole` is true if the sphere covers all of it.
     #[inline(always)]
-    fn write<const IS_WIDE: bool>(
+    fn write<const CORRECTS_ROOT: bool>(
         &self,
         is_whole: bool,
         columns: &[f32],
@@ -160,22 +161,22 @@ impl<S: Simd> Drawing<S> {
     ) {
         let columns = S::f32s::from_slice(self.simd, columns);
         if is_whole {
-            self.find::<IS_WIDE>(columns, lanes).store_slice(t);
+            self.find::<CORRECTS_ROOT>(columns, lanes).store_slice(t);
             self.own.store_slice(object);
             return;
         }
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
-        let found = self.find::<IS_WIDE>(columns, lanes);
+        let found = self.find::<CORRECTS_ROOT>(columns, lanes);
         is_inside.select(found, self.none).store_slice(t);
         is_inside.select(self.own, S::u32s::splat(self.simd, NO_OBJECT)).store_slice(object);
     }
 }
 
-/// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
-/// are nearer than what is there; none of them is nearer than `nearest`, or than its vector's bound, where
-/// there is one. Tells whether any is too close to it to tell; those stay as they are.
+/// Writes the sphere's pixels in the columns `from..=to` of a row where they are nearer than the known
+/// hits. No pixel of the sphere is nearer than `nearest`, or than the bound of its vector, if it has one.
+/// Returns whether any pixel is too close to call; such pixels stay unchanged.
 #[inline(always)]
-pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
+pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
     simd: S,
     buffers: &mut RowBuffers,
     (from, to): (usize, usize),
@@ -201,11 +202,11 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
         let (t, object) = (&mut buffers.t[vector.clone()], &mut buffers.object[vector.clone()]);
         let columns = &buffers.columns[vector];
         if *is_written {
-            in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, (lanes, drawing.nearest));
+            in_doubt |= drawing.draw::<CORRECTS_ROOT>(columns, t, object, (lanes, drawing.nearest));
         } else {
             *is_written = true;
             let is_whole = from <= at && at + n <= to + 1;
-            drawing.write::<IS_WIDE>(is_whole, columns, t, object, lanes);
+            drawing.write::<CORRECTS_ROOT>(is_whole, columns, t, object, lanes);
         }
         at += n;
     }
@@ -219,7 +220,7 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
             None => drawing.nearest,
         };
         let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw::<IS_WIDE>(columns, t, object, (lanes, nearest));
+        in_doubt |= drawing.draw::<CORRECTS_ROOT>(columns, t, object, (lanes, nearest));
         (at, vector) = (at + n, vector + 1);
     }
     if at <= to {
@@ -229,7 +230,7 @@ pub(crate) fn draw_row<S: Simd, const IS_WIDE: bool>(
         t[..left].copy_from_slice(&buffers.t[at..]);
         object[..left].copy_from_slice(&buffers.object[at..]);
         let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw::<IS_WIDE>(
+        in_doubt |= drawing.draw::<CORRECTS_ROOT>(
             columns,
             &mut t[..n],
             &mut object[..n],
@@ -259,7 +260,7 @@ impl VectorBounds {
     pub(crate) const NONE: VectorBounds =
         VectorBounds { at_columns: [0.0; MOST + MOST_SINGLE_LANES], count: 0 };
 
-    /// Finds them for so many columns from a first one on, which follow one another without a gap.
+    /// Finds the bounds of `count` columns, which follow one another without a gap from the first one on.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(
         &mut self,
@@ -301,7 +302,7 @@ impl VectorBounds {
         }
     }
 
-    /// Leaves none.
+    /// Removes all bounds.
     #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.count = 0;

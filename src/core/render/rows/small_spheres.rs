@@ -313,7 +313,7 @@ impl Runs {
         high + (low - high * e) / (splat(1.0) + e)
     }
 
-    /// Takes over the pixels of those rows whose bits are set that are nearer than what is there.
+    /// Writes the pixels that are nearer than the known hits, in the rows whose bits are set.
     #[inline(always)]
     fn draw<S: Simd>(
         &self,
@@ -373,13 +373,14 @@ struct Pixels<S: Simd> {
 }
 
 impl<S: Simd> Pixels<S> {
-    /// Takes over those that are nearer than what is known; tells which are too close to it to tell.
+    /// Writes the pixels where the sphere is nearer than the known hit; returns a mask of those too close
+    /// to call.
     #[inline(always)]
     fn take_over(&self, t: &mut [f32], object: &mut [u32]) -> u64 {
         let Pixels { simd, found, is_inside, index } = *self;
         let known = f32x8::from_slice(simd, t);
         let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
-        // Not a selection of what is stored: that would become a masked store, slow on many
+        // This does not select what is stored: that would become a masked store, which is slow on many
         // processors.
         is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
         let objects = u32x8::from_slice(simd, object);
@@ -405,8 +406,8 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
     doubtful
 }
 
-/// Leaves pixels from a position on, whose bits are set, to the ladder, which counts them: they are too close
-/// to what is known. Tells how many.
+/// Leaves the pixels whose bits are set, counted from a position, to the ladder, because they are too close
+/// to the known hit. The ladder counts them. Returns their number.
 #[cold]
 #[inline(never)]
 fn note_ties(

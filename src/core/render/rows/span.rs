@@ -21,7 +21,8 @@ pub(crate) struct Span {
     pub(crate) outline: Outline,
     /// The numerator of t, in two parts.
     numerator: [f32; 2],
-    /// b for each column, in two parts, for wide spheres the first of 12 bits.
+    /// Change of b from one column to the next, in two parts; where the root is corrected, the first part
+    /// has 12 bits.
     b_column: [f32; 2],
 }
 
@@ -48,7 +49,7 @@ impl Span {
         Span { index, outline: *outline, numerator: two_parts(numerator), b_column }
     }
 
-    /// The part of the raster's rows that it can cover.
+    /// Returns the rows of the raster that the sphere can cover.
     #[inline(always)]
     pub(crate) fn rows(&self, axes: &RasterAxes) -> Range<usize> {
         axes.rows_between(self.outline.first_row, self.outline.last_row)
@@ -75,44 +76,45 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// Which pixels have been written, where they are not cleared at the start.
+    /// The pixels that have been written; `None` if all pixels were cleared at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
-    /// True if spheres cover one another so much that each vector of a row is worth a look whether it is
-    /// hidden, and rows and columns have no gaps, in which the bounds would not hold.
+    /// True if spheres overlap so much that it pays to test each vector of a row for being hidden. Rows and
+    /// columns must have no gaps, as the bounds would not hold there.
     pub(crate) has_vector_bounds: bool,
-    /// The bounds of the row at hand, if it has some.
+    /// The bounds of the current row, if it has any.
     pub(crate) bounds: VectorBounds,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
-    /// True, by row of the target, if an outline reaches it.
+    /// For each row of the target, true if an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
-    /// True if all of them are, and none need be marked any more.
+    /// True if all rows are reached, so that no more need to be marked.
     pub(crate) is_all_reached: bool,
     /// Number of pixels that were decided.
     pub(crate) decided: u64,
 }
 
-/// A row of so many columns, and a shorter one, is looked at as a whole.
+/// Maximum number of columns of a row that is tested for being hidden as a whole, not vector by vector.
 const SHORT: usize = 128;
 
 impl SpanTarget<'_> {
-    /// Tells that an outline reaches these rows of the target.
+    /// Marks these rows of the target as reached by an outline.
     #[inline(always)]
     pub(crate) fn reach(&mut self, rows: Range<usize>) {
         self.is_reached[rows].fill(true);
         self.is_all_reached = !self.is_reached.contains(&false);
     }
 
-    /// Leaves pixels of a row of the raster that a sphere may cover to the ladder.
+    /// Adds pixels of a row of the raster to the doubts, for the ladder to decide whether the sphere covers
+    /// them.
     pub(crate) fn doubt(&mut self, index: u32, row: usize, columns: Range<usize>) {
         let row = row as u32;
         let doubt = |column| Doubt { index, row, column: column as u32, t: None };
         self.doubts.extend(columns.map(doubt));
     }
 
-    /// Returns whether the sphere is the one that the pixel shows, given twice: then the one that
-    /// is listed first is shown, and nothing is in doubt.
+    /// Returns whether the sphere equals the one that the pixel shows. If it does, the pixel shows the one
+    /// that is listed first, and is not in doubt.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
         let known = self.object[offset];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
@@ -130,14 +132,14 @@ impl SpanTarget<'_> {
 }
 
 impl Span {
-    /// Its rows in the target, as the raster's.
+    /// Returns the rows of the raster that lie both in the target and in the sphere's outline.
     #[inline(always)]
     pub(crate) fn rows_in(&self, target: &SpanTarget) -> Range<usize> {
         let own = self.rows(target.axes);
         own.start.max(target.rows.start)..own.end.min(target.rows.end)
     }
 
-    /// Draws some of its rows, between two columns.
+    /// Draws some of the sphere's rows, between two columns.
     #[inline(always)]
     pub(crate) fn draw<S: Simd>(
         &self,
@@ -167,8 +169,8 @@ impl Span {
         }
     }
 
-    /// Draws a row from one column of the raster to another; tells whether a pixel is too close to
-    /// what is there.
+    /// Draws a row from one column of the raster to another. Returns whether a pixel is too close to the
+    /// known hit to call.
     #[inline(always)]
     fn draw_row<S: Simd>(
         &self,
@@ -209,7 +211,7 @@ impl Span {
         }
     }
 
-    /// Notes which pixels of a row are too close to what is there.
+    /// Adds the pixels of a row that are too close to the known hit to the doubts.
     #[cold]
     #[inline(never)]
     fn find_doubts<S: Simd>(
@@ -223,7 +225,7 @@ impl Span {
         let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         for at in (from..=to).step_by(S::f32s::LEN) {
-            // With the level's instructions, which a function that is not inlined has not by itself.
+            // A function that is not inlined does not have the level's instructions by itself.
             let found = simd.vectorize(
                 #[inline(always)]
                 || {
@@ -247,7 +249,7 @@ impl Span {
         }
     }
 
-    /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
+    /// Draws the pixels of a row that are beyond doubt, and adds the others to the doubts.
     #[cold]
     #[inline(never)]
     pub(crate) fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
@@ -336,7 +338,7 @@ fn store_narrow<S: Simd>(x: S::f64s) -> Singles {
 }
 
 impl SpanRows {
-    /// The sphere's rows from the raster's row `base` on.
+    /// Finds the sphere's rows in one vector of rows, which starts at the raster's row `base`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -412,7 +414,7 @@ pub(crate) struct RowEnds<S: Simd> {
     /// The outline's two ends.
     pub(crate) start: S::f64s,
     pub(crate) end: S::f64s,
-    /// First and last column between them, by a margin.
+    /// First and last column that lie between the ends by a margin.
     pub(crate) first: S::f64s,
     pub(crate) last: S::f64s,
     /// Rows in which no column lies within the margin of an end, and that are not thin.
@@ -446,9 +448,10 @@ pub(crate) struct SpanRow {
     pub(crate) right: f32,
     /// b at the pivot, in two parts.
     pub(crate) b: [f32; 2],
-    /// The column that b is given at: the middle, for wide spheres the end at which b is larger.
+    /// The column at which b is given: the middle, or, where the root is corrected, the end at which b is
+    /// larger.
     pub(crate) pivot: f32,
-    /// `left right`, for wide spheres.
+    /// `left right`, where the root is corrected.
     pub(crate) offset: f32,
     /// Lower bound of the t of all hits.
     pub(crate) nearest: f32,
@@ -488,11 +491,14 @@ impl<S: Simd> SpanLanes<S> {
     /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose
     /// S is small beside b.
     ///
-    /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or
-    /// right, and their product by u more, so S is by `5/2 u` and its own rounding, the part of b
-    /// that varies by 3 u of itself, and the sum of both by u: in all `(4.5 S + 4 (b - b0)) u`,
-    /// which the caller keeps below 0.45 u of the denominator. The sum with b0 keeps its rest, and
-    /// the quotient is corrected by it and by its own residual.
+    /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
+    /// and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3
+    /// u of itself, and the sum of both by u: in all `(4.5 S + 4 |b - b_pivot|) u`. `Kinds::new` in
+    /// `render/outline` chooses this kernel only where that is at most 0.42 u of the denominator. The error
+    /// of `S^2` itself, which `Outlines::find` keeps below `2^-28` of b, adds u / 16: together less than
+    /// 0.49 u, which leaves room for terms of second order below half an ulp of t. With the last rounding,
+    /// t is within an ulp. The sum with `b_pivot` keeps its rest, and the quotient is corrected by it and
+    /// by its own residual.
     #[inline(always)]
     pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);

@@ -75,7 +75,7 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
     });
 }
 
-/// Colours of single hits, as [`shade`](fn@shade) gives them: of rays that make no frame.
+/// Colours of single hits, for rays outside a frame, as [`shade`](fn@shade) gives them.
 pub struct HitShader<'a>(Toner<'a>);
 
 impl<'a> HitShader<'a> {

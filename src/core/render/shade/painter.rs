@@ -18,7 +18,7 @@ pub(crate) struct Painter<'a, C, F> {
     toner: Toner<'a>,
     camera: &'a ResolvedCamera,
     raster: &'a Raster,
-    /// x, y and z of the columns' parts of the directions, padded.
+    /// Direction terms of each column (structure of arrays), padded to whole vectors.
     columns: [Vec<f64>; 3],
     is_plain: bool,
 }
@@ -51,8 +51,8 @@ where
         Painter { level, paint, toner, camera, raster, columns, is_plain }
     }
 
-    /// Paints some rows of the raster from their hits. Of `t`, only those shadings read it that
-    /// [need it](Shade::needs_t).
+    /// Paints some rows of the raster from their hits. Only shadings that [need `t`](Shade::needs_t) read
+    /// it.
     pub(crate) fn rows<T: Depth, P>(
         &self,
         rows: Range<usize>,
@@ -85,7 +85,7 @@ where
         }
     }
 
-    /// The runs of a row, from the left.
+    /// Returns the runs of a row, from left to right.
     fn find_runs(&self, object: &[u32], runs: &mut Vec<Run>) {
         runs.clear();
         let mut start = 0;

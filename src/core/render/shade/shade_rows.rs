@@ -1,4 +1,5 @@
-//! Tones, which a pixel's colour is made of, three numbers a pixel, of one pixel or of a run in vectors.
+//! Tones, the three numbers from which a pixel's colour is made, for a single pixel or for a run in
+//! vectors.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -17,7 +18,7 @@ use crate::scene::Scene;
 /// Number of pixels that rows are padded by: as many as the widest vector of `f32` has.
 pub(crate) const PADDING: usize = 16;
 
-/// The share of light that is everywhere, and the share that comes from the eye.
+/// The share of ambient light, and the share of light that comes from the eye.
 pub(crate) const AMBIENT: f64 = 0.15;
 pub(crate) const FROM_EYE: f64 = 0.85;
 
@@ -41,11 +42,11 @@ pub(crate) struct Run {
     pub(crate) color: Rgb,
 }
 
-/// The rays of one row: direction = the column's part + the row's part.
+/// The rays of one row: each direction is the sum of a term of the column and a term of the row.
 #[derive(Clone, Copy)]
 pub(crate) struct RowRays<'a> {
     pub(crate) eye: DVec3,
-    /// x, y and z of the columns' parts, padded.
+    /// Direction terms of each column (structure of arrays), padded to whole vectors.
     pub(crate) columns: [&'a [f64]; 3],
     pub(crate) row: DVec3,
     /// True if all directions have lengths that need no scaling.
@@ -67,7 +68,7 @@ impl<'a> Toner<'a> {
         Toner { shade, nearest, normals: Normals::new(scene), srgb: Srgb::get() }
     }
 
-    /// The colour that tones make.
+    /// Converts tones to a colour.
     #[inline(always)]
     pub(crate) fn color(&self, tones: Tones) -> Rgb {
         match self.shade {
@@ -311,7 +312,7 @@ impl<S: Simd> Curved<S> for FarSphere<S> {
     }
 }
 
-/// The tones of lit pixels; those after the run are overwritten by what comes next.
+/// Computes the tones of lit pixels. Those past the end of the run are overwritten by the next run.
 #[inline(always)]
 fn light_of_run<S: Simd>(
     simd: S,
@@ -336,7 +337,7 @@ fn light_of_run<S: Simd>(
     }
 }
 
-/// The tones of normals; those after the run are overwritten by what comes next.
+/// Computes the tones of normals. Those past the end of the run are overwritten by the next run.
 #[inline(always)]
 fn normals_of_run<S: Simd>(
     simd: S,
