@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use crate::view::derive::Work;
+use crate::view::derive::WorkKind;
 
 /// The times of the work that a frame needed before it could be painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,22 +25,22 @@ impl Stopwatch {
     }
 
     /// Adds the time since the last call to this kind of work.
-    pub(crate) fn tell(&self, work: Work) {
+    pub(crate) fn tell(&self, work: WorkKind) {
         let now = Instant::now();
         let (since, times) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let time = match work {
-            Work::Trace => &mut times.trace,
-            Work::Overlay => &mut times.overlay,
-            Work::Rest => &mut times.readouts,
+            WorkKind::Trace => &mut times.trace,
+            WorkKind::Overlay => &mut times.overlay,
+            WorkKind::Rest => &mut times.readouts,
         };
         *time += now - *since;
         *since = now;
-        times.is_new |= work != Work::Rest;
+        times.is_new |= work != WorkKind::Rest;
     }
 
     /// Stops the stopwatch when everything is derived.
     pub(crate) fn stop(self) -> WorkTimes {
-        self.tell(Work::Rest);
+        self.tell(WorkKind::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
     }
 }
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn time_is_counted_for_the_work_that_was_told() {
         let stopwatch = Stopwatch::start();
-        stopwatch.tell(Work::Overlay);
+        stopwatch.tell(WorkKind::Overlay);
         let times = stopwatch.stop();
         assert!(times.is_new && times.traced().is_none() && !times.overlay.is_zero());
         assert!(!Stopwatch::start().stop().is_new);

@@ -20,7 +20,7 @@ use write_fonts::tables::cmap::Cmap;
 use write_fonts::types::Tag;
 
 use crate::figures::Figure;
-use crate::view::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Path, PathOutline};
 use crate::view::typesetting::labels::HaloText;
 use crate::view::typesetting::theme;
 
@@ -72,7 +72,7 @@ impl Maker {
                 }
             }
             Shape::Circle(CircleShape { center, radius, fill, stroke }) => {
-                let circle = |radius: f32| Outline::Circle {
+                let circle = |radius: f32| PathOutline::Circle {
                     center: [center.x * self.scale, center.y * self.scale],
                     radius: radius * self.scale,
                 };
@@ -111,22 +111,22 @@ impl Maker {
         self.stroke(edge, &shape.stroke);
     }
 
-    fn fill(&mut self, outline: Outline<'static>, color: Color32) {
+    fn fill(&mut self, outline: PathOutline<'static>, color: Color32) {
         if color.a() > 0 {
             self.primitives.push(Primitive::Path(Path { outline, color, ink: Ink::Fill }));
         }
     }
 
-    fn stroke(&mut self, outline: Outline<'static>, &Stroke { width, color }: &Stroke) {
+    fn stroke(&mut self, outline: PathOutline<'static>, &Stroke { width, color }: &Stroke) {
         if width > 0.0 && color.a() > 0 {
             let ink = Ink::Stroke { width: width * self.scale, round: false, dash: None };
             self.primitives.push(Primitive::Path(Path { outline, color, ink }));
         }
     }
 
-    fn chain(&self, points: &[Pos2], closed: bool) -> Outline<'static> {
+    fn chain(&self, points: &[Pos2], closed: bool) -> PathOutline<'static> {
         let points = points.iter().map(|at| [at.x * self.scale, at.y * self.scale]).collect();
-        Outline::Chain { points, closed }
+        PathOutline::Chain { points, closed }
     }
 }
 
@@ -448,9 +448,11 @@ mod tests {
             painter.rect_filled(square, 0.0, Color32::BLUE);
         });
         let path = |outline, color, ink| Path { outline, color, ink };
-        let circle = |radius| Outline::Circle { center: [20.0, 40.0], radius };
-        let chain =
-            |points: &[[f32; 2]], closed| Outline::Chain { points: points.to_vec().into(), closed };
+        let circle = |radius| PathOutline::Circle { center: [20.0, 40.0], radius };
+        let chain = |points: &[[f32; 2]], closed| PathOutline::Chain {
+            points: points.to_vec().into(),
+            closed,
+        };
         let pen = Ink::Stroke { width: 4.0, round: false, dash: None };
         let corners = [[2.0, 2.0], [10.0, 2.0], [10.0, 10.0], [2.0, 10.0]];
         let paths: Vec<Path> = primitives

@@ -23,7 +23,7 @@ use super::FontName;
 use super::{CasedText, LetterRun};
 use super::{Primitive, compacted, primitives};
 use crate::figures::Figure;
-use crate::view::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Path, PathOutline};
 
 /// PDF points per dot: an inch has 72 points, and 96 dots as in style sheets.
 const POINTS: f32 = 0.75;
@@ -42,7 +42,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
     writer.surface.push_transform(&Transform::from_scale(POINTS, POINTS));
     if let Some(color) = figure.ground {
         let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-        let outline = Outline::Chain { points: corners.as_slice().into(), closed: true };
+        let outline = PathOutline::Chain { points: corners.as_slice().into(), closed: true };
         writer.path(&Path { outline, color, ink: Ink::Fill });
     }
     if let Some(picture) = &figure.picture {
@@ -133,7 +133,7 @@ fn stroke(color: Color32, width: f32) -> Stroke {
     Stroke { paint: color.into(), opacity, width, line_join: LineJoin::Round, ..Stroke::default() }
 }
 
-fn built(outline: &Outline) -> Option<krilla::geom::Path> {
+fn built(outline: &PathOutline) -> Option<krilla::geom::Path> {
     let mut path = PathBuilder::new();
     for segment in outline.to_path()?.segments() {
         match segment {

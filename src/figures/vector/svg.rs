@@ -12,7 +12,7 @@ use super::{CasedText, LetterRun};
 use super::{FontName, SANS};
 use super::{Primitive, compacted, primitives};
 use crate::figures::{Figure, to_png};
-use crate::view::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Path, PathOutline};
 
 /// Writes the whole file.
 pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
@@ -84,13 +84,13 @@ fn element(Path { outline, color, ink }: &Path) -> String {
         }
     };
     match outline {
-        Outline::Chain { points, closed } => {
+        PathOutline::Chain { points, closed } => {
             let name = if *closed { "polygon" } else { "polyline" };
             let points: Vec<String> =
                 points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
             format!("<{name} points=\"{}\"{ink}/>\n", points.join(" "))
         }
-        Outline::Circle { center: [x, y], radius } => {
+        PathOutline::Circle { center: [x, y], radius } => {
             let (x, y, radius) = (short(*x), short(*y), short(*radius));
             format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"{ink}/>\n")
         }

@@ -68,12 +68,12 @@ impl Derivations {
 
 /// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
 /// curve.
-type Key = (ResolvedCamera, u64, Selection, Vec<Named>);
+type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 
 /// A cache of the curves, their samples, and their values at the moving point.
 #[derive(Debug, Default)]
 pub(super) struct Plots {
-    curves: Memo<Key, Arc<Vec<Curve>>>,
+    curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// Number of times that curves were made, which distinguishes some from the next.

@@ -72,9 +72,9 @@ const MOST: usize = 3;
 
 /// The last pictures of a view, of which those that nobody shows any more lend their memory.
 #[derive(Debug, Default)]
-pub(super) struct Buffers(Vec<Arc<ColorImage>>);
+pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
 
-impl Buffers {
+impl SpareImages {
     /// Returns pixels for a picture; all of them are still to be painted.
     pub(super) fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
         let size_in_dots = size.map(|n| n as usize);
@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn memory_is_used_again_once_nobody_shows_it() {
-        let mut buffers = Buffers::default();
+        let mut buffers = SpareImages::default();
         let mark = Color32::from_rgb(1, 2, 3);
         let shown = buffers.shown([4, 3], vec![mark; 12], Drawing::default());
         assert_eq!(buffers.take([4, 3]), [Color32::BLACK; 12], "it is still shown");

@@ -21,12 +21,11 @@ use crate::view::derive::views::{CameraViews, WorldViews};
 use crate::view::overlay::{Drawing, Highlighted, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
-pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, TooMany, Watch, Work};
+pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{
     AgainstGhost, Grading, Second, SecondData, SecondPicture,
 };
 
-mod answer_marks;
 mod derivations;
 mod memo;
 mod objects;
@@ -68,7 +67,7 @@ impl Deriver {
         document: &Document,
         session: &Session,
         sizes: &ViewSizes,
-        watch: Watch<'_>,
+        watch: OnWork<'_>,
     ) -> Derived {
         let inputs = Inputs { document, session, sizes, watch };
         // Runs on one of rayon's threads from the start: on another thread, each parallel step
@@ -100,7 +99,7 @@ impl Deriver {
         }
         drop(world);
         if let Some(good) = &self.last_good {
-            good.tell(&mut derived);
+            good.describe(&mut derived);
         }
         let world = self.objects.good().filter(|_| derived.fault.is_none());
         let exercises = &inputs.session.exercises;
@@ -162,7 +161,7 @@ struct Inputs<'a> {
     document: &'a Document,
     session: &'a Session,
     sizes: &'a ViewSizes,
-    watch: Watch<'a>,
+    watch: OnWork<'a>,
 }
 
 /// Sizes of the views in physical pixels (`None` for views that are not shown), and other view

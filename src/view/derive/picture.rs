@@ -1,5 +1,5 @@
 //! The camera's picture: by the ladder, by another method that the user compares with it, and their
-//! difference. Tracing reports its work to a [`Watch`]: the caller measures the time, and there is no
+//! difference. Tracing reports its work to a [`OnWork`]: the caller measures the time, and there is no
 //! clock here.
 
 use std::fmt;
@@ -79,26 +79,34 @@ pub(super) struct GoodPicture {
     pub(super) subsampling: Subsampling,
     /// Counts of the objects that the picture dropped and looked at.
     pub(super) counts: Counts,
-    /// The reason why no other method is compared with it, if one should be.
-    pub(super) too_many: Option<TooMany>,
-    /// The ladder's answers, if another method is compared with them.
-    pub(super) truth: Option<Arc<Frame>>,
-    /// The method that drew the picture, if it was not the ladder.
-    pub(super) drawn_by: Option<Arc<Compared>>,
-    /// The method of the error map, if that is shown.
-    pub(super) compared: Option<Arc<Compared>>,
+    /// The answers of other methods.
+    pub(super) others: OtherMethods,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
 }
 
+/// The method that draws the picture, and the answers of methods that are compared with the ladder's.
+#[derive(Clone, Debug)]
+pub(super) struct OtherMethods {
+    method: Method,
+    /// The reason why no other method is compared with the ladder, if one should be.
+    too_many: Option<TooMany>,
+    /// The ladder's answers, if another method is compared with them.
+    truth: Option<Arc<Frame>>,
+    /// The answers of the method that drew the picture, if it was not the ladder.
+    drawn_by: Option<Arc<Compared>>,
+    /// The answers of the error map's method, if the map is shown.
+    pub(super) compared: Option<Arc<Compared>>,
+}
+
 impl GoodPicture {
-    /// Writes down what is said about the picture.
-    pub(super) fn tell(&self, derived: &mut Derived) {
-        derived.drawn_by.clone_from(&self.drawn_by);
-        derived.too_many = self.too_many;
+    /// Copies what the readouts show about the picture.
+    pub(super) fn describe(&self, derived: &mut Derived) {
+        derived.drawn_by.clone_from(&self.others.drawn_by);
+        derived.too_many = self.others.too_many;
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
-        derived.truth.clone_from(&self.truth);
+        derived.truth.clone_from(&self.others.truth);
     }
 }
 
@@ -152,11 +160,11 @@ impl Pictures {
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
         let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
-        let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
+        let others = self.other_methods(&seen, world, settings, with_map, too_many, watch);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (beside.method, seen, settings.shade, world.palette, clear);
-        let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
+        let key = (others.method, seen, settings.shade, world.palette, clear);
+        let (picture, steps, counts) = self.picture(&key, world, &others, watch);
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
@@ -179,19 +187,7 @@ impl Pictures {
                 Arc::new(first_pixels(&whole.0, *count))
             }),
         };
-        GoodPicture {
-            loupe,
-            resolved,
-            picture,
-            inspection,
-            subsampling,
-            steps,
-            counts,
-            too_many: beside.too_many,
-            truth: beside.truth,
-            drawn_by: beside.drawn_by,
-            compared: beside.compared,
-        }
+        GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, others }
     }
 
     /// Returns the selected ray with all its intersections.
@@ -206,16 +202,15 @@ impl Pictures {
         })
     }
 
-    /// Returns the other methods' answers, if the picture or the error map needs them, beside the
-    /// ladder's.
-    fn beside(
+    /// Returns the ladder's and the other methods' answers, if the picture or the error map needs them.
+    fn other_methods(
         &mut self,
         seen: &TraceKey,
         world: &GoodWorld,
         settings: &Settings,
         with_map: bool,
         too_many: Option<TooMany>,
-        watch: Watch<'_>,
+        watch: OnWork<'_>,
     ) -> OtherMethods {
         let other = settings.compared;
         let is_compared = settings.method != Method::Ladder || with_map;
@@ -232,7 +227,7 @@ impl Pictures {
         let mut compare = |slot: usize, method| {
             let truth = truth.as_deref()?;
             let memo = &mut self.by[slot];
-            Some(watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
+            Some(watched(watch, WorkKind::Trace, || compare(memo, method, seen, world, truth)))
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = if with_map { compare(usize::from(other != method), other) } else { None };
@@ -244,15 +239,15 @@ impl Pictures {
         &mut self,
         key: &PictureKey,
         world: &GoodWorld,
-        beside: &OtherMethods,
-        watch: Watch<'_>,
+        others: &OtherMethods,
+        watch: OnWork<'_>,
     ) -> MadePicture {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
         let (traced, rough) = (&mut self.traced, &mut self.rough);
         let shown = &mut self.shown;
         let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
-            if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
+            if let (Some(by), Some(truth)) = (&others.drawn_by, &others.truth) {
                 let pixels = repainted(&by.frame, scene, colors, watch);
                 return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
             }
@@ -284,15 +279,6 @@ fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
 }
 
-/// The method that draws the picture, and the answers compared with the ladder's.
-struct OtherMethods {
-    method: Method,
-    too_many: Option<TooMany>,
-    truth: Option<Arc<Frame>>,
-    drawn_by: Option<Arc<Compared>>,
-    compared: Option<Arc<Compared>>,
-}
-
 fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
     if clear {
         let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
@@ -303,7 +289,7 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
 }
 
 /// Returns the pixels under the loupe, by the method that draws the picture.
-fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
+fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
     let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
     let mut frame = trace_truth(&world.scene, resolved, raster, watch);
     if *method != Method::Ladder {
@@ -335,7 +321,7 @@ fn compare(
 
 /// The kind of work done since the last report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Work {
+pub enum WorkKind {
     /// Planning, tracing and colouring pixels.
     Trace,
     /// Drawing over the pictures.
@@ -345,10 +331,10 @@ pub enum Work {
 }
 
 /// A callback for work that was just done.
-pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
+pub type OnWork<'a> = &'a (dyn Fn(WorkKind) + Sync);
 
 /// A picture's frame and its opaque pixels.
-pub(super) type Traced = (Frame<f32>, Vec<egui::Color32>);
+pub(super) type PaintedFrame = (Frame<f32>, Vec<egui::Color32>);
 
 /// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture; both in the
 /// memory of a `spare` one, if that is as large.
@@ -358,11 +344,11 @@ pub(super) fn trace_picture(
     raster: &Raster,
     outputs: Outputs,
     (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
-    (spare, watch): (Option<Traced>, Watch<'_>),
-) -> Traced {
-    watch(Work::Rest);
+    (spare, watch): (Option<PaintedFrame>, OnWork<'_>),
+) -> PaintedFrame {
+    watch(WorkKind::Rest);
     let paint = Paint { shade, color_of, to_pixel: opaque };
-    let fits = |(frame, pixels): &Traced| {
+    let fits = |(frame, pixels): &PaintedFrame| {
         let has = |values: usize, asked: bool| values == if asked { raster.len() } else { 0 };
         frame.raster() == raster
             && pixels.len() == raster.len()
@@ -378,7 +364,7 @@ pub(super) fn trace_picture(
         let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
         (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
     };
-    watch(Work::Trace);
+    watch(WorkKind::Trace);
     traced
 }
 
@@ -387,9 +373,9 @@ pub(super) fn repainted<T: Depth>(
     frame: &Frame<T>,
     scene: &Scene,
     (mode, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
-    watch: Watch<'_>,
+    watch: OnWork<'_>,
 ) -> Vec<egui::Color32> {
-    watched(watch, Work::Trace, || shade(frame, scene, mode, color_of, opaque))
+    watched(watch, WorkKind::Trace, || shade(frame, scene, mode, color_of, opaque))
 }
 
 /// Traces `t` with all its digits, and the objects.
@@ -397,17 +383,17 @@ pub(super) fn trace_truth(
     scene: &Scene,
     camera: &ResolvedCamera,
     raster: &Raster,
-    watch: Watch<'_>,
+    watch: OnWork<'_>,
 ) -> Arc<Frame> {
-    watch(Work::Rest);
+    watch(WorkKind::Rest);
     let frame = trace(scene, camera, raster, Outputs::default());
-    watch(Work::Trace);
+    watch(WorkKind::Trace);
     Arc::new(frame)
 }
 
 /// Does some work and reports it.
-pub(super) fn watched<R>(watch: Watch<'_>, work: Work, run: impl FnOnce() -> R) -> R {
-    watch(Work::Rest);
+pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -> R) -> R {
+    watch(WorkKind::Rest);
     let done = run();
     watch(work);
     done

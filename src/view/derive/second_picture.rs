@@ -1,31 +1,35 @@
-//! The second picture, beside the camera's: where another method errs, what a wrong camera or the ghost
-//! sees, or where a student's answers are wrong.
+//! The second picture, next to the camera's: the errors of another method, the picture of a wrong camera
+//! or of the ghost, or a student's wrong answers. The world view draws that camera, its ray and the
+//! student's answer together with the right ones.
 
 use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera,
-    Selection, Shade,
+    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Pixel, Raster, Ray,
+    ResolvedCamera, Scene, Selection, Shade,
 };
 use pinhole_exchange::answers;
 use pinhole_exchange::document::Document;
-use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
-use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, ComparedPixels, Mistake};
+use pinhole_lecture::grading::{Answers, Cell, GivenHit, Graded, Truth, grade};
+use pinhole_lecture::mistakes::{
+    ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
+};
 
-use super::Inputs;
-use super::answer_marks::{of_answers, of_mistake};
-use super::memo::Memo;
-use super::objects::GoodWorld;
-use super::picture::{Compared, GoodPicture, Watch, Work, trace_picture, watched};
-use super::{Derived, Shown, blank, highlighted, opaque};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
-use crate::model::practice::answer_marks::AnswerMark;
+use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::model::practice::student_answers::StudentAnswers;
+use crate::model::session::ViewLayout;
 use crate::model::session::ghost::resolve;
 use crate::view::accuracy;
-use crate::view::overlay::{self, CameraView, Picture, Same};
+use crate::view::derive::memo::Memo;
+use crate::view::derive::objects::GoodWorld;
+use crate::view::derive::picture::{
+    Compared, GoodPicture, OnWork, WorkKind, trace_picture, watched,
+};
+use crate::view::derive::{Derived, Inputs, Shown, blank, highlighted, opaque};
+use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
 /// The kind of a second picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -175,7 +179,9 @@ impl SecondPictures {
         let raster =
             || good.subsampling.raster(good.resolved.image(), sizes.second.map_or([1; 2], |s| s.1));
         let key = match (kind, numbers) {
-            (SecondPicture::ErrorMap, _) => SecondKey::ErrorMap(Same(good.compared.clone()?)),
+            (SecondPicture::ErrorMap, _) => {
+                SecondKey::ErrorMap(Same(good.others.compared.clone()?))
+            }
             (SecondPicture::WrongCamera, Some(numbers)) => {
                 SecondKey::WrongCamera(camera, numbers, raster(), shade, mistake)
             }
@@ -299,7 +305,7 @@ impl SecondPictures {
         view.picture = Same(picture);
         let scene = world.map(|world| &*world.scene);
         let shown = self.view.get(view, |view| {
-            watched(watch, Work::Overlay, || {
+            watched(watch, WorkKind::Overlay, || {
                 let mut pixels = blank(size);
                 let drawing = overlay::camera(view, scene, &mut pixels);
                 if let SecondData::ErrorMap(compared) = data {
@@ -330,9 +336,9 @@ fn wrong_camera(
     world: &GoodWorld,
     raster: &Raster,
     shade: Shade,
-    watch: Watch<'_>,
+    watch: OnWork<'_>,
 ) -> SecondMade {
-    watched(watch, Work::Trace, || {
+    watched(watch, WorkKind::Trace, || {
         let color_of = |i: u32| world.colors[i as usize];
         let paint = Paint { shade, color_of, to_pixel: opaque };
         let (wrong, compared) =
@@ -352,7 +358,7 @@ fn ghost_picture(
     raster: &Raster,
     shade: Shade,
     selection: Selection,
-    watch: Watch<'_>,
+    watch: OnWork<'_>,
 ) -> Option<SecondMade> {
     let resolved = resolve(ghost, camera).ok()?;
     let colors = (shade, |i: u32| world.colors[i as usize]);
@@ -419,4 +425,94 @@ fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     }
     let pixels = worst.into_iter().map(|cell| opaque(cell.color())).collect();
     Some(Picture { pixels, image, raster })
+}
+
+/// Returns the camera to compare with in the world view: a mistake's, or the frozen one.
+pub(super) fn ghost_camera(
+    Inputs { document, session, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<GhostCamera> {
+    if session.settings.layout == ViewLayout::Mistakes {
+        // It would give away what the class is asked for.
+        let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
+        let wrong = derived.wrong_camera().filter(|_| !is_secret && derived.fault.is_none())?;
+        return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
+    }
+    let ghost = session.ghost.as_ref()?;
+    resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
+}
+
+/// Returns the wrong camera's ray for the selected pixel.
+fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<AnswerMark> {
+    let ray = match selection.inside(wrong.image()) {
+        Selection::Pixel(pixel) => wrong.ray(pixel),
+        Selection::Uv(uv) => wrong.ray_at(uv),
+    };
+    let Ok(ray) = ray else { return Vec::new() };
+    let t = scene.first_hit(&ray).map(|hit| hit.t);
+    vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
+}
+
+/// Returns the student's answer for the selected pixel where it is wrong. Where the file has none for
+/// it, returns the worst answer with the right one beside it.
+fn of_answers(
+    graded: &Graded,
+    camera: &ResolvedCamera,
+    scene: &Scene,
+    selection: Selection,
+) -> Vec<AnswerMark> {
+    if let Answers::Basis(vectors) = &graded.answers {
+        let names = ["your u", "your v", "your w"];
+        let is_wrong = |index: &usize| !graded.grade.is_right[*index];
+        let mark = |index: usize| {
+            AnswerMark::yours(MarkShape::BasisVector(index, vectors[index].value), names[index])
+        };
+        return (0..vectors.len()).filter(is_wrong).map(mark).collect();
+    }
+    let selected = match selection {
+        Selection::Pixel(pixel) => index_of(graded, pixel),
+        Selection::Uv(_) => None,
+    };
+    if let Some(index) = selected {
+        let is_right = graded.grade.is_right.get(index).copied().unwrap_or(true);
+        return match (is_right, graded.pixel(index)) {
+            (false, Some(pixel)) => yours(graded, index, &camera.ray_of_pixel(pixel), scene),
+            _ => Vec::new(),
+        };
+    }
+    let (Some(worst), Some(pixel)) = (&graded.grade.worst, graded.worst_pixel()) else {
+        return Vec::new();
+    };
+    let ray = camera.ray_of_pixel(pixel);
+    let mut marks = yours(graded, worst.index, &ray, scene);
+    if !marks.is_empty() {
+        let t = scene.first_hit(&ray).map(|hit| hit.t);
+        marks.push(AnswerMark::right(MarkShape::Ray(ray, t), "right ray"));
+    }
+    marks
+}
+
+fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
+    let count = graded.grade.is_right.len();
+    (0..count).find(|index| graded.pixel(*index) == Some(pixel))
+}
+
+/// Returns an answer's own ray or hit. A hit of which only t is given lies on the right ray.
+fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
+    let shape = match &graded.answers {
+        Answers::Rays(rays) => {
+            let Ok(ray) = Ray::new(rays[index].origin.value, rays[index].direction.value) else {
+                return Vec::new();
+            };
+            let t = scene.first_hit(&ray).map(|hit| hit.t);
+            return vec![AnswerMark::yours(MarkShape::Ray(ray, t), "your ray")];
+        }
+        Answers::Hits(hits) => match hits[index].hit {
+            Some(GivenHit { point: Some(point), .. }) => MarkShape::Point(point.value),
+            Some(GivenHit { t: Some(t), .. }) => MarkShape::OnRay(*right, t.value),
+            _ => return Vec::new(),
+        },
+        Answers::Basis(_) | Answers::Picture(_) => return Vec::new(),
+    };
+    vec![AnswerMark::yours(shape, "your hit")]
 }

@@ -15,10 +15,13 @@ use rayon::prelude::*;
 
 use crate::model::observer::enclosing;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::memo::{Buffers, Fineness, Memo};
+use crate::view::derive::memo::{Fineness, Memo, SpareImages};
 use crate::view::derive::objects::{Enclosing, Objects};
-use crate::view::derive::picture::{GoodPicture, Watch, Work, repainted, trace_picture, watched};
-use crate::view::derive::{Derived, Inputs, Purpose, Shown, answer_marks, highlighted, opaque};
+use crate::view::derive::picture::{
+    GoodPicture, OnWork, WorkKind, repainted, trace_picture, watched,
+};
+use crate::view::derive::second_picture::ghost_camera;
+use crate::view::derive::{Derived, Inputs, Purpose, Shown, highlighted, opaque};
 use crate::view::handles::{self, Stage};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 
@@ -27,7 +30,7 @@ use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
     view: Memo<WorldView, Shown>,
-    buffers: Buffers,
+    buffers: SpareImages,
 }
 
 /// The world view, with the observer's frame behind it.
@@ -75,7 +78,7 @@ impl WorldViews {
             scale: sizes.scale,
             style: sizes.style,
             ray_point_t: session.ray_point_t,
-            ghost: answer_marks::ghost(inputs, derived),
+            ghost: ghost_camera(inputs, derived),
             answer_marks: Arc::clone(&derived.answer_marks),
             highlighted: highlighted(inputs),
             handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
@@ -87,7 +90,7 @@ impl WorldViews {
         let view = view.get(shown, |view| {
             let backdrop = Backdrop::new(view, scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            watched(watch, Work::Overlay, || {
+            watched(watch, WorkKind::Overlay, || {
                 let mut pixels = buffers.take(size);
                 let below = Below { traced: &world.pixels, painted: &painted };
                 let drawing = overlay::world(view, scene, &backdrop, below, &mut pixels);
@@ -103,7 +106,7 @@ impl WorldViews {
 #[derive(Debug, Default)]
 pub(super) struct CameraViews {
     view: Memo<CameraView, Shown>,
-    buffers: Buffers,
+    buffers: SpareImages,
 }
 
 impl CameraViews {
@@ -132,7 +135,7 @@ impl CameraViews {
         };
         let (scene, buffers) = (derived.scene.as_deref(), &mut self.buffers);
         Some(self.view.get(shown, |view| {
-            watched(watch, Work::Overlay, || {
+            watched(watch, WorkKind::Overlay, || {
                 let mut pixels = buffers.take(size);
                 let drawing = overlay::camera(view, scene, &mut pixels);
                 view.style.finish(&mut pixels);
@@ -203,7 +206,7 @@ impl WorldPictures {
                     colors,
                     (None, watch),
                 );
-                watched(watch, Work::Trace, || {
+                watched(watch, WorkKind::Trace, || {
                     paint_key_light(&traced.0, &scene, color_of, &mut traced.1);
                 });
                 if subsampling == Subsampling::NONE {
@@ -229,11 +232,11 @@ impl WorldPictures {
         &mut self,
         world: &Arc<WorldPicture>,
         backdrop: &Backdrop,
-        watch: Watch<'_>,
+        watch: OnWork<'_>,
     ) -> Arc<Vec<Color32>> {
         let key = (Same(Arc::clone(world)), backdrop.clone());
         self.backdrop.get(key, |(world, backdrop)| {
-            watched(watch, Work::Overlay, || {
+            watched(watch, WorkKind::Overlay, || {
                 let mut dots = world.0.pixels.clone();
                 backdrop.paint(&world.0.frame, &mut dots);
                 Arc::new(dots)

@@ -187,7 +187,7 @@ const DASH: [f32; 2] = [5.0, 4.5];
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<'a> {
     /// The outline.
-    pub outline: Outline<'a>,
+    pub outline: PathOutline<'a>,
     /// The colour.
     pub color: Color32,
     /// Fill or stroke.
@@ -196,7 +196,7 @@ pub struct Path<'a> {
 
 /// The outline of a path.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Outline<'a> {
+pub enum PathOutline<'a> {
     /// A chain of straight lines.
     Chain {
         /// The corners.
@@ -229,14 +229,14 @@ pub enum Ink {
     },
 }
 
-impl Outline<'_> {
+impl PathOutline<'_> {
     /// Returns the outline as the rasteriser and PDF take it; `None` if there is nothing of it.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
-            Outline::Circle { center: [x, y], radius } => {
+            PathOutline::Circle { center: [x, y], radius } => {
                 return PathBuilder::from_circle(*x, *y, *radius);
             }
-            Outline::Chain { points, closed } => (points, *closed),
+            PathOutline::Chain { points, closed } => (points, *closed),
         };
         let mut path = PathBuilder::new();
         let (first, rest) = points.split_first()?;
@@ -255,12 +255,12 @@ impl Path<'_> {
     /// Returns the path with every length multiplied, dashes and pens too.
     pub fn scaled(&self, scale: f32) -> Path<'static> {
         let outline = match &self.outline {
-            Outline::Chain { points, closed } => Outline::Chain {
+            PathOutline::Chain { points, closed } => PathOutline::Chain {
                 points: points.iter().map(|point| point.map(|x| scale * x)).collect(),
                 closed: *closed,
             },
-            Outline::Circle { center, radius } => {
-                Outline::Circle { center: center.map(|x| scale * x), radius: scale * radius }
+            PathOutline::Circle { center, radius } => {
+                PathOutline::Circle { center: center.map(|x| scale * x), radius: scale * radius }
             }
         };
         let ink = match self.ink {
@@ -305,13 +305,13 @@ fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
     (mark.halo.map(|halo| path(halo, around)), path(mark.color, ink))
 }
 
-fn outline_of(shape: &Shape) -> Outline<'_> {
-    let chain = |points, closed| Outline::Chain { points: Cow::Borrowed(points), closed };
+fn outline_of(shape: &Shape) -> PathOutline<'_> {
+    let chain = |points, closed| PathOutline::Chain { points: Cow::Borrowed(points), closed };
     match shape {
         Shape::Line { points, .. } => {
             chain(points.as_slice(), points.len() > 2 && points.first() == points.last())
         }
         Shape::Polygon { points } => chain(points.as_slice(), true),
-        Shape::Disc { center, radius } => Outline::Circle { center: *center, radius: *radius },
+        Shape::Disc { center, radius } => PathOutline::Circle { center: *center, radius: *radius },
     }
 }

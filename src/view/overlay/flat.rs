@@ -203,9 +203,7 @@ impl FlatRow {
         }
         self.span = span.clone();
     }
-}
 
-impl FlatRow {
     /// Returns (a, b, coverage by grid lines) of one dot of the span.
     #[inline(always)]
     pub(crate) fn spot(&self, k: usize) -> [f32; 3] {

@@ -14,7 +14,7 @@ use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::screen::{tangents, unit};
-use crate::view::overlay::sketch::{Head, Pen, Request, Sketch};
+use crate::view::overlay::sketch::{Head, LineStyle, Request, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 
@@ -90,9 +90,9 @@ pub(super) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Requ
 
 /// Returns a pen's casing and the pen. A chain of short lines needs one casing as a whole, below
 /// all of it.
-pub(super) fn cased(pen: Pen, halo: Color32) -> [Pen; 2] {
+pub(super) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
-    [Pen { color: halo, width: pen.width + 2.5, ..pen }, pen]
+    [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
 /// Returns the silhouette circle of a sphere as seen from a point; `None` from inside.
@@ -129,8 +129,8 @@ impl Sketch<'_> {
         self.requests = first(own, std::mem::take(&mut self.requests));
     }
 
-    fn highlighted_pen(&self, highlighted: Highlighted, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).about(highlighted.concept).on_top()
+    fn highlighted_pen(&self, highlighted: Highlighted, color: Color32) -> LineStyle {
+        LineStyle::new(Item::Ray, color, STRONG).about(highlighted.concept).on_top()
     }
 
     fn highlighted_arrow(
@@ -138,7 +138,7 @@ impl Sketch<'_> {
         from: DVec3,
         to: DVec3,
         head: Head,
-        pen: Pen,
+        pen: LineStyle,
         text: &str,
         size: f32,
     ) {
@@ -147,14 +147,14 @@ impl Sketch<'_> {
         self.label_tip(pen, text.to_owned(), tip, (pen.color, size, bold));
     }
 
-    fn highlighted_point(&mut self, at: DVec3, pen: Pen, text: String) {
+    fn highlighted_point(&mut self, at: DVec3, pen: LineStyle, text: String) {
         if let Some(spot) = self.point(at, 8.0, pen) {
             let font = (pen.color, POINT_TEXT, false);
             self.label(pen, text, spot.at, DVec2::new(0.4, 1.0), font);
         }
     }
 
-    fn highlighted_line(&mut self, from: DVec3, to: DVec3, pen: Pen, text: Option<String>) {
+    fn highlighted_line(&mut self, from: DVec3, to: DVec3, pen: LineStyle, text: Option<String>) {
         self.line(from, to, pen);
         if let (Some(text), Some(spot)) = (text, self.screen.spot(from.midpoint(to))) {
             let font = (pen.color, POINT_TEXT, false);
@@ -189,7 +189,7 @@ impl Sketch<'_> {
                 if highlighted.concept == Concept::View {
                     self.highlighted_arrow(eye, tip, Head::Filled, pen, "view", POINT_TEXT);
                 } else {
-                    let thin = Pen { width: BESIDE, ..pen };
+                    let thin = LineStyle { width: BESIDE, ..pen };
                     self.highlighted_arrow(eye, tip, Head::Filled, thin, "view", POINT_TEXT);
                     let tip = eye - arrow * VIEW_LENGTH * looks;
                     self.highlighted_arrow(eye, tip, Head::Filled, pen, "−view", POINT_TEXT);
@@ -239,13 +239,13 @@ impl Sketch<'_> {
         let length = if (0.4..=2.0).contains(&own) { own } else { 1.0 };
         let (a, b) = (arrow * length * a, arrow * b);
         let pen = self.highlighted_pen(highlighted, colors[2]);
-        let fill = Pen { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
+        let fill = LineStyle { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
         self.polygon(&[eye, eye + a, eye + a + b, eye + b], fill);
-        let edge = Pen { width: 1.6, ..pen }.without_halo();
+        let edge = LineStyle { width: 1.6, ..pen }.without_halo();
         self.line(eye + a, eye + a + b, edge);
         self.line(eye + b, eye + a + b, edge);
         for ((vector, name), color) in [(a, names[0]), (b, names[1])].into_iter().zip(colors) {
-            let pen = Pen { color, width: BESIDE + 1.0, ..pen };
+            let pen = LineStyle { color, width: BESIDE + 1.0, ..pen };
             let size = if name == "up" { POINT_TEXT } else { VECTOR_TEXT };
             self.highlighted_arrow(eye, eye + vector, Head::Filled, pen, name, size);
         }
@@ -331,7 +331,7 @@ impl Sketch<'_> {
             }
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
-                self.line(ray.origin, root.point, Pen { width: BESIDE, ..pen });
+                self.line(ray.origin, root.point, LineStyle { width: BESIDE, ..pen });
                 self.highlighted_point(
                     root.point,
                     pen,
@@ -341,7 +341,7 @@ impl Sketch<'_> {
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
                 let length = self.normal_length(hit.point);
-                let pen = Pen { color: self.colors.hit, ..pen };
+                let pen = LineStyle { color: self.colors.hit, ..pen };
                 let tip = hit.point + 1.3 * length * hit.normal;
                 self.highlighted_arrow(hit.point, tip, Head::Filled, pen, "n", VECTOR_TEXT);
             }
@@ -350,13 +350,13 @@ impl Sketch<'_> {
     }
 
     /// Draws the parts of the direction as a chain from the eye: forwards, to the right and up.
-    fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: Pen) {
+    fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: LineStyle) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
         let mut from = eye;
         for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
             let width = if pen.concept == Some(concept) { STRONG } else { BESIDE };
-            let pen = Pen { color, width, ..pen }.about(concept);
+            let pen = LineStyle { color, width, ..pen }.about(concept);
             self.arrow(from, from + vector, Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
                 let font = (color, POINT_TEXT, false);
@@ -364,7 +364,7 @@ impl Sketch<'_> {
             }
             from += vector;
         }
-        let ray = Pen { color: self.colors.ray, width: 2.0, concept: None, ..pen };
+        let ray = LineStyle { color: self.colors.ray, width: 2.0, concept: None, ..pen };
         self.line(eye, from, ray);
     }
 
@@ -372,7 +372,8 @@ impl Sketch<'_> {
     fn highlight_object(&mut self, index: u32) {
         let view = self.view;
         let Some(object) = self.scene.object(index) else { return };
-        let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index)).on_top();
+        let pen =
+            LineStyle::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index)).on_top();
         match object {
             Object::Sphere(sphere) => {
                 let from = view.frame.camera().eye();

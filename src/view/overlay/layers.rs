@@ -19,7 +19,7 @@ pub(crate) struct Layers<'a> {
     height: usize,
     pub(crate) background: Color32,
     pub(crate) viewport: Option<ViewportLayer<'a>>,
-    pub(crate) patches: Vec<Patch>,
+    pub(crate) patches: Vec<PlanePatch>,
     pub(crate) bowls: Vec<Bowl>,
 }
 
@@ -79,7 +79,7 @@ pub(crate) struct PictureLookup<'a> {
 /// The part of an infinite plane near the observer's target; it fades outwards and has grid lines
 /// in world units.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Patch {
+pub(crate) struct PlanePatch {
     /// The plane; (a, b) are world units from the patch's centre.
     pub(crate) flat: Flat,
     pub(crate) radius: f64,
@@ -146,7 +146,7 @@ impl ViewportLayer<'_> {
     }
 }
 
-impl Patch {
+impl PlanePatch {
     /// Returns the patch's opacity at `|(a, b)|^2`; it fades to 0 at the rim.
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
@@ -265,7 +265,9 @@ impl<'a> Layers<'a> {
             let grid = grid.as_ref().map(|(grid, _)| grid);
             flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
         }
-        for (layer, Patch { flat, radius, grid, .. }) in layers[1..].iter_mut().zip(&self.patches) {
+        for (layer, PlanePatch { flat, radius, grid, .. }) in
+            layers[1..].iter_mut().zip(&self.patches)
+        {
             flat.fill_row(layer, y, part, *radius, Some(grid));
         }
     }

@@ -30,10 +30,9 @@ mod sketch;
 mod style;
 mod world_view;
 
-pub use crate::model::observer::UP_LENGTH;
 pub use camera_view::loupe::{Loupe, loupe_window};
 pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
-pub use drawing::{Drawing, Ink, Label, Mark, Outline, Path, Shape, Target, concept_at};
+pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, Target, concept_at};
 pub use highlighted::Highlighted;
 pub use paint::{Picture, paint_paths};
 pub use style::{Colors, Style};

@@ -158,14 +158,14 @@ impl StretchedPicture<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::overlay::drawing::Outline;
+    use crate::view::overlay::drawing::PathOutline;
 
     const WIDTH: usize = 40;
 
     /// Paints a path in white on 40 x 100 black dots, which are several bands, and returns the shares
     /// covered.
     fn covered(points: &[[f32; 2]], ink: Ink) -> Vec<f32> {
-        let outline = Outline::Chain { points: points.into(), closed: true };
+        let outline = PathOutline::Chain { points: points.into(), closed: true };
         let path = Path { outline, color: Color32::WHITE, ink };
         let mut dots = vec![Color32::BLACK; WIDTH * 100];
         paint_paths(std::iter::once(&path), WIDTH, &mut dots);

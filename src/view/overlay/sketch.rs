@@ -18,7 +18,7 @@ use crate::view::overlay::world_view::WorldView;
 
 /// The style of a line.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pen {
+pub(crate) struct LineStyle {
     pub(crate) item: Item,
     pub(crate) concept: Option<Concept>,
     pub(crate) color: Color32,
@@ -68,43 +68,43 @@ const SHORTEST_RUN: f64 = 3.0;
 
 /// A part of a line that is visible, or hidden, as a whole; in shares of its length on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Run {
+struct LinePart {
     from: f64,
     to: f64,
     hidden: bool,
 }
 
-impl Pen {
-    pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
+impl LineStyle {
+    pub(crate) fn new(item: Item, color: Color32, width: f32) -> LineStyle {
         let (concept, on_viewport, on_top, dashed) = (None, false, false, false);
         let pattern = None;
-        Pen { item, concept, color, width, halo: true, on_viewport, on_top, dashed, pattern }
+        LineStyle { item, concept, color, width, halo: true, on_viewport, on_top, dashed, pattern }
     }
 
     /// Sets dash and gap, in points, of the visible parts.
-    pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> Pen {
-        Pen { pattern, ..self }
+    pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> LineStyle {
+        LineStyle { pattern, ..self }
     }
 
     /// Sets the concept that is hovered when the pointer is on the line.
-    pub(crate) fn about(self, concept: Concept) -> Pen {
-        Pen { concept: Some(concept), ..self }
+    pub(crate) fn about(self, concept: Concept) -> LineStyle {
+        LineStyle { concept: Some(concept), ..self }
     }
 
-    pub(crate) fn on_top(self) -> Pen {
-        Pen { on_top: true, ..self }
+    pub(crate) fn on_top(self) -> LineStyle {
+        LineStyle { on_top: true, ..self }
     }
 
-    pub(crate) fn dashed(self) -> Pen {
-        Pen { dashed: true, ..self }
+    pub(crate) fn dashed(self) -> LineStyle {
+        LineStyle { dashed: true, ..self }
     }
 
-    pub(crate) fn without_halo(self) -> Pen {
-        Pen { halo: false, ..self }
+    pub(crate) fn without_halo(self) -> LineStyle {
+        LineStyle { halo: false, ..self }
     }
 
-    pub(crate) fn on_viewport(self) -> Pen {
-        Pen { on_viewport: true, ..self }
+    pub(crate) fn on_viewport(self) -> LineStyle {
+        LineStyle { on_viewport: true, ..self }
     }
 
     /// Returns the mark of a visible shape, in a casing of the colour `halo` if the pen has one.
@@ -127,7 +127,7 @@ impl Sketch<'_> {
     }
 
     /// Draws a straight line of the world.
-    pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: Pen) {
+    pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: LineStyle) {
         if self.items.shows(pen.item)
             && let Some(cut) = self.screen.line(from, to)
         {
@@ -136,7 +136,13 @@ impl Sketch<'_> {
     }
 
     /// Draws an arrow whose head keeps its size on the screen; returns its tip, if that is visible.
-    pub(crate) fn arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen) -> Option<Tip> {
+    pub(crate) fn arrow(
+        &mut self,
+        from: DVec3,
+        to: DVec3,
+        head: Head,
+        pen: LineStyle,
+    ) -> Option<Tip> {
         if !self.items.shows(pen.item) {
             return None;
         }
@@ -164,7 +170,7 @@ impl Sketch<'_> {
         Some(Tip { spot: to, direction })
     }
 
-    fn head(&mut self, tip: Spot, direction: DVec2, size: f64, head: Head, pen: Pen) {
+    fn head(&mut self, tip: Spot, direction: DVec2, size: f64, head: Head, pen: LineStyle) {
         let side = direction.perp() * (0.42 * size);
         let triangle = |tip: DVec2| {
             let back = tip - direction * size;
@@ -183,7 +189,7 @@ impl Sketch<'_> {
                 Shape::Line { points, width: thin * pen.width * self.drawing.scale }
             };
             // The head is never dashed, or its shape would be lost.
-            let pen = Pen { halo: pen.halo && !hidden, ..pen };
+            let pen = LineStyle { halo: pen.halo && !hidden, ..pen };
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         };
         match head {
@@ -201,7 +207,7 @@ impl Sketch<'_> {
 
     /// Draws a point of the world as a disc of `radius` points; returns its spot, if that is
     /// visible.
-    pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: Pen) -> Option<Spot> {
+    pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> Option<Spot> {
         if !self.items.shows(pen.item) {
             return None;
         }
@@ -211,7 +217,7 @@ impl Sketch<'_> {
     }
 
     /// Draws a point of the world as a ring of `radius` points.
-    pub(crate) fn ring(&mut self, at: DVec3, radius: f32, pen: Pen) {
+    pub(crate) fn ring(&mut self, at: DVec3, radius: f32, pen: LineStyle) {
         if self.items.shows(pen.item)
             && let Some(spot) = self.screen.spot(at)
         {
@@ -223,7 +229,7 @@ impl Sketch<'_> {
     }
 
     /// Draws a disc, or a ring if it is hidden.
-    fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
+    fn disc(&mut self, spot: Spot, radius: f32, pen: LineStyle) {
         let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
         let shape = if hidden {
@@ -236,14 +242,14 @@ impl Sketch<'_> {
     }
 
     /// Draws the sides of a polygon of the world.
-    pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: Pen) {
+    pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) {
         for k in 0..N {
             self.line(corners[k], corners[(k + 1) % N], pen);
         }
     }
 
     /// Draws what is in the picture of a flat convex polygon, if one of its corners is not hidden.
-    pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: Pen) {
+    pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: LineStyle) {
         if !self.items.shows(pen.item) {
             return;
         }
@@ -258,7 +264,7 @@ impl Sketch<'_> {
     /// Requests a label.
     pub(crate) fn label(
         &mut self,
-        pen: Pen,
+        pen: LineStyle,
         text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
@@ -271,29 +277,29 @@ impl Sketch<'_> {
         }
     }
 
-    fn is_hidden(&self, spot: Spot, pen: Pen) -> bool {
+    fn is_hidden(&self, spot: Spot, pen: LineStyle) -> bool {
         !pen.on_top && self.layers.hides(spot.at, 1.0 / spot.inverse_t, pen.on_viewport)
     }
 
-    fn cut_line(&mut self, from: Spot, to: Spot, pen: Pen) {
+    fn cut_line(&mut self, from: Spot, to: Spot, pen: LineStyle) {
         let scale = self.drawing.scale;
         for run in self.runs(from, to, pen) {
             let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let dashed = run.hidden || pen.dashed;
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let pen = Pen { halo: pen.halo && !dashed, ..pen };
+            let pen = LineStyle { halo: pen.halo && !dashed, ..pen };
             let mark = pen.mark(shape, self.colors.halo);
             self.drawing.marks.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
         }
     }
 
-    fn runs(&self, from: Spot, to: Spot, pen: Pen) -> Vec<Run> {
+    fn runs(&self, from: Spot, to: Spot, pen: LineStyle) -> Vec<LinePart> {
         let length = (to.at - from.at).length();
         let count = (length / SAMPLE_SPACING).ceil().clamp(1.0, 16_384.0);
         let shortest = SHORTEST_RUN * self.scale() / length.max(1e-9);
         let is_hidden = |share: f64| self.is_hidden(from.toward(to, share), pen);
-        let mut runs: Vec<Run> = Vec::new();
+        let mut runs: Vec<LinePart> = Vec::new();
         for k in 0..count as u32 {
             let share = (f64::from(k) + 0.5) / count;
             let hidden = is_hidden(share);
@@ -309,9 +315,9 @@ impl Sketch<'_> {
                     }
                     last.to = 0.5 * (before + after);
                     let from = last.to;
-                    runs.push(Run { from, to: share, hidden });
+                    runs.push(LinePart { from, to: share, hidden });
                 }
-                None => runs.push(Run { from: 0.0, to: share, hidden }),
+                None => runs.push(LinePart { from: 0.0, to: share, hidden }),
             }
         }
         if let Some(last) = runs.last_mut() {
@@ -322,8 +328,8 @@ impl Sketch<'_> {
 }
 
 /// Merges runs shorter than `shortest` into the run before them.
-fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
-    let mut merged: Vec<Run> = Vec::new();
+fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
+    let mut merged: Vec<LinePart> = Vec::new();
     for run in runs {
         match merged.last_mut() {
             Some(last) if last.hidden == run.hidden || run.to - run.from < shortest => {
@@ -331,7 +337,7 @@ fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
             }
             // The first run of a line has no run before it.
             Some(last) if last.to - last.from < shortest => {
-                *last = Run { from: last.from, ..*run };
+                *last = LinePart { from: last.from, ..*run };
             }
             _ => merged.push(*run),
         }
@@ -364,7 +370,7 @@ pub(crate) struct Request {
 impl Request {
     /// Creates the request for a pen's label with a colour, a size in points, and boldness.
     pub(crate) fn new(
-        pen: Pen,
+        pen: LineStyle,
         text: String,
         (anchor, toward): (DVec2, DVec2),
         (color, size, bold): (Color32, f32, bool),
@@ -413,7 +419,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
     let obstacles = obstacles(drawing);
     let mut taken = handle_areas(drawing);
     for mut request in requests {
-        let half = half_extent(&request.label, scale);
+        let half = wide(request.label.half_extent(scale));
         let free = |center: DVec2| {
             let margin = half + 1.0;
             let is_inside =
@@ -429,7 +435,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
         };
         if let Some(ends) = leader(&request, center, half, scale) {
             let shape = Shape::Line { points: ends.map(dot).to_vec(), width: scale };
-            let pen = Pen::new(request.label.item, request.label.color, 1.0);
+            let pen = LineStyle::new(request.label.item, request.label.color, 1.0);
             drawing.marks.push(pen.mark(shape, request.label.halo));
         }
         taken.push((center, half));
@@ -471,10 +477,6 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
         Shape::Line { .. } => None,
     });
     areas.collect()
-}
-
-fn half_extent(label: &Label, scale: f32) -> DVec2 {
-    wide(label.half_extent(scale))
 }
 
 fn best_position(

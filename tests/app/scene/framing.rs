@@ -5,12 +5,12 @@ use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
-use pinhole::model::observer::Observer;
+use pinhole::model::observer::{Observer, UP_LENGTH};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::{UP_LENGTH, arrow_length};
+use pinhole::view::overlay::arrow_length;
 use pinhole_core::{DVec2, DVec3, Sphere};
 
 use super::camera;

@@ -16,7 +16,7 @@ use crate::view::overlay::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
 use crate::view::overlay::screen::{Screen, unit};
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::sketch::LineStyle;
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
@@ -62,8 +62,8 @@ impl CameraSketch<'_> {
         0.5 * self.view.extent()
     }
 
-    fn pen(highlighted: Highlighted, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).about(highlighted.concept)
+    fn pen(highlighted: Highlighted, color: Color32) -> LineStyle {
+        LineStyle::new(Item::Ray, color, STRONG).about(highlighted.concept)
     }
 
     /// Projects a direction of the world into the image; the result has length 1 for a unit vector
@@ -78,7 +78,7 @@ impl CameraSketch<'_> {
         ARROW * self.view.extent().min_element() * self.in_image(vector)
     }
 
-    fn arrow(&mut self, from: DVec2, along: DVec2, pen: Pen, text: &str, size: f32) {
+    fn arrow(&mut self, from: DVec2, along: DVec2, pen: LineStyle, text: &str, size: f32) {
         let tip = from + along;
         let head = f64::from(self.view.scale * (4.0 + 2.6 * pen.width)).min(0.8 * along.length());
         let Some(direction) = along.try_normalize() else { return };
@@ -92,21 +92,21 @@ impl CameraSketch<'_> {
 
     /// Draws the symbol of a vector along the line of sight: a dot in a ring towards the observer,
     /// a cross in a ring away from it.
-    fn along_view(&mut self, at: DVec2, away: bool, pen: Pen, text: &str, toward: DVec2) {
+    fn along_view(&mut self, at: DVec2, away: bool, pen: LineStyle, text: &str, toward: DVec2) {
         self.ring_along_view(at, away, pen);
         self.label(pen, text.to_owned(), at, toward, (POINT_TEXT, false));
     }
 
     /// Draws w, which points at the observer.
-    fn w_at_middle(&mut self, pen: Pen, toward: DVec2) {
+    fn w_at_middle(&mut self, pen: LineStyle, toward: DVec2) {
         let middle = self.middle();
         self.ring_along_view(middle, false, pen);
         self.label(pen, "w".to_owned(), middle, toward, (VECTOR_TEXT, true));
     }
 
-    fn ring_along_view(&mut self, at: DVec2, away: bool, pen: Pen) {
+    fn ring_along_view(&mut self, at: DVec2, away: bool, pen: LineStyle) {
         let scale = f64::from(self.view.scale);
-        let pen = Pen { width: 2.4, ..pen };
+        let pen = LineStyle { width: 2.4, ..pen };
         let radius = 9.0 * scale;
         let ring: Vec<DVec2> = circle(32).map(|point| at + radius * point).collect();
         self.line(&ring, pen);
@@ -126,7 +126,7 @@ impl CameraSketch<'_> {
         match (highlighted.concept, highlighted.camera.orientation) {
             (Concept::Eye, _) => {
                 // All rays begin at the eye: it is behind the picture's middle.
-                let pen = Pen { color: self.colors.ink, ..pen };
+                let pen = LineStyle { color: self.colors.ink, ..pen };
                 self.along_view(middle, false, pen, "eye: straight behind this point", below);
             }
             (Concept::At, Orientation::At { .. }) => {
@@ -214,12 +214,12 @@ impl CameraSketch<'_> {
         let middle = self.middle();
         let (pen, w) = (Self::pen(highlighted, product_color), self.colors.basis[2]);
         let along = |s: &Self, vector: DVec3| s.arrow_of(unit(vector).unwrap_or_default());
-        let beside = Pen { width: BESIDE, color, ..pen };
+        let beside = LineStyle { width: BESIDE, color, ..pen };
         self.arrow(middle, along(self, factor.vector), beside, name, POINT_TEXT);
         let sine = cross.sine.unwrap_or_default();
         self.arrow(middle, sine * along(self, cross.product), pen, product, VECTOR_TEXT);
         let below = DVec2::new(-1.0, 1.0);
-        self.w_at_middle(Pen { color: w, ..pen }, below);
+        self.w_at_middle(LineStyle { color: w, ..pen }, below);
     }
 
     fn highlight_selected(&mut self, highlighted: Highlighted) {
@@ -238,7 +238,7 @@ impl CameraSketch<'_> {
                 self.frame(
                     inset,
                     self.view.extent() - inset,
-                    Pen { color: self.colors.ink, ..pen },
+                    LineStyle { color: self.colors.ink, ..pen },
                 );
             }
             Concept::Pixel => {
@@ -249,7 +249,7 @@ impl CameraSketch<'_> {
                     let corner = |k: u32| {
                         DVec2::new((pixel.column + k).into(), (pixel.row + k).into()) * per_pixel
                     };
-                    self.frame(corner(0), corner(1), Pen { width: BESIDE, ..pen });
+                    self.frame(corner(0), corner(1), LineStyle { width: BESIDE, ..pen });
                 }
                 point(self, "(𝑢, 𝑣)".to_owned());
             }
@@ -267,7 +267,7 @@ impl CameraSketch<'_> {
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
                 let along = self.arrow_of(hit.normal);
-                let pen = Pen { color: self.colors.hit, ..pen };
+                let pen = LineStyle { color: self.colors.hit, ..pen };
                 self.add(pen, Shape::Disc { center: dot(at), radius });
                 self.arrow(at, along, pen, "n", VECTOR_TEXT);
             }
@@ -290,7 +290,7 @@ impl CameraSketch<'_> {
             self.arrow(
                 from,
                 to - from,
-                Pen { color, width, ..pen }.about(concept),
+                LineStyle { color, width, ..pen }.about(concept),
                 text,
                 POINT_TEXT,
             );
@@ -306,7 +306,7 @@ impl CameraSketch<'_> {
         let resolved = &self.view.resolved;
         let unit = (sphere.center - resolved.eye()).length();
         let screen = Screen::of_size(resolved, self.view.extent(), unit);
-        let pen = Pen { width: 4.0, ..Self::pen(highlighted, self.colors.hit) };
+        let pen = LineStyle { width: 4.0, ..Self::pen(highlighted, self.colors.hit) };
         let outline = silhouette(&sphere, resolved.eye()).unwrap_or_default();
         for pen in cased(pen, self.colors.halo) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
@@ -318,7 +318,7 @@ impl CameraSketch<'_> {
     /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
     /// picture, and what lies on it must still be seen and hovered.
     fn highlight_plane(&mut self, scene: &Scene, index: u32) {
-        let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
+        let pen = LineStyle::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
         let cells = Cells::trace(&self.view.resolved, scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);

@@ -11,7 +11,7 @@ use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_view::{CameraSketch, CameraView, position_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::paint::Picture;
-use crate::view::overlay::sketch::Pen;
+use crate::view::overlay::sketch::LineStyle;
 
 /// Greatest side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;
@@ -119,7 +119,7 @@ impl CameraSketch<'_> {
         let (view, colors) = (self.view, self.colors);
         let Some((loupe, position, at, inset)) = Inset::open(view) else { return };
         let end = inset.from + inset.size;
-        let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
+        let pen = |color: Color32, width: f32| LineStyle::new(Item::Loupe, color, width);
         self.line(&[at, at.clamp(inset.from, end)], pen(colors.ray, 1.5));
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
@@ -137,7 +137,7 @@ impl CameraSketch<'_> {
         }
     }
 
-    fn filled(&mut self, from: DVec2, to: DVec2, pen: Pen) {
+    fn filled(&mut self, from: DVec2, to: DVec2, pen: LineStyle) {
         let corners = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y)];
         self.add(pen, Shape::Polygon { points: corners.map(dot).to_vec() });
     }
@@ -148,9 +148,9 @@ impl CameraSketch<'_> {
         for (row, pixels) in raster.rows().iter().zip(loupe.picture.pixels.chunks(columns.len())) {
             for (column, color) in columns.iter().zip(pixels) {
                 let corner = |k: u32| inset.to_screen(f64::from(column + k), f64::from(row + k));
-                let edge = Pen::new(Item::Loupe, self.colors.ink.gamma_multiply(0.6), 1.0);
+                let edge = LineStyle::new(Item::Loupe, self.colors.ink.gamma_multiply(0.6), 1.0);
                 let (from, to) = (corner(0), corner(1));
-                self.filled(from, to, Pen::new(Item::Loupe, *color, 1.0));
+                self.filled(from, to, LineStyle::new(Item::Loupe, *color, 1.0));
                 self.frame(from, to, edge);
                 // Cells have no halo, as pixels have none.
                 self.drawing.marks.iter_mut().rev().take(2).for_each(|mark| mark.halo = None);

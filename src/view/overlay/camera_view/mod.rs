@@ -17,7 +17,7 @@ use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::layers::{contrast, mix};
 use crate::view::overlay::paint::{Fills, Picture};
-use crate::view::overlay::sketch::{Pen, Request, place_labels};
+use crate::view::overlay::sketch::{LineStyle, Request, place_labels};
 use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
 
 /// The inputs of the camera view. Two equal ones give the same picture, so its cache compares them as a
@@ -179,21 +179,21 @@ struct CameraSketch<'a> {
 }
 
 impl CameraSketch<'_> {
-    fn add(&mut self, pen: Pen, shape: Shape) {
+    fn add(&mut self, pen: LineStyle, shape: Shape) {
         if self.items.shows(pen.item) {
             let mark = pen.mark(shape, self.colors.halo);
             self.drawing.marks.push(Mark { pattern: pen.pattern, ..mark });
         }
     }
 
-    fn line(&mut self, points: &[DVec2], pen: Pen) {
+    fn line(&mut self, points: &[DVec2], pen: LineStyle) {
         let points = points.iter().copied().map(dot).collect();
         self.add(pen, Shape::Line { points, width: pen.width * self.view.scale });
     }
 
     fn label(
         &mut self,
-        pen: Pen,
+        pen: LineStyle,
         text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
@@ -215,7 +215,7 @@ impl CameraSketch<'_> {
             ("v", down, DVec2::new(middle.x, 1.0), Concept::V),
         ];
         for (name, points, end, concept) in axes {
-            let pen = Pen::new(Item::UvAxes, color, 1.0).about(concept);
+            let pen = LineStyle::new(Item::UvAxes, color, 1.0).about(concept);
             self.line(&points, pen);
             self.label(pen, name, end, middle - end, (MARK_TEXT, false));
         }
@@ -234,7 +234,7 @@ impl CameraSketch<'_> {
         let up =
             [middle, middle + DVec2::new(0.7, 1.1) * side, middle + DVec2::new(-0.7, 1.1) * side];
         let corner = [DVec2::ZERO, DVec2::new(side, 0.0), DVec2::new(0.0, side)];
-        let pen = Pen::new(Item::Marks, color, 1.0);
+        let pen = LineStyle::new(Item::Marks, color, 1.0);
         for polygon in [&rectangle[..], &up, &corner] {
             let points = polygon.iter().copied().map(dot).collect();
             self.add(pen, Shape::Polygon { points });
@@ -252,8 +252,8 @@ impl CameraSketch<'_> {
     /// position.
     fn selected(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };
-        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).about(Concept::Pixel);
-        let frame = Pen { width: 2.2, ..pen };
+        let pen = LineStyle::new(Item::Ray, self.colors.ray, 1.8).about(Concept::Pixel);
+        let frame = LineStyle { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
         let resolved = &self.view.resolved;
         let at = position_of(resolved, self.view.size, inspection.uv);
@@ -281,18 +281,18 @@ impl CameraSketch<'_> {
         }
         if let (Some(hit), true) = (inspection.first_hit(), pixel_size >= 12.0) {
             let radius = 3.2 * self.view.scale;
-            let pen = Pen { item: Item::Hit, ..pen }.about(inspection.concept_of(hit));
+            let pen = LineStyle { item: Item::Hit, ..pen }.about(inspection.concept_of(hit));
             self.add(pen, Shape::Disc { center: dot(at), radius });
         }
     }
 
-    fn pixel(&mut self, Pixel { row, column }: Pixel, pen: Pen) {
+    fn pixel(&mut self, Pixel { row, column }: Pixel, pen: LineStyle) {
         let per_pixel = self.view.dots_per_pixel();
         let corner = |row: u32, column: u32| DVec2::new(column.into(), row.into()) * per_pixel;
         self.frame(corner(row, column), corner(row + 1, column + 1), pen);
     }
 
-    fn frame(&mut self, from: DVec2, to: DVec2, pen: Pen) {
+    fn frame(&mut self, from: DVec2, to: DVec2, pen: LineStyle) {
         let points = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y), from];
         self.line(&points, pen);
     }

@@ -10,13 +10,15 @@ use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::Item;
+use crate::view::overlay::ColoredScene;
 use crate::view::overlay::drawing::circle;
 use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::highlighted::silhouette;
-use crate::view::overlay::layers::{Patch, mix};
+use crate::view::overlay::layers::{PlanePatch, mix};
 use crate::view::overlay::screen::{PixelRays, tangents, unit};
-use crate::view::overlay::sketch::{Head, Pen, Sketch, Tip};
-use crate::view::overlay::style::{Colors, MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::sketch::{Head, LineStyle, Sketch, Tip};
+use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::WorldView;
 
 /// Size of the viewport on the screen, in points, below which the camera has a body: its handles
 /// would lie over each other, and its frustum could hardly be seen.
@@ -74,7 +76,7 @@ impl Sketch<'_> {
         let length = AXIS_LENGTH * self.arrow_length(DVec3::ZERO);
         let names = ["x", "y", "z"];
         for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
-            let pen = Pen::new(Item::Axes, color, 1.6);
+            let pen = LineStyle::new(Item::Axes, color, 1.6);
             let tip = self.arrow(DVec3::ZERO, length * axis, Head::Open, pen);
             self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
         }
@@ -82,7 +84,7 @@ impl Sketch<'_> {
 
     pub(crate) fn label_tip(
         &mut self,
-        pen: Pen,
+        pen: LineStyle,
         text: impl Into<String>,
         tip: Option<Tip>,
         font: (Color32, f32, bool),
@@ -111,8 +113,8 @@ impl Sketch<'_> {
     /// past the spheres.
     fn frustum(&mut self, resolved: &ResolvedCamera) {
         let ink = self.colors.ink;
-        let near = Pen::new(Item::Frustum, ink, 1.8);
-        let far = Pen::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
+        let near = LineStyle::new(Item::Frustum, ink, 1.8);
+        let far = LineStyle::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
         let (scene, reach) = (self.scene, self.reach(resolved));
         let rays = corners(resolved).map(|uv| resolved.ray(uv));
         let ends = rays.map(|ray| {
@@ -152,8 +154,8 @@ impl Sketch<'_> {
         let depth = BODY.1 * point * basis.w;
         let front = [eye - u + v, eye + u + v, eye + u - v, eye - u - v];
         let back = front.map(|corner| corner + depth);
-        let pen = Pen::new(Item::Eye, self.colors.ink, 1.8).about(Concept::Eye);
-        let fill = Pen { color: self.colors.ink.gamma_multiply(0.12), ..pen }.without_halo();
+        let pen = LineStyle::new(Item::Eye, self.colors.ink, 1.8).about(Concept::Eye);
+        let fill = LineStyle { color: self.colors.ink.gamma_multiply(0.12), ..pen }.without_halo();
         for side in [front, back] {
             self.polygon(&side, fill);
             self.sides(side, pen);
@@ -164,13 +166,14 @@ impl Sketch<'_> {
         // The mark of the image's top edge, as on the viewport.
         let rise = 0.4 * BODY.0 * point * basis.v;
         let top = eye + v;
-        let mark = Pen { color: self.colors.mark, ..pen };
+        let mark = LineStyle { color: self.colors.mark, ..pen };
         self.polygon(&[top - 0.5 * u, top + 0.5 * u, top + rise], mark);
     }
 
     fn outline(&mut self, resolved: &ResolvedCamera) {
-        let pen =
-            Pen::new(Item::Viewport, self.colors.ink, 2.2).about(Concept::Viewport).on_viewport();
+        let pen = LineStyle::new(Item::Viewport, self.colors.ink, 2.2)
+            .about(Concept::Viewport)
+            .on_viewport();
         self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
     }
 
@@ -188,7 +191,7 @@ impl Sketch<'_> {
             return;
         }
         let color = self.colors.mark;
-        let pen = Pen::new(Item::Marks, color, 3.4).on_viewport();
+        let pen = LineStyle::new(Item::Marks, color, 3.4).on_viewport();
         let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
         self.line(at(-0.5 * w, 0.5 * h), at(0.5 * w, 0.5 * h), pen.without_halo());
         let tip = 0.5 * h + 1.1 * size;
@@ -221,7 +224,7 @@ impl Sketch<'_> {
         for pixel in touched.into_iter().flatten() {
             self.pixel(resolved, pixel);
         }
-        let pen = Pen::new(Item::Ray, color, 2.8).about(Concept::Ray);
+        let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
         let hit = inspection.first_hit();
         let end = match hit {
             Some(hit) => Some(hit.point),
@@ -236,14 +239,14 @@ impl Sketch<'_> {
         }
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
-        let pen = Pen::new(Item::Hit, ink, 2.4).about(Concept::Normal);
+        let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         // Where it has no name it would only be one arrow more.
         if self.view.names_all {
             let length = self.normal_length(hit.point);
             let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
             self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
         }
-        let pen = Pen { color, ..pen }.about(inspection.concept_of(hit));
+        let pen = LineStyle { color, ..pen }.about(inspection.concept_of(hit));
         if let Some(spot) = self.point(hit.point, 5.0, pen) {
             self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
         }
@@ -254,14 +257,14 @@ impl Sketch<'_> {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
         let color = self.colors.ray;
-        let thin = Pen::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
+        let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
         if t < 0.0 {
             self.line(ray.origin, at, thin);
         } else if t > last {
             self.line(ray.at(last), at, thin);
         }
-        let pen = Pen::new(Item::Ray, self.colors.hit, 2.0);
-        self.point(at, 7.5, Pen { color, ..pen });
+        let pen = LineStyle::new(Item::Ray, self.colors.hit, 2.0);
+        self.point(at, 7.5, LineStyle { color, ..pen });
         if let Some(spot) = self.point(at, 4.5, pen) {
             let text = format!("t = {}", written(t, T_DIGITS));
             let font = (color, POINT_TEXT, true);
@@ -275,7 +278,8 @@ impl Sketch<'_> {
         let v = [resolved.v_of_row_edge(row), resolved.v_of_row_edge(row + 1)];
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
-        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).about(Concept::Pixel).on_viewport();
+        let pen =
+            LineStyle::new(Item::Ray, self.colors.ray, 2.2).about(Concept::Pixel).on_viewport();
         self.sides(corners, pen.without_halo());
     }
 
@@ -294,7 +298,7 @@ impl Sketch<'_> {
         ];
         for (name, vector, length, concept) in vectors {
             if let Some(direction) = unit(vector) {
-                let pen = Pen::new(Item::ViewAndUp, color, 1.9).about(concept);
+                let pen = LineStyle::new(Item::ViewAndUp, color, 1.9).about(concept);
                 let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
                 if self.view.names_all || concept == Concept::Up {
                     self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
@@ -307,7 +311,7 @@ impl Sketch<'_> {
         let (eye, basis) = (resolved.eye(), resolved.basis());
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         for ((concept, name, vector, head), (color, pattern)) in basis_arrows(basis).zip(inks) {
-            let pen = Pen::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
+            let pen = LineStyle::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
             self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
         }
@@ -318,13 +322,13 @@ impl Sketch<'_> {
         let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
             let color = self.colors.given;
-            let pen = Pen::new(Item::At, color, 2.0).about(Concept::At);
+            let pen = LineStyle::new(Item::At, color, 2.0).about(Concept::At);
             if let Some(spot) = self.point(at, 4.5, pen) {
                 let font = (color, POINT_TEXT, false);
                 self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
             }
         }
-        let pen = Pen::new(Item::Eye, ink, 2.0).about(Concept::Eye);
+        let pen = LineStyle::new(Item::Eye, ink, 2.0).about(Concept::Eye);
         if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
             self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
         }
@@ -363,49 +367,42 @@ const OPACITY_BETWEEN: f32 = 0.2;
 /// Maximum number of planes shown.
 const SHOWN_PLANES: usize = 16;
 
-/// The observer of a plane, and the target it looks at.
-pub(crate) struct Onlooker {
-    pub(crate) rays: PixelRays,
-    pub(crate) target: DVec3,
-    pub(crate) distance: f64,
-    /// Eye of the edited camera.
-    pub(crate) camera_eye: DVec3,
-    /// Dots per point.
-    pub(crate) scale: f64,
-}
-
-/// Returns the patches of the planes near the observer's target.
-pub(crate) fn patches(
-    planes: &[Plane],
-    color_of: impl Fn(usize) -> Rgb,
-    onlooker: &Onlooker,
-    colors: &Colors,
-) -> Vec<Patch> {
-    let visible = planes.iter().take(SHOWN_PLANES).enumerate();
-    visible.filter_map(|(index, plane)| patch(plane, color_of(index), onlooker, colors)).collect()
-}
-
-fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) -> Option<Patch> {
-    let normal = unit(plane.normal)?;
-    let height = |p: DVec3| normal.dot(p - plane.point);
-    let away = height(onlooker.target);
-    if away.is_nan() || away.abs() > PATCH_REACH * onlooker.distance {
-        return None;
+impl WorldView {
+    /// Returns the patches of the planes near the observer's target.
+    pub(crate) fn patches(&self, scene: ColoredScene<'_>) -> Vec<PlanePatch> {
+        if !self.items.shows(Item::Planes) {
+            return Vec::new();
+        }
+        let rays = self.screen().pixel_rays();
+        let first = scene.scene.spheres().len();
+        let visible = scene.scene.planes().iter().take(SHOWN_PLANES).enumerate();
+        let color_of = |index: usize| scene.color_of((first + index) as u32);
+        visible.filter_map(|(index, plane)| self.patch(plane, color_of(index), &rays)).collect()
     }
-    let center = onlooker.target - away * normal;
-    let (axis_a, axis_b) = tangents(normal);
-    let step = grid_step(onlooker.distance);
-    let shift = -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step);
-    let between = height(onlooker.camera_eye) * height(onlooker.rays.eye) < 0.0;
-    let color = Color32::from_rgb(r, g, b);
-    Some(Patch {
-        flat: Flat::new(&onlooker.rays, center, axis_a, axis_b)?,
-        radius: PATCH_RADIUS * (onlooker.distance + away.abs()),
-        color: mix(color, colors.background, 0.45),
-        grid_color: mix(color, colors.ink, 0.25),
-        opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
-    })
+
+    fn patch(&self, plane: &Plane, [r, g, b]: Rgb, rays: &PixelRays) -> Option<PlanePatch> {
+        let (target, distance) = (self.observer.target(), self.observer.distance());
+        let normal = unit(plane.normal)?;
+        let height = |p: DVec3| normal.dot(p - plane.point);
+        let away = height(target);
+        if away.is_nan() || away.abs() > PATCH_REACH * distance {
+            return None;
+        }
+        let center = target - away * normal;
+        let (axis_a, axis_b) = tangents(normal);
+        let step = grid_step(distance);
+        let shift = -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step);
+        let between = height(self.camera.eye) * height(rays.eye) < 0.0;
+        let (color, colors) = (Color32::from_rgb(r, g, b), self.style.colors());
+        Some(PlanePatch {
+            flat: Flat::new(rays, center, axis_a, axis_b)?,
+            radius: PATCH_RADIUS * (distance + away.abs()),
+            color: mix(color, colors.background, 0.45),
+            grid_color: mix(color, colors.ink, 0.25),
+            opacity: if between { OPACITY_BETWEEN } else { OPACITY },
+            grid: Grid::new(DVec2::splat(step), shift, self.scale),
+        })
+    }
 }
 
 /// Returns a grid step of 1, 2 or 5 times a power of ten: about nine cells across a patch.
@@ -436,7 +433,8 @@ impl Sketch<'_> {
         observer: DVec3,
     ) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
-        let pen = Pen::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
+        let pen =
+            LineStyle::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
             let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
             let ring: Vec<DVec3> = circle(72).map(at).collect();
@@ -449,7 +447,7 @@ impl Sketch<'_> {
             }
         }
         let rim = silhouette(sphere, observer).unwrap_or_default();
-        let pen = Pen { width: 2.0, ..pen };
+        let pen = LineStyle { width: 2.0, ..pen };
         rim.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
     }
 }

@@ -8,7 +8,7 @@ use pinhole_lecture::mistakes::WrongCamera;
 use crate::model::overlay_items::Item;
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::view::overlay::screen::unit;
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::sketch::{Head, LineStyle, Sketch};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::camera_in_space::corners;
 
@@ -66,8 +66,8 @@ impl Sketch<'_> {
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
-        let edge = Pen::new(Item::Frustum, ink, 1.8).dashed();
-        let outline = Pen::new(Item::Viewport, ink, 2.4).dashed();
+        let edge = LineStyle::new(Item::Frustum, ink, 1.8).dashed();
+        let outline = LineStyle::new(Item::Viewport, ink, 2.4).dashed();
         for corner in corners {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
@@ -78,18 +78,18 @@ impl Sketch<'_> {
             ghost.basis.into_iter().zip(heads).zip(self.colors.basis)
         {
             let Some(vector) = vector else { continue };
-            let pen = Pen::new(Item::Basis, color, 2.6).dashed();
+            let pen = LineStyle::new(Item::Basis, color, 2.6).dashed();
             let tip = self.arrow(eye, eye + length * vector.clamp_length_max(LONGEST), head, pen);
             self.label_tip(pen, format!("{name}′"), tip, (color, VECTOR_TEXT, true));
         }
-        let pen = Pen::new(Item::Eye, ink, 2.0);
+        let pen = LineStyle::new(Item::Eye, ink, 2.0);
         if ghost.is_frozen
             && let Some(spot) = self.point(eye, 4.5, pen)
         {
             let font = (ink, POINT_TEXT, false);
             self.label(pen, "eye′", spot.at, DVec2::new(0.6, 1.0), font);
         }
-        let pen = Pen::new(Item::Marks, self.colors.mark, 2.0);
+        let pen = LineStyle::new(Item::Marks, self.colors.mark, 2.0);
         if ghost.is_turned
             && let Some(spot) = self.point(eye + corners[0], 3.6, pen)
         {
@@ -118,7 +118,8 @@ impl Sketch<'_> {
 
     fn answer_mark(&mut self, mark: &AnswerMark) {
         let pen = |color: Color32, width: f32| {
-            let pen = Pen::new(ITEM, color, if mark.is_dashed { 0.85 * width } else { width });
+            let pen =
+                LineStyle::new(ITEM, color, if mark.is_dashed { 0.85 * width } else { width });
             if mark.is_dashed { pen.dashed() } else { pen }
         };
         let ray_pen = pen(self.colors.ray, 3.0);
@@ -137,7 +138,7 @@ impl Sketch<'_> {
             MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen),
             MarkShape::OnRay(ray, t) => {
                 let at = ray.at(t);
-                self.line(ray.origin, at, Pen { width: 1.6, ..ray_pen }.without_halo());
+                self.line(ray.origin, at, LineStyle { width: 1.6, ..ray_pen }.without_halo());
                 self.mark_point(mark, at, ray_pen);
             }
             MarkShape::Point(at) => self.mark_point(mark, at, ray_pen),
@@ -155,7 +156,7 @@ impl Sketch<'_> {
         mark: &AnswerMark,
         (from, vector, unit_length): (DVec3, DVec3, f64),
         head: Head,
-        pen: Pen,
+        pen: LineStyle,
         text_size: f32,
     ) {
         let Some(direction) = unit(vector) else { return };
@@ -165,7 +166,7 @@ impl Sketch<'_> {
     }
 
     /// Draws a ray up to its t, or to what it hits, and names it where it passes the viewport.
-    fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: Pen) {
+    fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: LineStyle) {
         let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {
             (Some(t), _) => ray.at(t),
@@ -182,7 +183,7 @@ impl Sketch<'_> {
         }
     }
 
-    fn mark_point(&mut self, mark: &AnswerMark, at: DVec3, pen: Pen) {
+    fn mark_point(&mut self, mark: &AnswerMark, at: DVec3, pen: LineStyle) {
         self.ring_or_disc(mark, at, 5.5, pen);
         if let Some(spot) = self.screen.spot(at) {
             let font = (pen.color, POINT_TEXT, true);
@@ -191,7 +192,7 @@ impl Sketch<'_> {
     }
 
     /// Draws a point: the right one as a disc, a student's as a ring.
-    fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: Pen) {
+    fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: LineStyle) {
         if mark.is_dashed {
             self.ring(at, radius + 2.0, pen);
         } else {

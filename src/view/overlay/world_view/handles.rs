@@ -6,7 +6,7 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::{Head, Pen, Sketch};
+use crate::view::overlay::sketch::{Head, LineStyle, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
@@ -122,7 +122,7 @@ impl Sketch<'_> {
             return;
         }
         for [from, to] in &handles.stems {
-            let pen = Pen::new(Item::Handles, self.colors.hit, 2.2).on_top();
+            let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.2).on_top();
             let tip = self.arrow(*from, *to, Head::Filled, pen);
             self.label_tip(pen, "normal", tip, (self.colors.hit, POINT_TEXT, false));
         }
@@ -156,7 +156,7 @@ impl Sketch<'_> {
         let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.scale());
         let radius = scale * mark.state.radius();
         let mut add = |shape: Shape, color, cased: bool| {
-            let pen = Pen { halo: cased, ..Pen::new(Item::Handles, color, 0.0) };
+            let pen = LineStyle { halo: cased, ..LineStyle::new(Item::Handles, color, 0.0) };
             self.drawing.marks.push(pen.mark(shape, halo));
         };
         if mark.state == KnobState::Held {
@@ -174,7 +174,7 @@ impl Sketch<'_> {
         match guide {
             Guide::Line { from, to, axis } => {
                 let color = self.colors.basis[axis];
-                let pen = Pen::new(Item::Handles, color, 2.2).on_top();
+                let pen = LineStyle::new(Item::Handles, color, 2.2).on_top();
                 self.line(from, to, pen);
                 if let Some(spot) = self.screen.spot(to) {
                     let toward = self.screen.spot(from).map_or(DVec2::X, |f| spot.at - f.at);
@@ -183,7 +183,7 @@ impl Sketch<'_> {
                 }
             }
             Guide::Ring { center, a, b } => {
-                let pen = Pen::new(Item::Handles, self.colors.hit, 2.0).on_top();
+                let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.0).on_top();
                 let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
                 // The casing of each line would cut into the one before it.
                 ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));

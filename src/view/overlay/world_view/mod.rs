@@ -17,12 +17,11 @@ use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::highlighted::Highlighted;
-use crate::view::overlay::layers::{Bowl, Layers, Patch, PictureLookup, ViewportLayer};
+use crate::view::overlay::layers::{Bowl, Layers, PictureLookup, PlanePatch, ViewportLayer};
 use crate::view::overlay::paint::{Fills, Picture};
 use crate::view::overlay::screen::Screen;
 use crate::view::overlay::sketch::{Sketch, place_labels};
 use crate::view::overlay::style::Style;
-use crate::view::overlay::world_view::camera_in_space::Onlooker;
 use crate::view::overlay::world_view::compared::GhostCamera;
 use crate::view::overlay::world_view::handles::Handles;
 use crate::view::overlay::{ColoredScene, Same};
@@ -78,7 +77,7 @@ pub struct WorldView {
 /// camera, cut away, and the planes' patches painted over it. It stays the same while only the camera moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
-    patches: Vec<Patch>,
+    patches: Vec<PlanePatch>,
     bowls: Vec<Bowl>,
     background: Color32,
 }
@@ -204,22 +203,6 @@ impl WorldView {
 
     fn screen(&self) -> Screen {
         Screen::new(self.frame.camera(), self.observer.distance())
-    }
-
-    fn patches(&self, scene: ColoredScene<'_>) -> Vec<Patch> {
-        if !self.items.shows(Item::Planes) {
-            return Vec::new();
-        }
-        let onlooker = Onlooker {
-            rays: self.screen().pixel_rays(),
-            target: self.observer.target(),
-            distance: self.observer.distance(),
-            camera_eye: self.camera.eye,
-            scale: f64::from(self.scale),
-        };
-        let first = scene.scene.spheres().len();
-        let color_of = |index: usize| scene.color_of((first + index) as u32);
-        camera_in_space::patches(scene.scene.planes(), color_of, &onlooker, self.style.colors())
     }
 
     fn bowls(&self, scene: ColoredScene<'_>) -> Vec<Bowl> {
