@@ -155,7 +155,10 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     let mut switched = false;
     ui.add_space(2.0);
     if all {
-        switched = ui.small_button("Fewer numbers").clicked();
+        ui.horizontal_wrapped(|ui| {
+            switched = ui.small_button("Fewer numbers").clicked();
+            readouts::work(ui, derived);
+        });
         readouts::ui(ui, derived, document, style);
     } else {
         readouts::strip(ui, derived, document, style, false);

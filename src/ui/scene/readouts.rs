@@ -43,12 +43,6 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             if let Some(resolved) = &derived.resolved {
                 block(ui, 110.0, &mut |ui| {
                     basis(ui, resolved, derived.up_angle, style);
-                    if let Some(steps) = derived.steps {
-                        ui.weak(self::steps(steps)).on_hover_text(STEPS);
-                    }
-                    if let Some(counts) = derived.counts {
-                        ui.weak(left_out(counts)).on_hover_text(LEFT_OUT);
-                    }
                     if let (true, Some((inspection, resolved))) = (is_narrow, seen) {
                         ui.add_space(6.0);
                         ray(ui, inspection, resolved, style);
@@ -65,7 +59,23 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     });
 }
 
-/// The meaning of that text.
+/// Shows, in the row above the blocks, how often hit or miss was decided for the picture and what the
+/// renderer left out.
+pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
+    if derived.resolved.is_none() {
+        return;
+    }
+    for (text, meaning) in
+        [(derived.steps.map(steps), STEPS), (derived.counts.map(left_out), LEFT_OUT)]
+    {
+        if let Some(text) = text {
+            ui.add_space(12.0);
+            ui.weak(text).on_hover_text(meaning);
+        }
+    }
+}
+
+/// Explains the text about the steps of the ladder.
 pub(crate) const STEPS: &str = "How often the picture had to decide whether a ray hits, and how \
                                 exactly: f64 has 16 digits, double-double 32";
 
@@ -78,7 +88,7 @@ pub(crate) fn steps(steps: Steps) -> String {
     format!("Hit or miss: {f64} decisions in f64, {double_double} in double-double, {exact} exact")
 }
 
-/// The meaning of the text about what was left out.
+/// Explains the text about what the renderer left out.
 const LEFT_OUT: &str = "Spheres behind the eye, outside the picture or too small to reach a pixel, and rows \
                         that no object reaches: the renderer skips them. It skips a sphere wherever \
                         nearer ones hide it, too";
