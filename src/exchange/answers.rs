@@ -1,4 +1,4 @@
-//! A student's answers from a file: a CSV whose header tells what they are, or a picture as PNG.
+//! A student's answers from a file: a CSV, whose header determines the kind of answers, or a picture as PNG.
 //!
 //! ```text
 //! basis   ux,uy,uz,vx,vy,vz,wx,wy,wz           one row
@@ -6,8 +6,8 @@
 //! hits    row,column and t, or x,y,z, or object, or several of them
 //! ```
 //!
-//! A miss leaves them all empty, or has inf or nan in their place, or object -1. Capitals and blanks in
-//! the first line do not matter.
+//! For a miss, all cells are empty, or contain inf or nan, or object -1. Capitals and blanks in the first line
+//! do not matter.
 
 use std::path::Path;
 
@@ -31,7 +31,7 @@ const X: usize = 3;
 const Z: usize = 5;
 const OBJECT: usize = 6;
 
-/// The columns that are asked for and are not in the first line.
+/// The required columns that are missing from the first line.
 pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
     let names = header(bytes);
     asked
@@ -41,7 +41,7 @@ pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
         .collect()
 }
 
-/// Returns the kind of answers in a file, by its first bytes; `None` where it holds none.
+/// Returns the kind of answers in a file, judged by its first bytes; `None` if it contains none.
 pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     if png::is_png(bytes) {
         return Some(AnswerKind::Picture);
@@ -59,8 +59,8 @@ pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     }
 }
 
-/// Returns true for a file that is meant as answers when it is dropped: it holds some, or is a table
-/// that is none of spheres either.
+/// Returns true if a dropped file should be treated as answers: it contains some, or is a table, but not of
+/// spheres.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
     let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
     let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
@@ -76,8 +76,8 @@ fn header(bytes: &[u8]) -> Vec<String> {
     line.split(',').map(name).collect()
 }
 
-/// Reads the answers of a file's content; `path` is for the messages. `image` is that of the scene
-/// they are about, and `count_from` where their rows and columns begin, 0 or 1.
+/// Reads the answers from a file's content; `path` is used in messages. `image` is the image size of the scene
+/// they are about, and `count_from` the first number of their rows and columns, 0 or 1.
 ///
 /// # Errors
 /// Returns the first row at fault with its line, column and value, or an error if the file holds no
@@ -216,25 +216,25 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
     Ok(Answers::Hits(hits))
 }
 
-/// Right value of a cell of a hit, for messages.
+/// The description of a valid cell of a hit, for messages.
 const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
-/// Returns true for what languages print where nothing is hit: `inf`, `nan`, C's `-nan(ind)`. A number too large
-/// for a double is none.
+/// Returns true for the text that languages print if nothing is hit: `inf`, `nan`, C's `-nan(ind)`. A number
+/// too large for a double does not count.
 fn stands_for_a_miss(cell: &[u8]) -> bool {
     let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
     let word = text.trim_start_matches(['+', '-']);
     !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
 }
 
-/// The number in a cell, `inf` and `nan` among them, as C's `-nan(ind)` too.
+/// Returns the number in a cell; `inf`, `nan` and C's `-nan(ind)` are numbers too.
 fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
     let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
     text.trim_end_matches("(ind)").parse().ok()
 }
 
-/// A whole number, as such or as NumPy writes it: `12`, `1.2e+01`.
+/// Parses a whole number, also in NumPy's notation: `12`, `1.2e+01`.
 fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
     match number_in(row, column) {
         Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
@@ -256,20 +256,20 @@ fn vector(row: &CsvRow, first: usize) -> Result<WrittenVector, FileError> {
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
 }
 
-/// Half a unit of the sixth digit of a number that begins with 1, as a share of it: no more than this
-/// is a number of six digits off.
+/// Half a unit in the sixth digit of a number that begins with 1, relative to the number: the largest rounding
+/// error of a number with six digits.
 const ROUNDING_SHARE: f64 = 0.5e-5;
 
-/// Measures a vector's digits as a share of its length, which is its own affair: a tiny one written to six
-/// decimals says nothing of where it points.
+/// Returns the precision of a vector's digits relative to its length: a tiny vector written with six decimals
+/// has no precise direction.
 fn relative(vector: WrittenVector) -> WrittenVector {
     let most = ROUNDING_SHARE * vector.value.abs().max_element();
     Written { rounding: vector.rounding.min(most), ..vector }
 }
 
-/// Half a unit of the last digit that was written: of the sixth where there are fewer, as `%g` and
-/// C++ streams leave zeros at the end away, but not of a number written to six decimals. It is no more
-/// than [`ROUNDING_SHARE`] of the number; near 0, six decimals are enough.
+/// Half a unit in the last digit that was written. A number with fewer than six digits counts as one with six,
+/// because `%g` and C++ streams omit trailing zeros, unless it was written with six decimals. The result is at
+/// most [`ROUNDING_SHARE`] of the number; near 0, six decimals are enough.
 fn rounding_of(text: &str, value: f64) -> f64 {
     const DIGITS: usize = 6;
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -289,15 +289,15 @@ fn rounding_of(text: &str, value: f64) -> f64 {
     }
 }
 
-/// The pixels that are answered so far: each one of the image, and once.
+/// The pixels that have an answer so far. Each must be in the image, and occur once.
 struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
-    /// A bit a pixel, with a row and a column to spare.
+    /// One bit per pixel, with an extra row and column.
     seen: Vec<u64>,
-    /// True once a row or column of 0 was read.
+    /// True once a row or column 0 was read.
     has_zero: bool,
-    /// The first row or column of H or W, which is none unless all count from 1.
+    /// The first row or column equal to H or W, which is outside the image unless all count from 1.
     beyond: Option<FileError>,
 }
 

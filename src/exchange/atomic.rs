@@ -33,9 +33,12 @@ pub fn write(
     batch.finish()
 }
 
-/// Several files that are written together: each as a whole, and all of them or none. Dropped before it is
-/// finished, it leaves nothing. Killed, or without power, while the files get their names one after the other,
-/// the first ones are new and the others old.
+///
+/// Several files that are written together: each as a whole, and all of them or none. If it is dropped before
+/// it is finished, nothing is written.
+///
+/// If the program is killed, or power fails, while the files are being renamed, the first ones may be new and
+/// the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
     /// Files that are complete but for their names.
@@ -54,7 +57,7 @@ struct Complete {
 }
 
 impl Batch {
-    /// Writes a file's content, which gets its name when all are finished.
+    /// Writes a file's content; the file gets its name when all files are finished.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -106,10 +109,10 @@ impl Batch {
     }
 }
 
-/// Renames the files, or takes back what was renamed. No signal comes between.
+/// Renames the files, or undoes the renames if one fails. Signals wait until it is done.
 fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
-    // The names are struck off the list when it is free again.
+    // The names are removed from the list once it is unlocked.
     let (_names, files): (Vec<Known>, Vec<_>) = files
         .into_iter()
         .map(|Complete { new, target, is_there, path }| {
@@ -119,7 +122,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let _live = live();
     let mut placed: Vec<(PathBuf, bool, Option<NamedTempFile<()>>)> = Vec::new();
     for (file, target, is_there, path) in files {
-        // A second name for the old file, to take it back by.
+        // A second name of the old file, from which it can be restored.
         let link = |name: &Path| fs::hard_link(&target, name);
         let second = (is_there && !is_alone).then(|| builder().make_in(folder_of(&target), link));
         if let Err(error) = file.persist(&target) {
@@ -131,7 +134,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Puts the old file back. Where the system knows no second names, the new one stays.
+/// Restores the old file. If the system has no hard links, the new one stays.
 fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
     // The reason why this is done is told already.
     match old {
@@ -141,8 +144,8 @@ fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>
     }
 }
 
-/// Checks that [`write()`] has a place to write to, for those with long work before it. Nothing is
-/// written, so the disk may still turn out to be full, or the folder not ours to write in.
+/// Checks that [`write()`] can write to this path, before a long computation. Nothing is written, so the disk
+/// may still turn out to be full, or the folder not to be writable.
 ///
 /// # Errors
 /// Returns an error if the path is a folder, lies in a folder that does not exist, or is marked as
@@ -152,9 +155,9 @@ pub fn check(path: &Path) -> Result<(), FileError> {
     check().map_err(|error| FileError::unwritable(path, &error))
 }
 
-/// The file that is to be written, and what is there now, which may be replaced.
+/// Returns the file that will be written, and the metadata of the existing one, which may be replaced.
 fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
-    // The link of a pipe, as /dev/stdout, leads to a name that is none of a file.
+    // The link of a pipe, such as /dev/stdout, does not point to the name of a file.
     let is_device = |data: &Metadata| !data.is_file() && !data.is_dir();
     if let Some(device) = fs::metadata(path).ok().filter(is_device) {
         return Ok((path.to_owned(), Some(device)));
@@ -174,7 +177,7 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-/// A file that is written bit by bit, and takes its place only as a whole.
+/// A file that is written bit by bit, and replaces the old one as a whole.
 #[derive(Debug)]
 pub struct Draft {
     new: Temporary,
@@ -182,7 +185,7 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Begins one, in the folder of the file that it becomes. Dropped, it leaves nothing.
+    /// Creates one in the folder of the file that it will replace. If it is dropped, nothing is written.
     ///
     /// # Errors
     /// Returns an error if nothing can be written there.
@@ -192,7 +195,7 @@ impl Draft {
         Ok(Draft { new, path: path.to_owned() })
     }
 
-    /// Returns the file as written so far, to write on.
+    /// Returns the file written so far, to continue writing.
     ///
     /// # Errors
     /// Returns an error if the system cannot open another file.
@@ -204,7 +207,7 @@ impl Draft {
             .map_err(|error| FileError::unwritable(&self.path, &error))
     }
 
-    /// Puts it in its place.
+    /// Renames it to the final name.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -217,14 +220,14 @@ impl Draft {
     }
 }
 
-/// Writes to a device or pipe, where nothing can be sought or replaced.
+/// Writes to a device or pipe, in which nothing can be sought or replaced.
 fn write_through(target: &Path, mut content: File) -> io::Result<()> {
     content.rewind()?;
     let mut device = File::options().write(true).open(target)?;
     io::copy(&mut content, &mut device).map(drop)
 }
 
-/// The file that a path stands for, also where a link points to a file that does not exist yet.
+/// Returns the file that a path refers to, even if a link points to a file that does not exist yet.
 fn follow_links(path: &Path) -> io::Result<PathBuf> {
     const MOST_LINKS: usize = 40;
     let mut target = path.to_owned();
@@ -240,8 +243,8 @@ fn follow_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Returns true if both paths mean one file, also through links; also one that does not exist yet. A
-/// device or pipe is never a file that is both read and written.
+/// Returns true if both paths refer to the same file, also through links, and also if it does not exist yet.
+/// Devices and pipes never count as the same file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     identity(a).is_some_and(|a| identity(b) == Some(a))
 }
@@ -271,12 +274,13 @@ fn identity(path: &Path) -> Option<Identity> {
     }
 }
 
-/// The two ends of their names, and the number of letters and digits between: nobody gives such a name.
+/// The prefix and suffix of their names, and the number of letters and digits between: nobody chooses such a
+/// name.
 const PREFIX: &str = ".pinhole-";
 const SUFFIX: &str = ".tmp";
 const RANDOM: usize = 12;
 
-/// Age from which a temporary file has no run any more that would finish it.
+/// Age at which a temporary file is considered abandoned: no run will finish it.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
 /// A temporary file, known to [`abandon`].
@@ -302,8 +306,8 @@ impl Temporary {
     }
 }
 
-/// Writes the names in a folder onto the disk. Not every system lets a folder be opened, and the files' content is
-/// safe either way.
+/// Flushes a folder's directory entries to the disk. Errors are ignored: not every system lets a folder be
+/// opened, and the contents of the files are safe either way.
 pub(crate) fn sync(folder: &Path) {
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
@@ -311,12 +315,12 @@ pub(crate) fn sync(folder: &Path) {
 /// The temporary files of this run.
 static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Nothing begins, is given its name or is removed while this is held.
+/// Locks the list. No file is created, renamed or removed while the lock is held.
 pub(crate) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The name of a temporary file, in the list of this run's.
+/// The name of a temporary file, listed in [`LIVE`] until it is dropped.
 #[derive(Debug)]
 pub(crate) struct Known(PathBuf);
 
@@ -326,8 +330,8 @@ impl Drop for Known {
     }
 }
 
-/// Removes the temporary files of this run, which is about to end: nothing is finished after this, and
-/// who writes waits forever. Files that are being given their names all get them first.
+/// Removes the temporary files of this run, which is about to end. Afterwards, no file is finished, and writers
+/// wait forever. A batch that is being renamed is finished first.
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
@@ -337,7 +341,7 @@ pub fn abandon() {
     std::mem::forget(live);
 }
 
-/// Removes what runs that were killed have left in this folder. Looks once in a run.
+/// Removes the temporary files that killed runs left in this folder. Each run does this once per folder.
 fn clear_abandoned(folder: &Path) {
     static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     if !SEEN.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.to_owned()) {
@@ -367,8 +371,8 @@ pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
     builder
 }
 
-/// Permissions that a new file gets from the system, less the user's mask; a temporary file
-/// would be its owner's alone.
+/// Returns the permissions that the system gives to a new file, before the user's mask; a temporary file would
+/// only be accessible to its owner.
 #[cfg(unix)]
 fn default_permissions() -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,7 +1,7 @@
-//! Code for the camera at hand: in each language a short function from a pixel to its view ray, with
-//! this camera's numbers and the lecture's words, to be put on a slide or run.
+//! Code for the current camera: in each language a short function from a pixel to its view ray, with this
+//! camera's numbers and the lecture's names, to show on a slide or to run.
 //!
-//! All are the same few lines:
+//! All contain the same few lines:
 //!
 //! ```text
 //! u = width  * ((j + 0.5) / columns - 0.5)
@@ -9,9 +9,9 @@
 //! origin = eye        direction = u*U + v*V - distance*W
 //! ```
 //!
-//! with row i and column j from 0, row 0 on top. Capital U, V, W are the basis vectors, as in the
-//! lecture's formula; columns and rows stand for the image's W and H, which would be taken for them.
-//! A language is a [`Format`] of [`LANGUAGES`], without conventions of its own: it has the lecture's.
+//! with row i and column j from 0, row 0 at the top. Capital U, V, W are the basis vectors, as in the lecture's
+//! formula; columns and rows are the image's W and H, which would be confused with them. A language is a
+//! [`Format`] in [`LANGUAGES`] without conventions of its own: it uses the lecture's.
 
 use std::ops::RangeInclusive;
 
@@ -240,22 +240,22 @@ console.log(ray(0, 0));
     },
 };
 
-/// The sizes of numbers that `f32` has with all its digits, with some room.
+/// The range in which `f32` has its full precision, with a margin.
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
-/// Puts a camera's numbers into a program, in the fewest decimals that read back to the same `f64`.
+/// Inserts a camera's numbers into a program, in the fewest decimals that read back to the same `f64`.
 fn in_double(subject: &ExportScene, program: &str) -> Result<String, Unsupported> {
     Ok(filled(subject, program, |x| point(n(x))))
 }
 
-/// As [`in_double`], for the one language that calculates in `f32`, GLSL.
+/// Like [`in_double`], for GLSL, which calculates in `f32`.
 ///
 /// # Errors
 /// Returns an error if a number is out of its range.
 fn in_single(subject: &ExportScene, program: &str) -> Result<String, Unsupported> {
     let camera = subject.resolve();
     let viewport = camera.viewport();
-    // A part of the eye that is too small is as good as 0.
+    // A component of the eye that is too small may become 0.
     let eye = camera.eye().to_array().into_iter().filter(|x| x.abs() > 1.0).map(|x| ("eye", x));
     let numbers = eye.chain([
         ("the viewport's width", viewport.width),
@@ -272,8 +272,8 @@ fn in_single(subject: &ExportScene, program: &str) -> Result<String, Unsupported
     Ok(filled(subject, program, |x| point(format!("{:?}", x as f32 + 0.0))))
 }
 
-/// Every number of the camera in the place of its name, with a point or an exponent, so that no language takes
-/// it for a whole one, but for the image's columns and rows, which are whole.
+/// Replaces each placeholder with the camera's number. Real numbers get a point or an exponent, so that no
+/// language parses them as integers; the image's columns and rows stay integers.
 fn filled(subject: &ExportScene, program: &str, real: fn(f64) -> String) -> String {
     let camera = subject.resolve();
     let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());

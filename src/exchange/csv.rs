@@ -1,5 +1,5 @@
-//! CSV tables, read without an allocation per row: many spheres (header `x,y,z,r`, and `color`, `name` where
-//! wanted), and rays (header `ox,oy,oz,dx,dy,dz`); the columns in any order.
+//! CSV tables, read without an allocation per row: many spheres (header `x,y,z,r`, optionally `color` and
+//! `name`), and rays (header `ox,oy,oz,dx,dy,dz`). Columns may be in any order.
 
 use std::path::Path;
 
@@ -25,7 +25,7 @@ pub fn load_spheres(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
     spheres(path, &limits::read(path, limits::TABLE)?)
 }
 
-/// Reads the spheres of a file's content; `path` is for the messages.
+/// Reads spheres from a file's content; `path` is used in messages.
 ///
 /// # Errors
 /// Returns the first row at fault with its line, column and value.
@@ -47,7 +47,7 @@ pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError
     Ok(spheres)
 }
 
-/// Reads the rays of a file's content; `path` is for the messages.
+/// Reads rays from a file's content; `path` is used in messages.
 ///
 /// # Errors
 /// Returns the first row at fault with its line, column and value: a text that is no finite number,
@@ -73,7 +73,7 @@ pub(crate) struct CsvTable<'a> {
     file: &'a Path,
     bytes: &'a [u8],
     reader: csv::Reader<&'a [u8]>,
-    /// For every known column, which field of a row it is.
+    /// For each known column, the index of its field in a row.
     fields: Vec<Option<usize>>,
     names: &'static [&'static str],
     width: usize,
@@ -86,8 +86,7 @@ pub(crate) struct CsvRow<'t, 'a> {
 }
 
 impl<'a> CsvTable<'a> {
-    /// Reads the header: `required` columns, then optional ones, in any order, in capitals or small
-    /// letters. `names` is both.
+    /// Reads the header: `required` columns, then optional ones, in any order and case. `names` contains both.
     pub(crate) fn new(
         file: &'a Path,
         bytes: &'a [u8],
@@ -162,10 +161,10 @@ impl<'a> CsvTable<'a> {
         FileError { location, ..FileError::of_file(self.file, problem) }
     }
 
-    /// The position of a field: its row is searched again, which costs nothing where nothing is wrong.
+    /// Returns the position of a field by searching its row again, which happens only for errors.
     fn location_of(&self, record: &csv::ByteRecord, field: usize) -> Location {
         let start = record.position().map_or(0, |p| p.byte() as usize).min(self.bytes.len());
-        // The reader's position is that of the empty lines before the row, if there are any.
+        // The reader's position includes empty lines before the row, if there are any.
         let is_row = |b: &u8| !matches!(b, b'\r' | b'\n');
         let start = start + self.bytes[start..].iter().position(is_row).unwrap_or(0);
         let (mut left, mut quoted, mut byte) = (field, false, start);
@@ -181,8 +180,8 @@ impl<'a> CsvTable<'a> {
     }
 }
 
-/// Finds where a table has no rows any more, and says why: a quote that is not closed, or too much without an
-/// end of line. A reader would keep all that follows in memory.
+/// Finds the place where a table stops having rows, and the reason: a quote that is not closed, or too much
+/// text without a line break. A reader would keep all the rest in memory.
 fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     let (mut row, mut quote, mut passed) = (0, None, 0);
     let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
@@ -204,8 +203,8 @@ fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     quote.map(unclosed)
 }
 
-/// What is wrong with a first line that names no column at all. It is not shown: a scene may name any file
-/// as its table.
+/// Returns the problem with a first line that has none of the column names. The line is not quoted: a scene may
+/// refer to any file as its table.
 fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String> {
     let is_known = |cell: &[u8]| {
         let cell = String::from_utf8_lossy(plain(cell));
@@ -228,14 +227,14 @@ fn unclosed(quote: usize) -> (usize, String) {
     (quote, "this quote is not closed: a second one must end its cell".to_owned())
 }
 
-/// The message on a table with other signs between its cells.
+/// The message about a table with other separators.
 pub(crate) fn separated_by(separators: &str) -> String {
     format!(
         "the first line has {separators}: commas must stand between cells, and a point in a number"
     )
 }
 
-/// A cell without the blanks around it, and without quotes that a blank before them has kept.
+/// Returns a cell without surrounding blanks, and without quotes that were kept because of a blank before them.
 fn plain(cell: &[u8]) -> &[u8] {
     let cell = cell.trim_ascii();
     let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
@@ -243,8 +242,7 @@ fn plain(cell: &[u8]) -> &[u8] {
 }
 
 impl CsvRow<'_, '_> {
-    /// The cell of a known column, without the blanks around it; empty if the file has no such
-    /// column.
+    /// Returns the cell of a known column, without surrounding blanks; empty if the file has no such column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
         let field = self.table.fields[column];
         plain(field.and_then(|field| self.record.get(field)).unwrap_or_default())
@@ -265,7 +263,7 @@ impl CsvRow<'_, '_> {
         Ok(DVec3::new(self.number(first)?, self.number(first + 1)?, self.number(first + 2)?))
     }
 
-    /// The text in a column, `None` if it is empty.
+    /// Returns the text in a column; `None` if it is empty.
     pub(crate) fn text(&self, column: usize) -> Result<Option<&str>, FileError> {
         match std::str::from_utf8(self.cell(column)) {
             Ok("") => Ok(None),
@@ -274,7 +272,7 @@ impl CsvRow<'_, '_> {
         }
     }
 
-    /// `column r is "-1": ` and what would be right.
+    /// Returns an error such as `column r is "-1": it must be greater than 0`.
     pub(crate) fn error(&self, column: usize, right: &str) -> FileError {
         let location = self.table.fields[column].map(|f| self.table.location_of(self.record, f));
         let value = one_line(&String::from_utf8_lossy(self.cell(column)));

@@ -1,4 +1,4 @@
-//! The document that is edited and saved: plain data, compared and cloned as a whole.
+//! The document that is edited and saved: plain data that can be compared and cloned.
 
 use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
@@ -11,25 +11,25 @@ use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
 /// Objects are counted from 0: the spheres, then those of the CSV file, then the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// A hint at what to look for: the comment at the head of the scene's file, without the `#`s.
+    /// The author's note: the comment at the beginning of the scene's file, without the `#`s.
     pub note: String,
     /// The edited camera.
     pub camera: Camera,
     /// The `[[sphere]]`s.
     pub spheres: SharedList<Item<Sphere>>,
-    /// The spheres of the file that `spheres = "..."` names.
+    /// The spheres from the file named in `spheres = "..."`.
     pub csv_spheres: Option<CsvSpheres>,
     /// The `[[plane]]`s.
     pub planes: SharedList<Item<Plane>>,
 }
 
-/// A list that clones of the document share until one of them writes to it: every step of the history
-/// holds a document.
+/// A list that clones of the document share until one of them changes it: every step of the history contains a
+/// document.
 #[derive(Clone, Debug)]
 pub struct SharedList<T>(Arc<Vec<T>>);
 
 impl<T> SharedList<T> {
-    /// Returns true where both are one list, and not only alike.
+    /// Returns true if both share one list, which is stronger than equality.
     pub fn is_same(&self, other: &SharedList<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -82,7 +82,7 @@ impl<T: Clone> DerefMut for SharedList<T> {
     }
 }
 
-/// An object with what only people need: its name and colour.
+/// An object with its name and colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item<S> {
     /// Its name, if it has one.
@@ -93,10 +93,10 @@ pub struct Item<S> {
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, shared between clones of the document and not edited.
+/// Many spheres from a CSV file, which clones of the document share. They are not edited.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
-    /// The path as the scene file gives it: relative to the scene file.
+    /// The path in the scene file, relative to the scene file.
     pub path: String,
     /// Path at which the file was found.
     pub file: PathBuf,
@@ -106,21 +106,21 @@ pub struct CsvSpheres {
 
 impl PartialEq for CsvSpheres {
     fn eq(&self, other: &Self) -> bool {
-        // A million spheres are compared only where they are not the same ones.
+        // A million spheres are compared only if they are not shared.
         self.path == other.path
             && (Arc::ptr_eq(&self.items, &other.items) || self.items == other.items)
     }
 }
 
 impl<S> Item<S> {
-    /// An object without a name or colour of its own.
+    /// Creates an object without a name or colour of its own.
     pub fn plain(shape: S) -> Self {
         Item { name: None, color: None, shape }
     }
 }
 
-/// Okabe and Ito's palette, told apart by colour-blind viewers (*Color Universal Design*, 2008),
-/// without its black and the yellow that is lost on a projector.
+/// Okabe and Ito's palette, which colour-blind viewers can distinguish (*Color Universal Design*, 2008),
+/// without black and the yellow that is hardly visible on a projector.
 const PALETTE: [Rgb; 6] = [
     [0xe6, 0x9f, 0x00],
     [0x56, 0xb4, 0xe9],
@@ -130,7 +130,7 @@ const PALETTE: [Rgb; 6] = [
     [0x00, 0x72, 0xb2],
 ];
 
-/// The colour of the sphere, or plane, that has this place among its kind and no colour of its own.
+/// Returns the colour of the sphere or plane with this index among its kind, if it has no colour of its own.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]
 }
@@ -154,7 +154,7 @@ impl Document {
         self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
     }
 
-    /// Returns the number of spheres, the CSV file's included: the index of the first plane.
+    /// Returns the number of spheres, including those of the CSV file. This is the index of the first plane.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len() + self.csv_items().len()
     }
@@ -173,7 +173,7 @@ impl Document {
         }
     }
 
-    /// The objects without names and colours, checked.
+    /// Returns the objects without names and colours, after checking them.
     ///
     /// # Errors
     /// Returns the first invalid object.
@@ -182,14 +182,14 @@ impl Document {
         Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
     }
 
-    /// The name of the object with this index, if it has one.
+    /// Returns the name of the object with this index, if it has one.
     pub fn name_of(&self, index: u32) -> Option<&str> {
         self.look_of(index).0
     }
 
     /// The colour of the object with this index.
     pub fn color_of(&self, index: u32) -> Rgb {
-        // Planes have their own count: a new sphere does not turn them into other colours.
+        // Planes are counted separately, so that a new sphere does not change their colours.
         let k = index as usize;
         let k = k.checked_sub(self.sphere_count()).unwrap_or(k);
         self.look_of(index).1.unwrap_or_else(|| default_color(k))

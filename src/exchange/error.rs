@@ -13,11 +13,11 @@ pub struct FileError {
     pub file: String,
     /// Place in the file; `None` for the file as a whole.
     pub location: Option<Location>,
-    /// The field at fault, its value, and what would be right.
+    /// The invalid field, its value, and what would be valid.
     pub problem: String,
 }
 
-/// A location in a text: line and column, both counted from 1; a column is a character.
+/// A location in a text: line and column, both counted from 1; columns count characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Location {
     /// The line.
@@ -36,14 +36,14 @@ impl Location {
         let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |newline| newline + 1);
         let line = before[..line_start].iter().filter(|b| **b == b'\n').count() + 1;
         let line_text = String::from_utf8_lossy(&before[line_start..]);
-        // A byte order mark is no character of the first line to its reader.
+        // Readers do not count a byte order mark as a character.
         let column = line_text.trim_start_matches('\u{feff}').chars().count() + 1;
         Location { line, column }
     }
 }
 
 impl FileError {
-    /// About the file as a whole. The problem is made [`legible()`].
+    /// Creates an error about the whole file. The problem is made [`legible()`].
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         let problem = legible(&problem.into());
         FileError { file: path.display().to_string(), location: None, problem }
@@ -54,18 +54,18 @@ impl FileError {
         FileError { location: Some(location), ..FileError::of_file(path, problem) }
     }
 
-    /// A file that the system does not let us read.
+    /// Creates an error about a file that the system refuses to read.
     pub fn unreadable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be read: {}", reason(error)))
     }
 
-    /// A file that the system does not let us write.
+    /// Creates an error about a file that the system refuses to write.
     pub fn unwritable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be written: {}", reason(error)))
     }
 }
 
-/// The system's words, without the error number, which helps nobody.
+/// Returns the system's message without the error number, which helps nobody.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or_default().to_lowercase()
@@ -84,7 +84,7 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// A value on one line, and no longer than a message has room for.
+/// Returns a value on one line, shortened to fit into a message.
 pub(crate) fn one_line(text: &str) -> String {
     const LONGEST: usize = 60;
     let words = text.split_whitespace().take(LONGEST);
@@ -96,9 +96,9 @@ pub(crate) fn one_line(text: &str) -> String {
     }
 }
 
-/// Returns true for what a terminal or a window would obey and not show: control characters, the marks
-/// that change the direction of writing (Unicode Standard Annex 9), by which a text can look like another
-/// one, and what is no character at all and may stand in no XML.
+/// Returns true for characters that a terminal or a window would interpret instead of showing: control
+/// characters, the marks that change the direction of writing (Unicode Standard Annex 9), with which a text can
+/// imitate another one, and noncharacters, which XML does not allow.
 pub fn is_hidden(c: char) -> bool {
     let is_of_direction = matches!(
         c,
@@ -109,8 +109,8 @@ pub fn is_hidden(c: char) -> bool {
     c.is_control() || is_of_direction || ends_a_line || is_none
 }
 
-/// A message with what is hidden in it escaped, as `\u{202e}`, and its middle left out where it is longer
-/// than 1000 characters: it begins with the field and ends with what would be right.
+/// Returns a message in which hidden characters are escaped, as `\u{202e}`. The middle of a message of more
+/// than 1000 characters is omitted, because it begins with the field and ends with the remedy.
 pub fn legible(message: &str) -> String {
     const LONGEST: usize = 1000;
     const GAP: &str = " ... ";
@@ -127,7 +127,7 @@ pub fn legible(message: &str) -> String {
     begin + GAP + &shown.chars().skip(count - end).collect::<String>()
 }
 
-/// The names that are a slip of the finger away, nearest first.
+/// Returns the names that may have been mistyped as `word`, the nearest first.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     // No name is as long.
     const LONGEST: usize = 100;

@@ -1,4 +1,4 @@
-//! The scene that is exported: the camera, and the scene's objects where they are asked for.
+//! The scene that is exported: the camera, and the scene's objects if they are requested.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use pinhole_core::{
 use crate::document::Document;
 use crate::format::n;
 
-/// A reason why a format cannot say it, with what would have to be otherwise.
+/// The reason why a format cannot express a scene, and what would have to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unsupported(pub String);
 
@@ -31,7 +31,7 @@ pub enum Include {
     /// The objects that the format has.
     #[default]
     Objects,
-    /// Objects that the format has, and meshes in place of the others.
+    /// Objects that the format has, and meshes instead of the others.
     Meshes,
 }
 
@@ -57,11 +57,11 @@ pub(crate) struct ExportObject<S> {
     pub(crate) title: String,
 }
 
-/// Maximum distance from 1 of a ratio of sides that counts as square: a few roundings.
+/// Largest difference from 1 of an aspect ratio that counts as square: a few rounding errors.
 const SQUARE: f64 = 1e-14;
 
 impl<'a> ExportScene<'a> {
-    /// A document whose camera has a basis.
+    /// Creates the scene from a document whose camera has a basis.
     ///
     /// # Errors
     /// Returns the fault of the camera, or of an object that is asked for.
@@ -116,7 +116,7 @@ impl<'a> ExportScene<'a> {
         }
     }
 
-    /// A pixel's width over its height in the world; exactly 1 where only rounding keeps it from it.
+    /// Returns a pixel's width divided by its height in the world; exactly 1 if it differs only by rounding.
     pub(crate) fn pixel_shape(&self) -> f64 {
         let [width, height] = self.size().map(f64::from);
         let viewport = self.viewport();
@@ -141,13 +141,13 @@ impl<'a> ExportScene<'a> {
         )))
     }
 
-    /// Returns the note on objects that a format has no place for, where there are some.
+    /// Returns the note about objects that a format cannot contain, if there are any.
     pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
         let is_empty = self.spheres.is_empty() && self.planes.is_empty();
         (!is_empty).then(|| format!("objects are left out: {why}"))
     }
 
-    /// Returns the nearest and the farthest distance for a program that cannot look everywhere.
+    /// Returns the near and far distances for programs that clip.
     pub(crate) fn clip(&self) -> (f64, f64) {
         let eye = self.resolved.eye();
         let spheres = &self.spheres;
@@ -159,7 +159,7 @@ impl<'a> ExportScene<'a> {
         (near, if far > 1e4 { 2.0 * far } else { far })
     }
 
-    /// A square in the plane's place, for programs without infinite ones: its middle, half its side,
+    /// Returns a square that replaces the plane in programs without infinite planes: its centre, half its side,
     /// and two unit vectors along its sides.
     pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
         let normal = unit(plane.normal);
@@ -167,12 +167,12 @@ impl<'a> ExportScene<'a> {
         let middle = self.resolved.eye() - height * normal;
         let basis = normal.any_orthonormal_pair();
         let reach = length(self.resolved.eye() - plane.point).max(1.0);
-        // A thousand times as far as anything that matters, and round.
+        // A power of ten, at least a thousand times as far as anything visible.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
 }
 
-/// The objects with their looks; the first one's index is `first`.
+/// Returns the objects with their colours and titles; the first one has the index `first`.
 fn export_objects<S: Copy>(
     document: &Document,
     first: usize,
@@ -186,7 +186,7 @@ fn export_objects<S: Copy>(
     shapes.iter().enumerate().map(object).collect()
 }
 
-/// Returns the note on a square that stands for a plane.
+/// Returns the note about a square that replaces a plane.
 pub(crate) fn square_note(title: &str, program: &str, half: f64) -> String {
     format!(
         "{title} is infinite, and {program} has no infinite plane: written as a square that reaches {} \

@@ -1,4 +1,4 @@
-//! The fields of a TOML file's tables, each with the name and place that messages give it.
+//! The fields of a TOML file's tables, with the name and position of each for messages.
 
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
@@ -9,7 +9,7 @@ use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 use crate::error::{nearest, one_line};
 use crate::{FileError, Location};
 
-/// The text that is read, and what messages call it.
+/// The text to read, and its path for messages.
 pub struct TomlSource<'a> {
     /// Text of the file.
     pub text: &'a str,
@@ -53,13 +53,13 @@ impl<'a> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
-    /// Returns a field's name in messages, its table's before it.
+    /// Returns a field's name in messages, prefixed by its table's name.
     pub fn path_of(&self, key: &str) -> String {
         let key = one_line(key);
         if self.name.is_empty() { key } else { format!("{}.{key}", self.name) }
     }
 
-    /// Refuses the first field that is none of the `known`; `top` are those of the file itself.
+    /// Returns an error for the first field that is not `known`; `top` are the fields of the file itself.
     pub fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
         let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
             return Ok(());
@@ -91,12 +91,12 @@ impl<'a> Section<'a> {
         Some(TomlField { source: self.source, name: self.path_of(key), item: entry, span })
     }
 
-    /// A field that must be there; `such_as` is a line that would do.
+    /// Returns a required field; `such_as` is an example line for the message.
     pub fn need(&self, key: &str, such_as: &str) -> Result<TomlField<'a>, FileError> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
-    /// Returns the error that a key is missing in this table.
+    /// Returns the error for a key that is missing in this table.
     pub fn missing(&self, what: &str, such_as: &str) -> FileError {
         self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
     }
@@ -113,7 +113,7 @@ impl<'a> TomlField<'a> {
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
 
-    /// The error that this field is at fault, in words that say its value themselves.
+    /// Returns an error about this field, whose message states the value itself.
     pub fn fault(&self, problem: impl std::fmt::Display) -> FileError {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
@@ -149,7 +149,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// A whole number from `range`; `what` says what it is in the message.
+    /// Returns a whole number in `range`; `what` describes it in the message.
     pub fn whole(&self, range: RangeInclusive<i64>, what: &str) -> Result<i64, FileError> {
         self.integer().filter(|number| range.contains(number)).ok_or_else(|| {
             self.error(&format!("it must be {what}, {} to {}", range.start(), range.end()))
@@ -169,7 +169,7 @@ impl<'a> TomlField<'a> {
         self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
     }
 
-    /// `N` finite numbers; `such_as` says how many and what they look like.
+    /// Returns `N` finite numbers; `such_as` describes them in the message.
     pub fn numbers<const N: usize>(&self, such_as: &str) -> Result<[f64; N], FileError> {
         let elements = self.elements().filter(|elements| elements.len() == N);
         let elements = elements.ok_or_else(|| self.error(&format!("it must be {such_as}")))?;
@@ -180,7 +180,7 @@ impl<'a> TomlField<'a> {
         Ok(numbers)
     }
 
-    /// The elements of a list of values; `None` where this is none.
+    /// Returns the elements of a list of values; `None` if this is not a list.
     pub fn elements(&self) -> Option<Vec<TomlField<'a>>> {
         let FieldItem::Value(Value::Array(array)) = self.item else { return None };
         Some(array.iter().enumerate().map(|(k, value)| self.element(k, value)).collect())
@@ -203,7 +203,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// One of these names; what it may be a slip for is said.
+    /// Returns one of these names; the error suggests the nearest.
     pub fn one_of(&self, known: &[&'static str]) -> Result<&'static str, FileError> {
         let choices = || format!("it must be one of {}", known.join(", "));
         let text = self.text().map_err(|_| self.error(&choices()))?;
@@ -232,7 +232,7 @@ impl<'a> TomlField<'a> {
         self.sections_named(|k| format!("{}[{k}]", self.name))
     }
 
-    /// Returns the tables of a list; errors count them from 1, as people do.
+    /// Returns the tables of a list; errors count them from 1.
     ///
     /// # Errors
     /// Returns an error if the value is no array of tables.

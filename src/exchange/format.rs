@@ -10,7 +10,7 @@ use crate::error::{is_hidden, one_line};
 use crate::export_scene::{ExportScene, Unsupported};
 use crate::{FileError, Location, legible};
 
-/// A program, a habit of writing cameras, or a language that Pinhole writes them for.
+/// A program, a notation for cameras, or a programming language that Pinhole writes.
 #[derive(Debug)]
 pub struct Format {
     /// Name on the command line, after `--to`.
@@ -31,11 +31,11 @@ pub struct Format {
 pub struct Exported {
     /// The file's text.
     pub text: Text,
-    /// Notes on what the format cannot say, or says in another way.
+    /// Notes about anything that the format cannot express, or expresses differently.
     pub notes: Vec<String>,
 }
 
-/// A text of another program, and what messages call it.
+/// A text from another program, and its path for messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Input<'a> {
     /// The file as the user gave it.
@@ -49,7 +49,7 @@ pub struct Input<'a> {
 pub struct Imported {
     /// The camera.
     pub camera: Camera,
-    /// Notes on what could not be taken over, and what the text does not say.
+    /// Notes about anything that could not be imported, or that the text does not specify.
     pub notes: Vec<String>,
 }
 
@@ -59,7 +59,7 @@ impl Format {
         self.file.rsplit('.').next().unwrap_or_default()
     }
 
-    /// The camera, and what else is asked for, in the format's words.
+    /// Writes the camera, and the objects if requested, in this format.
     ///
     /// # Errors
     /// Returns the first quantity that the format cannot express, as one that is not finite.
@@ -90,16 +90,16 @@ impl Input<'_> {
 pub struct Axis {
     /// Its letter with its sign: `u`, `−w`.
     pub name: &'static str,
-    /// The direction in words: `right`, `up`, `backwards` and their opposites.
+    /// The direction in words: `right`, `up`, `backwards`, and their opposites.
     pub meaning: &'static str,
     /// Its vector, in coordinates (u, v, w).
     pub direction: DVec3,
 }
 
-/// A format's count of pixels, and the position of their centres.
+/// How a format counts pixels, and where their centres are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PixelConvention {
-    /// x right, y down from the image's corner: centres at halves. As here.
+    /// x right, y down from the image's corner, centres at halves: Pinhole's convention.
     Corner,
     /// x right, y down, centres at whole numbers.
     AtCentre,
@@ -159,13 +159,13 @@ impl Conventions {
         x.cross(y).dot(z) > 0.0
     }
 
-    /// The number of the field of view for a camera, or several.
+    /// Returns the number or numbers that describe the field of view of a camera.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
         (self.field)(subject).replace(BEYOND, "beyond f64")
     }
 }
 
-/// A text, and which parts of it have another sign than here.
+/// A text, and the parts whose sign is the opposite of ours.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// The text.
@@ -174,15 +174,15 @@ pub struct Text {
     pub flipped: Vec<Range<usize>>,
 }
 
-/// Around a flipped part while the text is put together: letters of the private use area, which no
-/// number has in it.
+/// Marks around a flipped part while the text is being written: characters of the private use area, which occur
+/// in no number.
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
 
-/// In the place of a number that is not finite, which no text may have.
+/// Placeholder for a number that is not finite, which no format allows.
 const BEYOND: char = '\u{e002}';
 
-/// A number in the fewest digits that read back to it.
+/// Formats a number with the fewest digits that read back to it.
 pub(crate) fn n(x: f64) -> String {
     if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
 }
@@ -208,22 +208,24 @@ pub(crate) fn flipped(x: f64) -> String {
     format!("{OPEN}{}{CLOSE}", n(x))
 }
 
-/// A text that came from outside, such as a name, without what would end a line, hide or mark a part.
+/// Returns an external text, such as a name, without characters that would end a line, are hidden, or serve as
+/// marks here.
 pub(crate) fn sanitized(text: &str) -> String {
     text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
 }
 
-/// A name as it can stand in quotes in every format.
+/// Returns a name that can be quoted in every format.
 pub(crate) fn quotable(name: &str) -> String {
     sanitized(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
 }
 
-/// A number with a point or an exponent, where `1` would be a whole number and divided as one.
+/// Formats a number with a point or an exponent, for formats in which `1` would be an integer and divided as
+/// one.
 pub(crate) fn real(x: f64) -> String {
     point(n(x))
 }
 
-/// The text of a number as one with a point or an exponent.
+/// Adds a point to the text of a number without one and without an exponent.
 pub(crate) fn point(number: String) -> String {
     if number.contains(['.', 'e']) { number } else { number + ".0" }
 }
@@ -233,7 +235,7 @@ pub(crate) fn commas(v: DVec3) -> String {
     commas_of(v, n)
 }
 
-/// A vector's numbers between commas, each as it is written by this.
+/// Formats a vector's components with `number`, separated by commas.
 pub(crate) fn commas_of(v: DVec3, number: impl Fn(f64) -> String) -> String {
     v.to_array().map(number).join(", ")
 }
@@ -248,7 +250,7 @@ pub(crate) fn rows(columns: [DVec3; 4], between: &str) -> [String; 3] {
     [0, 1, 2].map(|k| columns.map(|column| n(column[k])).join(between))
 }
 
-/// A colour of the screen as light (the sRGB curve of IEC 61966-2-1), to six digits.
+/// Converts a colour to linear light (with the sRGB curve of IEC 61966-2-1), with six digits.
 pub(crate) fn light(color: Rgb, between: &str) -> String {
     let parts = color.map(|byte| {
         let s = f64::from(byte) / 255.0;

@@ -1,4 +1,4 @@
-//! What is read at most. Whatever has more is refused, and the message says how much is read.
+//! Limits on the size of inputs. Larger ones are refused with a message that states the limit.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -21,13 +21,13 @@ pub const ROW: usize = 64 << 10;
 /// Maximum number of spheres in a table, and of its other rows.
 pub const ROWS: usize = 10_000_000;
 
-/// Maximum number of nested brackets. What is written by a program or a person has few.
+/// Maximum depth of nested brackets. Files written by programs or people need few.
 pub const NESTING: usize = 64;
 
 /// Files that a shell has opened for the program. They may be pipes.
 const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
 
-/// Reads a file of at most so many bytes.
+/// Reads a file of at most `most` bytes.
 ///
 /// # Errors
 /// Returns an error if the system does not let us read it, it is larger, or it is a device or a pipe that
@@ -57,7 +57,7 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
     })
 }
 
-/// Reads at most so many bytes of what is called `path` in messages.
+/// Reads at most `most` bytes from a source that messages call `path`.
 ///
 /// # Errors
 /// Returns an error if reading fails, or there is more.

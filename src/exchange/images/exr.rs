@@ -8,9 +8,9 @@ use pinhole_core::{Certificate, DVec3, Frame, Step};
 /// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v`, `margin` and the uint channels `object`
 /// and `step` of a frame that was traced with normals. There is one certificate for each of its pixels.
 ///
-/// (u, v) is the pixel's centre. Where nothing is hit, `t` is infinite, the normal is zero and
-/// `object` is [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the
-/// [`Certificate`]: 0 for `f64`, 1 for double-double, 2 for exact; and bits.
+/// (u, v) is the pixel's centre. If nothing is hit, `t` is infinite, the normal is zero and `object` is
+/// [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the [`Certificate`]: 0 for `f64`,
+/// 1 for double-double, 2 for exact; the margin is in bits.
 ///
 /// # Errors
 /// Returns an error if writing to `out` fails.
@@ -43,7 +43,7 @@ pub fn encode(
     let layer = Layer::new(
         (columns.len(), rows.len()),
         LayerAttributes::default(),
-        // In this order whichever thread is done first: the same frame is the same file.
+        // The order does not depend on the threads: the same frame gives the same file.
         Encoding { line_order: LineOrder::Increasing, ..Encoding::FAST_LOSSLESS },
         channels,
     );

@@ -7,13 +7,13 @@ use std::mem;
 use color_quant::NeuQuant;
 use gif::{Encoder, EncodingError, Frame, Repeat};
 
-/// Maximum number of colours of a frame; one more index means that a pixel stays as it was.
+/// Maximum number of colours of a frame; one more index marks pixels that have not changed.
 const COLORS: usize = 255;
 
 /// Maximum number of frames per second: players show a frame for at least two hundredths of a second.
 pub const MOST_PER_SECOND: u16 = 50;
 
-/// An animated GIF (GIF89a) in the making: opaque, with the 255 colours that suit each frame best.
+/// A writer of an animated GIF (GIF89a): opaque, with a palette of up to 255 colours for each frame.
 pub struct Animated<W: Write> {
     encoder: Encoder<W>,
     size: [u16; 2],
@@ -24,8 +24,8 @@ pub struct Animated<W: Write> {
 }
 
 impl<W: Write> Animated<W> {
-    /// Begins an animation of frames of this size in sRGB pixels, so many a second; shown over and over,
-    /// or once.
+    /// Creates an animation of frames with this size in sRGB pixels and this number of frames per second. It
+    /// repeats forever, or is shown once.
     ///
     /// # Errors
     /// Returns an error if the size or the number of frames per second is none that GIF has, or writing the
@@ -45,7 +45,7 @@ impl<W: Write> Animated<W> {
         Ok(Animated { encoder, size: [width, height], per_second, done: 0, before: Vec::new() })
     }
 
-    /// The next frame; its pixels' opacity does not count.
+    /// Writes the next frame; the opacity of its pixels is ignored.
     ///
     /// # Errors
     /// Returns an error if the frame has another size, or writing it fails.
@@ -74,13 +74,13 @@ impl<W: Write> Animated<W> {
         self.encoder.write_frame(&frame).map_err(to_io)
     }
 
-    /// Time for which the next frame is shown, in hundredths of a second: all together keep the pace.
+    /// Returns the duration of the next frame, in hundredths of a second. Rounding does not accumulate.
     fn delay(&self) -> u16 {
         let end = |frame: u32| u64::from(frame) * 100 / u64::from(self.per_second);
         (end(self.done + 1) - end(self.done)) as u16
     }
 
-    /// The end, after the last frame.
+    /// Finishes the file after the last frame.
     ///
     /// # Errors
     /// Returns an error if writing fails.
@@ -93,15 +93,15 @@ impl<W: Write> Animated<W> {
 struct FramePalette {
     /// Red, green and blue of each.
     colors: Vec<u8>,
-    /// The index of the colour that each of the frame's is shown as.
+    /// For each colour of the frame, the index of the palette's colour that replaces it.
     indices: HashMap<[u8; 3], u8>,
 }
 
 impl FramePalette {
-    /// The pixels' own colours if they are few, otherwise those that a neural net learns from them
-    /// (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
+    /// Returns the pixels' own colours if they are few, otherwise colours that a neural network learns from
+    /// them (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
     fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> FramePalette {
-        /// Share of the pixels that the net learns from: one of so many.
+        /// The network learns from one of this many pixels.
         const SAMPLED: i32 = 10;
         let mut indices = HashMap::new();
         let mut colors = Vec::new();

@@ -61,13 +61,13 @@ impl Decoded {
     }
 }
 
-/// Returns true for bytes that begin as a PNG does.
+/// Returns true if the bytes begin with the signature of PNG.
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
-/// Reads a PNG of any kind as eight bits a channel; `path` is for the messages. Colours are taken to
-/// be sRGB.
+/// Reads a PNG of any kind as eight bits per channel; `path` is used in messages. Colours are assumed to be
+/// sRGB.
 ///
 /// # Errors
 /// Returns an error if the bytes are no PNG, are damaged, or hold more than any image may.
