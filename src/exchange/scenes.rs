@@ -16,8 +16,8 @@ pub enum SceneSource {
 }
 
 impl SceneSource {
-    /// A path if there is such a file, or if it can only be one (it has a folder, or ends in
-    /// `.toml`); else the name of a built-in scene.
+    /// Returns the file at this path if there is one, or if the argument can only be a path (because it has a
+    /// folder, or ends in `.toml`); otherwise the built-in scene of this name.
     ///
     /// # Errors
     /// Returns an error, with the names that are near, if there is no such scene.
@@ -82,8 +82,8 @@ macro_rules! scenes {
     };
 }
 
-/// Built-in scenes in the lecture's order: the canonical camera, what may change about it, then where numbers get
-/// difficult.
+/// The built-in scenes in the lecture's order: the canonical camera, then its parameters, then numerically
+/// difficult scenes.
 const BUILTIN: &[BuiltinScene] = scenes![
     "canonical",
     "distance-two",
@@ -115,7 +115,7 @@ impl BuiltinScene {
         nearest(name, BUILTIN.iter().map(|scene| scene.name))
     }
 
-    /// The scene.
+    /// Reads the scene.
     ///
     /// # Errors
     /// Never fails; tests check all scenes.
@@ -123,7 +123,7 @@ impl BuiltinScene {
         scene_file::parse(self.text, Path::new(self.name), Path::new(""))
     }
 
-    /// The first sentence of its note: what it is, in a line.
+    /// Returns the first sentence of its note, which summarises it.
     pub fn summary(&self) -> String {
         let note = self.text.lines().map_while(|line| line.strip_prefix("# "));
         let note = note.collect::<Vec<_>>().join(" ");

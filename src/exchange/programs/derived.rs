@@ -1,4 +1,4 @@
-//! What a text gives by other numbers: a frame, an angle, the ratio of an image's sides.
+//! Derives a camera from what a text specifies: a frame, an angle, the aspect ratio of an image.
 
 use pinhole_core::glam::{DAffine3, DMat4};
 use pinhole_core::{
@@ -8,19 +8,19 @@ use pinhole_core::{
 
 use crate::format::n;
 
-/// Note on a mirrored camera: the picture stays, the world is seen in a mirror.
+/// The note on a mirrored camera.
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \
                             the picture is the same";
 
-/// Makes a map of 16 numbers, column after column; `None` of any other count, or where the last row is not
-/// 0 0 0 1.
+/// Returns the affine map of 16 numbers in column-major order; `None` for any other count, or if the last row
+/// is not 0 0 0 1.
 pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
     let m = DMat4::from_cols_array(columns.try_into().ok()?);
     (m.row(3).to_array() == [0.0, 0.0, 0.0, 1.0]).then(|| DAffine3::from_mat4(m))
 }
 
-/// Returns the orientation and the eye of a camera that looks along its own -z with y up, by its frame in
-/// the world, whose axes may have any length. In a left-handed world, every z is negated, and a note says so.
+/// Returns the orientation and the eye of a camera that looks along its own -z with y up, from its frame in the
+/// world, whose axes may have any length. In a left-handed world, every z is negated, and a note is added.
 ///
 /// # Errors
 /// Returns what is wrong with the axes, as "one of its axes is (0, 0, 0)".
@@ -42,7 +42,7 @@ pub(super) fn right_handed(
     Ok((orientation, frame.translation))
 }
 
-/// The orientation whose right, up and backwards these are, and what had to be straightened.
+/// Returns the orientation with these axes (right, up, backwards); notes say what was straightened.
 fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation, String> {
     let axes = axes.map(without_noise);
     let [right, up, backwards] = axes;
@@ -68,7 +68,7 @@ fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation,
     Ok(Orientation::Basis(basis))
 }
 
-/// An axis whose parts that are a rounding from -1, 0 or 1 of its length are just that.
+/// Returns an axis in which components within a rounding error of -1, 0 or 1 times its length are exactly that.
 fn without_noise(axis: DVec3) -> DVec3 {
     let roundings = 4.0 * f64::EPSILON;
     let length = axis.length();
@@ -78,7 +78,7 @@ fn without_noise(axis: DVec3) -> DVec3 {
     }))
 }
 
-/// The number with fewest digits near `x` that still does what is asked; `x` where none does.
+/// Returns the number with the fewest digits near `x` that satisfies the predicate; `x` if none does.
 pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
     (0..17)
         .filter_map(|digits| format!("{x:.digits$e}").parse::<f64>().ok())
@@ -86,7 +86,7 @@ pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
         .unwrap_or(x)
 }
 
-/// The number with fewest digits that is within the roundings from `x`.
+/// Returns the number with the fewest digits that differs from `x` by at most `roundings`.
 pub(super) fn settled(x: f64, roundings: f64) -> f64 {
     if x.abs() <= roundings {
         return 0.0;
@@ -94,8 +94,8 @@ pub(super) fn settled(x: f64, roundings: f64) -> f64 {
     shortest_where(x, |y| (y - x).abs() <= roundings)
 }
 
-/// The viewport at `distance` whose height `fits`, near the one that is seen under this angle in radians, and
-/// that is `aspect` times as wide as high; in as few digits as give both.
+/// Returns the viewport at `distance` that spans about this angle in radians, whose height satisfies `fits`,
+/// and that is `aspect` times as wide as high, in as few digits as possible.
 fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) -> Viewport {
     let height = shortest_where(extent_of_fov(fov, distance), fits);
     let is_in_ratio = |x: f64| (x / height / aspect - 1.0).abs() <= 2.0 * f64::EPSILON;
@@ -106,19 +106,19 @@ fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) ->
     Viewport { width, height, distance }
 }
 
-/// The viewport at `distance` that is seen under this vertical angle in degrees, and is `aspect` times as wide
+/// Returns the viewport at `distance` that spans this vertical angle in degrees, and is `aspect` times as wide
 /// as high.
 pub(super) fn viewport_of_angle(degrees: f64, aspect: f64, distance: f64) -> Viewport {
     let fits = |height| fov_of_extent(height, distance).to_degrees() == degrees;
     viewport(degrees.to_radians(), aspect, distance, fits)
 }
 
-/// As [`viewport_of_angle`], of an angle in radians.
+/// Like [`viewport_of_angle`], for an angle in radians.
 pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
     viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
 }
 
-/// The image of `height` rows that has this ratio of width to height.
+/// Returns the image with `height` rows and this aspect ratio.
 fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
     let width = (f64::from(height) * aspect).round();
     (1.0..=f64::from(ImageSize::MAX))
@@ -126,8 +126,9 @@ fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
         .then(|| ImageSize::new(width as u32, height).ok())?
 }
 
-/// An image near the one at hand whose sides have this ratio, so that its pixels are square: as high
-/// or as wide, else by tens of pixels, else any. A ratio may have been rounded to a float.
+/// Returns an image close to the current one with this aspect ratio, so that its pixels are square: with the
+/// same height or width if possible, otherwise with multiples of ten pixels, otherwise any. The ratio may have
+/// been rounded to a float.
 fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     let (w, h) = (at_hand.width(), at_hand.height());
     let by_height = |height: u32, off: f64| {
@@ -148,8 +149,8 @@ fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     })
 }
 
-/// The image where a format gives the ratio of its sides and no more: that at hand if it has this
-/// ratio, else one near it.
+/// Returns the image for a format that only specifies the aspect ratio: the current one if it has this ratio,
+/// otherwise one close to it.
 pub(super) fn image_of_ratio(
     at_hand: ImageSize,
     aspect: f64,
@@ -167,12 +168,12 @@ pub(super) fn image_of_ratio(
     image
 }
 
-/// Returns the note on an image whose size is not given: what is not said, and why this size is taken.
+/// Returns the note on an image whose size is not specified: what is missing, and why this size is used.
 pub(super) fn size_note(unsaid: &str, image: ImageSize, taken: &str) -> String {
     format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }
 
-/// The size of an image as read.
+/// Checks the size of an image.
 pub(super) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
     let whole = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(ImageSize::MAX)).contains(&x);
     if !(whole(width) && whole(height)) {

@@ -71,10 +71,10 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
     Ok(text)
 }
 
-/// Steps from pole to pole, and twice as many round.
+/// Number of steps from pole to pole; there are twice as many around.
 const STEPS: u16 = 32;
 
-/// The nodes of the objects, and the tables that they need.
+/// The nodes of the objects, and the tables that they refer to.
 #[derive(Default)]
 struct Meshes {
     nodes: Vec<String>,
@@ -132,7 +132,7 @@ impl Meshes {
     }
 }
 
-/// The vertices of all shapes as bytes, and the views and accessors by which they are found.
+/// Returns the vertices of all shapes as bytes, with the views and accessors that describe them.
 fn vertices() -> (Vec<u8>, Vec<String>, Vec<String>) {
     let (mut bytes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
     for Mesh { points, triangles } in [sphere(), square()] {
@@ -167,7 +167,7 @@ fn vertices() -> (Vec<u8>, Vec<String>, Vec<String>) {
     (bytes, views, accessors)
 }
 
-/// Meshes, two of every colour, with their materials, and the vertices.
+/// Returns the meshes, two for each colour, with their materials and vertices.
 fn tables(colors: &[Rgb]) -> String {
     let (bytes, views, accessors) = vertices();
     let material = |color: &Rgb| {
@@ -199,7 +199,8 @@ fn tables(colors: &[Rgb]) -> String {
     )
 }
 
-/// The unit sphere, by longitude and latitude, seen anticlockwise from outside.
+/// Returns the unit sphere, divided by longitude and latitude, with counterclockwise triangles as seen from
+/// outside.
 fn sphere() -> Mesh {
     let round = 2 * STEPS;
     let mut points = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
@@ -225,7 +226,7 @@ fn sphere() -> Mesh {
     Mesh { points, triangles }
 }
 
-/// A square from -1 to 1 in x and y.
+/// Returns a square from -1 to 1 in x and y.
 fn square() -> Mesh {
     let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
     Mesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }

@@ -1,4 +1,4 @@
-//! The camera of a glTF, in JSON or binary. All of its numbers are read as `f64`: the crate `gltf` has `f32`,
+//! Reads the camera of a glTF, in JSON or binary. All numbers are read as `f64`: the crate `gltf` uses `f32`,
 //! which would move the camera in the eighth digit.
 
 use pinhole_core::glam::DAffine3;
@@ -12,13 +12,13 @@ use crate::{FileError, Location};
 /// The bytes with which a binary glTF begins.
 pub(super) const MAGIC: &[u8] = b"glTF";
 
-/// Returns true for a text that is meant as a glTF with a camera.
+/// Returns true if a text looks like a glTF with a camera.
 pub(super) fn detect(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
 }
 
-/// The JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the JSON (Khronos,
-/// *glTF 2.0 Specification*, section 4.4). A camera needs nothing of the others.
+/// Returns the JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the JSON
+/// (Khronos, *glTF 2.0 Specification*, section 4.4). A camera does not need the others.
 ///
 /// # Errors
 /// Returns what is wrong with its header or its first chunk.
@@ -47,7 +47,7 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
 }
 
-/// Reads the camera; what the text leaves open is as in the one at hand.
+/// Reads the camera; anything the text does not specify is as in `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = parse(input)?;
     let root = JsonNode { input, path: String::new(), value: &value };
@@ -90,8 +90,8 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-/// The node whose camera is taken, with that camera's number: the first perspective one of the scene that is
-/// shown, else the first of all, else the first camera of any kind.
+/// Returns the node whose camera is imported, and that camera's index: the first perspective camera in the
+/// shown scene, otherwise the first perspective camera of all, otherwise the first camera of any kind.
 fn node_of_camera<'a>(
     root: &JsonNode<'a>,
     nodes: &[JsonNode<'a>],
@@ -122,8 +122,8 @@ fn node_of_camera<'a>(
     Ok(Some(taken.clone()))
 }
 
-/// Marks the nodes of the scene that is shown: the one of number `scene`, else the first one; all where
-/// there are no scenes.
+/// Marks the nodes of the shown scene: that with the index `scene`, otherwise the first one. Without scenes,
+/// all nodes are marked.
 fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
     let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
@@ -146,7 +146,7 @@ fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     Ok(shown)
 }
 
-/// A node's frame in the world, by way of the nodes that it is a child of.
+/// Returns a node's frame in the world, which depends on its ancestors.
 fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
@@ -201,7 +201,7 @@ fn parse(input: &Input) -> Result<Value, FileError> {
             }
             None => said.to_owned(),
         };
-        // serde_json's columns are bytes, and 0 before the first one.
+        // serde_json counts columns in bytes, with 0 before the first one.
         let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
         let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
         let location = Location::of_byte(input.text.as_bytes(), byte);
@@ -246,7 +246,7 @@ impl<'a> JsonNode<'a> {
         list.filter_map(|index| usize::try_from(index.as_u64()?).ok())
     }
 
-    /// `path is value: right`, at the last of the path's names where it stands but once.
+    /// Returns the error `path is value: right`, located at the path's last name if it occurs only once.
     fn fault(&self, right: &str) -> FileError {
         let value: String = self.value.to_string().chars().take(60).collect();
         let problem = format!("{} is {value}: {right}", self.path);

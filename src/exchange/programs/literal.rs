@@ -1,7 +1,8 @@
-//! Cameras of literal numbers: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`, a look-at, a matrix, or K, R and t.
+//! Reads cameras from literal numbers: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`, a look-at, a matrix, or K, R and
+//! t.
 //!
-//! No name is followed and nothing is computed but a quotient such as 4.0 / 3.0. A text is understood to its
-//! end or refused at the line at fault: each statement must be one that gives the camera.
+//! Variables are not resolved, and only quotients such as 4.0 / 3.0 are computed. A text is either understood
+//! completely or rejected with the line at fault: each statement must contribute to the camera.
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{
@@ -16,7 +17,7 @@ use crate::error::one_line;
 use crate::format::n;
 use crate::format::{Imported, Input};
 
-/// Names of a matrix from camera to world whose camera looks along its own -z with y up.
+/// Names of a matrix from camera to world, for a camera that looks along its own -z with y up.
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
@@ -36,16 +37,16 @@ const RT_NAMES: [&str; 3] = ["Rt", "extrinsics", "extrinsic"];
 const SIZE_NAMES: [[&str; 2]; 3] =
     [["image_width", "image_height"], ["imageWidth", "imageHeight"], ["width", "height"]];
 
-/// Functions that make a list or a vector of their numbers and do nothing else.
+/// Functions that only make a list or a vector of their arguments.
 const MAKERS: [&str; 10] = [
     "vec3", "dvec3", "Vec3", "Vector3", "point3", "array", "asarray", "Matrix", "Vector", "SVector",
 ];
 
-/// Words that may stand before the name of a variable.
+/// Words that may precede the name of a variable.
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
-/// Directives by which lines are left out, which cannot be told without running them.
+/// Directives that may exclude lines, which cannot be decided without running them.
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
 
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), a \
@@ -54,7 +55,7 @@ const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertica
 
 const OF_NUMBERS: &str = "it must be given by numbers, without names or calculations";
 
-/// Returns true for a text that is meant as one of these cameras.
+/// Returns true if a text looks like one of these cameras.
 pub(super) fn detect(text: &str) -> bool {
     let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
         let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
@@ -74,7 +75,7 @@ pub(super) fn detect(text: &str) -> bool {
             && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some()
 }
 
-/// Reads the camera; the field of view and the image's size that it leaves open are those of `at_hand`.
+/// Reads the camera; a field of view or an image size that is not specified is taken from `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let plain = without_comments(input)?;
     let source = Statements { input, statements: statements(input, &plain)? };
@@ -109,7 +110,7 @@ fn is_of_intrinsics(name: &str) -> bool {
     lists.iter().any(|list| list.contains(&name))
 }
 
-/// Numbers alone: eye, at and up, or a matrix from camera to world.
+/// Reads numbers without names: eye, at and up, or a matrix from camera to world.
 fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
     let (first, mut numbers) = (&source.statements[0], Vec::new());
     let is_alone = source.statements.len() == 1;
@@ -123,7 +124,7 @@ fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileErr
     }
     let refused = |right: &str| source.refused(first, right);
     let is_named = !first.target.is_empty();
-    // A rotation alone, as [[1, 0, 0], ...], is no camera.
+    // A rotation alone, such as [[1, 0, 0], ...], is not a camera.
     let mut signs = first.piece.text.chars().filter(|c| !c.is_whitespace());
     let is_rotation = [signs.next(), signs.next()].iter().flatten().all(|c| "([{".contains(*c))
         && is_alone
@@ -160,7 +161,7 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported
     Imported { camera: Camera { eye, orientation, viewport, image: at_hand.image }, notes }
 }
 
-/// Takes a matrix whose `vectors`, rows or columns, are right, up, backwards and eye.
+/// Imports a matrix whose `vectors`, rows or columns, are right, up, backwards and eye.
 fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Imported, String> {
     let taken = format!(
         "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"
@@ -174,7 +175,7 @@ fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Impor
     Ok(Imported { camera: Camera { eye, orientation, ..*at_hand }, notes })
 }
 
-/// The note on a field of view that no number gives.
+/// Returns the note on a field of view that is not specified.
 fn unsaid(at_hand: &Camera) -> String {
     let viewport = &at_hand.viewport;
     let degrees = fov_of_extent(viewport.height, viewport.distance).to_degrees();
@@ -184,8 +185,8 @@ fn unsaid(at_hand: &Camera) -> String {
     )
 }
 
-/// Makes a map of 12 or 16 numbers, row after row; `None` of any other count, or where the last row is not
-/// 0 0 0 1.
+/// Returns the affine map of 12 or 16 numbers in row-major order; `None` for any other count, or if the last
+/// row is not 0 0 0 1.
 fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     let whole: [f64; 16] = match m.len() {
         12 => [m, &[0.0, 0.0, 0.0, 1.0]].concat().try_into().ok()?,
@@ -222,7 +223,7 @@ fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, File
         ));
     }
     let [x, y, z, t] = pose(source, &mut notes)?;
-    // eye = -R^T t: nine products and six sums, whose digits are not the camera's.
+    // eye = -R^T t: the digits of nine products and six sums are not the camera's.
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
     let roundings = 4.0 * f64::EPSILON * t.length();
     let eye = DVec3::from_array(eye.to_array().map(|x| settled(x, roundings)));
@@ -248,7 +249,7 @@ fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
     Ok(Intrinsics { fx: k[0], fy: k[4], cx: k[2] + 0.5, cy: k[5] + 0.5 })
 }
 
-/// The viewport with as few digits as give these focal lengths.
+/// Returns the viewport with the fewest digits that has these focal lengths.
 fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
     let near = k.viewport(image, distance);
     let of = |viewport: Viewport| Intrinsics::from_viewport(&viewport, image);
@@ -257,7 +258,7 @@ fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
     Viewport { width, height, distance }
 }
 
-/// Images that are guessed from the principal point are no smaller.
+/// Minimum size of images that are guessed from the principal point.
 const SMALLEST: f64 = 4.0;
 
 fn size(
@@ -273,7 +274,7 @@ fn size(
         };
         return image_of(width[0], height[0]).map_err(|right| source.value_fault(field, &right));
     }
-    // cx = 320 is meant as half of 640 by those who do not count from centres.
+    // People who do not count from pixel centres write cx = 320 for half of 640.
     let doubled = [k.cx, k.cy].map(|c| 2.0 * (c - 0.5));
     let [around_x, around_y] = [k.cx, k.cy].map(|c| (2.0 * c).round());
     if around_x.min(around_y) < SMALLEST {
@@ -296,8 +297,8 @@ fn size(
     Ok(image)
 }
 
-/// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix. A calibration gives neither: its camera's
-/// frame is the world's.
+/// Returns R's rows and t, given separately or as one 3 × 4 or 4 × 4 matrix. A calibration without them uses
+/// the camera's frame as the world's.
 fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
     let whole = source.given(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = source.given(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
@@ -327,16 +328,16 @@ fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], File
     }
 }
 
-/// The statements of a text, and how its faults are told.
+/// The statements of a text, and its path for errors.
 struct Statements<'s> {
     input: &'s Input<'s>,
     statements: Vec<Statement<'s>>,
 }
 
-/// A call, a name that is given a value, or numbers that stand alone.
+/// A call, an assignment, or numbers that stand alone.
 struct Statement<'s> {
     piece: Piece<'s>,
-    /// Name that is given the value, as `view` in `glm::mat4 view = ...`; empty without one.
+    /// The assigned name, such as `view` in `glm::mat4 view = ...`; empty if there is none.
     target: &'s str,
     /// Function that is called; empty where nothing is.
     called: &'s str,
@@ -347,7 +348,7 @@ struct Statement<'s> {
 /// An argument, or a value.
 struct Argument<'s> {
     piece: Piece<'s>,
-    /// Its numbers, brackets regardless; `None` where it is not literal.
+    /// Its numbers, without regard to brackets; `None` if it is not literal.
     numbers: Option<Vec<f64>>,
 }
 
@@ -388,7 +389,7 @@ impl Statements<'_> {
         Ok(all)
     }
 
-    /// Returns the value that one of these names is given, of one of these counts of numbers.
+    /// Returns the value assigned to one of these names, if it has one of these counts of numbers.
     fn given(
         &self,
         names: &[&str],
@@ -418,7 +419,7 @@ fn refused(input: &Input, piece: Piece, right: &str) -> FileError {
     input.error_at(piece.at, format!("{}: {right}", statement.trim_end_matches(':')))
 }
 
-/// A part of a text, and the byte at which it begins.
+/// A part of a text, and the index of its first byte.
 #[derive(Clone, Copy)]
 struct Piece<'s> {
     text: &'s str,
@@ -426,13 +427,13 @@ struct Piece<'s> {
 }
 
 impl<'s> Piece<'s> {
-    /// The part between these bytes, without the blanks around it.
+    /// Returns the part between these bytes, without surrounding blanks.
     fn part(self, from: usize, end: usize) -> Piece<'s> {
         let text = self.text[from..end].trim_start();
         Piece { text: text.trim_end(), at: self.at + end - text.len() }
     }
 
-    /// The parts between commas that stand in no bracket of their own; a comma may stand behind the last.
+    /// Splits at the commas outside of brackets; a trailing comma is allowed.
     fn split(self) -> Vec<Piece<'s>> {
         let (mut depth, mut from, mut parts) = (0_i32, 0, Vec::new());
         for (at, c) in self.text.char_indices().chain([(self.text.len(), ',')]) {
@@ -451,7 +452,7 @@ impl<'s> Piece<'s> {
     }
 }
 
-/// Returns the text with blanks in the places of its comments, byte by byte.
+/// Returns the text in which each byte of a comment is replaced by a blank.
 fn without_comments(input: &Input) -> Result<String, FileError> {
     let text = input.text;
     let mut plain = String::with_capacity(text.len());
@@ -496,7 +497,7 @@ fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, F
             ')' | ']' | '}' if open.pop_if(|(_, close)| *close == c).is_none() => {
                 return Err(fault_at(input, plain, at, "no bracket is open that it closes"));
             }
-            // A statement goes on in brackets, and on the line behind what asks for more.
+            // A statement continues inside brackets, and after a line that is incomplete.
             ';' | '\n' if open.is_empty() && (c == ';' || !"=,:".contains(last)) => {
                 pieces.push(whole.part(from, at));
                 from = at + 1;
@@ -519,10 +520,10 @@ fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, F
         .collect()
 }
 
-/// `name(...)`, `name = ...`, or numbers; `None` of anything else.
+/// Parses `name(...)`, `name = ...`, or numbers; `None` for anything else.
 fn statement(piece: Piece) -> Option<Statement> {
     let (mut target, mut value) = ("", piece);
-    // The first = or : that stands in no bracket and is none of `::`.
+    // Returns the first = or : outside of brackets that is not part of `::`.
     let head = piece.text.split(['(', '[', '{']).next()?.replace("::", "..");
     if let Some(at) = head.find(['=', ':']) {
         let mut words: Vec<&str> = piece.text[..at].split_whitespace().collect();
@@ -542,7 +543,7 @@ fn statement(piece: Piece) -> Option<Statement> {
     Some(Statement { piece, target, called, arguments })
 }
 
-/// A name, and what is in the brackets behind it, where these are the whole piece.
+/// Returns a name and the contents of the brackets after it, if they are the whole piece.
 fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
     let open = piece.text.find('(')?;
     let name = piece.text[..open].trim_end();
@@ -566,8 +567,8 @@ fn argument(piece: Piece) -> Argument {
     Argument { piece, numbers }
 }
 
-/// The numbers of a text which has nothing else but brackets, [`MAKERS`] before them, quotients of two
-/// numbers, and commas or blanks.
+/// Returns the numbers of a text that contains only brackets, [`MAKERS`] before them, quotients of two numbers,
+/// and commas or blanks.
 fn literal(text: &str) -> Option<Vec<f64>> {
     let mut spaced = String::with_capacity(text.len());
     for c in text.chars() {
@@ -598,12 +599,12 @@ fn literal(text: &str) -> Option<Vec<f64>> {
             }
         }
     }
-    // All between commas, of which one may stand behind the last, or all between blanks.
+    // All are separated by commas, with a trailing one allowed, or all by blanks.
     let count = numbers.len();
     (count > 0 && (commas == 0 || commas == count || commas + 1 == count)).then_some(numbers)
 }
 
-/// A number as these languages write it: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
+/// Parses a number in the notation of these languages: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
 fn number(cell: &str) -> Option<f64> {
     let is_float = cell.ends_with(['f', 'F']) && cell.contains(['.', 'e', 'E']);
     let digits = if is_float { &cell[..cell.len() - 1] } else { cell };

@@ -1,13 +1,13 @@
-//! Other programs' cameras: the camera and the scene in each one's own words, and a camera from a glTF or
-//! from literal numbers.
+//! Writes the camera and the scene in other programs' formats, and reads a camera from a glTF or from literal
+//! numbers.
 //!
-//! Nothing here knows a window or a disk. A format is a constant, and a row of [`FORMATS`]: how it is written, and
-//! its [`Conventions`](crate::format::Conventions), by which its axes, pixels and field of view differ from
-//! those here.
+//! This module uses neither a window nor the disk. A format is a constant that [`FORMATS`] contains: its
+//! writer, and its [`Conventions`](crate::format::Conventions), which describe how its axes, pixels and field
+//! of view differ from Pinhole's.
 //!
-//! World coordinates are never turned: where another program's habit is z up or a left-handed world,
-//! the camera is given so that the same coordinates make the same picture. What a format has no word
-//! for is refused with a reason, or told in a note; nothing is put in its place silently.
+//! World coordinates are never rotated: if another program conventionally has z up or a left-handed world, the
+//! camera is written so that the same coordinates give the same picture. If a format cannot express something,
+//! the export fails with a reason, or a note mentions it; nothing is replaced silently.
 
 mod derived;
 mod gltf;
@@ -52,22 +52,23 @@ impl Format {
     }
 }
 
-/// A form of text that a camera is read from.
+/// A form of text from which a camera can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Importer {
     /// glTF 2.0.
     Gltf,
-    /// A look-at, a matrix, or K, R and t in numbers.
+    /// Literal numbers: a look-at, a matrix, or K, R and t.
     Literal,
 }
 
-/// Message on a text that no camera is read from: what is read, and the way there from other programs.
+/// The message for a text without a camera that can be read: the supported forms, and how to get there from
+/// other programs.
 pub const UNKNOWN: &str = "no camera that Pinhole reads: it reads glTF (.gltf, .glb), and numbers: eye, at and up, \
                            gluLookAt or glm::lookAt, a 3 × 4 or 4 × 4 matrix from camera to world, or K, R and t. \
                            Export the scene as glTF, or give its look-at alone";
 
 impl Importer {
-    /// The form of a text, by what is in it.
+    /// Returns the form of a text, judged by its content.
     pub fn of(text: &str) -> Option<Importer> {
         if gltf_read::detect(text) {
             return Some(Importer::Gltf);
@@ -75,7 +76,7 @@ impl Importer {
         literal::detect(text).then_some(Importer::Literal)
     }
 
-    /// The form of a file: by what is in it, else by its ending.
+    /// Returns the form of a file, judged by its content, otherwise by its extension.
     ///
     /// # Errors
     /// Returns an error, with the forms that there are, if it is none of them.
@@ -95,7 +96,7 @@ impl Importer {
         }
     }
 
-    /// Reads the text. What it leaves open, such as the image's size or the viewport's distance,
+    /// Reads the text. Anything that it does not specify, such as the image's size or the viewport's distance,
     /// is as in the camera `at_hand`.
     ///
     /// # Errors
@@ -115,7 +116,7 @@ impl Importer {
     }
 }
 
-/// The text in a file's bytes: the JSON of a binary glTF, UTF-8, or else Latin-1, of which a note tells.
+/// Returns the text in a file's bytes: the JSON of a binary glTF, UTF-8, or otherwise Latin-1 with a note.
 ///
 /// # Errors
 /// Returns an error if a binary glTF is damaged, or the bytes are no text.
@@ -129,7 +130,7 @@ pub fn file_text(path: &Path, bytes: Vec<u8>) -> Result<(String, Option<String>)
         Ok(text) => return Ok((text, None)),
         Err(error) => error.into_bytes(),
     };
-    // Latin-1 has a letter for every byte; a text has no control characters but blanks.
+    // Every byte is valid in Latin-1, but a text has no control characters except white space.
     if bytes.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace()) {
         return Err(FileError::of_file(path, "not text: a camera is read from text in UTF-8"));
     }

@@ -209,7 +209,7 @@ fn mitsuba(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Uns
     Ok(text)
 }
 
-/// A light, the spheres, and squares in the planes' places.
+/// Returns a light, the spheres, and squares that replace the planes.
 fn mitsuba_objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
     let (spheres, planes) = (&subject.spheres, &subject.planes);
@@ -304,7 +304,7 @@ fn blender(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Uns
     Ok(text)
 }
 
-/// Meshes in the objects' places.
+/// Returns meshes that replace the objects.
 fn blender_objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
     let (spheres, planes) = (&subject.spheres, &subject.planes);

@@ -66,14 +66,14 @@ fn weekend(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Uns
     Ok(text)
 }
 
-/// The ratio from which `int(image_width / aspect_ratio)` is the height.
+/// Returns the ratio for which `int(image_width / aspect_ratio)` is the height.
 fn aspect_ratio(width: u32, height: u32) -> String {
     let (w, h) = (f64::from(width), f64::from(height));
     let rows = |ratio: f64| (w / ratio) as u32;
     if rows(w / h) == height {
         return format!("{} / {}", real(w), real(h));
     }
-    // The quotient is rounded up, and a row is lost: a little less keeps it.
+    // The quotient was rounded up, which would lose a row: the next smaller number keeps it.
     real((w / h).next_down())
 }
 

@@ -1,4 +1,4 @@
-//! Changing the values of a scene file's text and nothing else of it.
+//! Changes values in a scene file's text, and nothing else.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use super::{note_to_block, read, split_note, write};
 use crate::document::Document;
 
-/// The previous text with the document's values; `None` where it is no scene file.
+/// Returns the previous text with the document's values; `None` if it is not a scene file.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
     let old = read::document(previous, Path::new(""), None).ok()?;
@@ -28,8 +28,8 @@ fn with_carriage_returns(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\n', "\r\n")
 }
 
-/// Makes the change from `old` to `new`, which are as this program writes them, in a table that says the
-/// same as `old` in its own layout. `None` where it cannot.
+/// Applies the change from `old` to `new`, which have this program's layout, to a table that has the values of
+/// `old` in its own layout. Returns `None` if that is impossible.
 fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> Option<()> {
     for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
         table.remove(key);
@@ -42,7 +42,7 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
         match new {
             Item::Table(new) => {
                 if !table.contains_key(key) {
-                    // What is not there has the values by default: behind the camera.
+                    // A missing table had the default values. It is inserted after the camera.
                     let mut added = Table::new();
                     added.set_position(table.get("camera")?.as_table().and_then(Table::position));
                     table.insert(key, Item::Table(added));
@@ -60,8 +60,8 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
     Some(())
 }
 
-/// Tables that are the same at both ends of the list stay; between them, one after the other is
-/// edited, and what is too many or too few is taken out or put in.
+/// Keeps equal tables at both ends of the list. Between them, tables are edited in order, and surplus ones
+/// removed or missing ones inserted.
 fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTables) -> Option<()> {
     let [old, new] = [old, new].map(|list| list.iter().collect::<Vec<&Table>>());
     let same = |(a, b): &(&&Table, &&Table)| a.to_string() == b.to_string();
@@ -76,7 +76,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
         tables.remove(head + new.len());
     }
     for (k, added) in new.iter().enumerate().skip(old.len()) {
-        // Behind the one before it, or before the first one.
+        // After the previous one, or before the first one.
         let neighbour = tables.get((head + k).saturating_sub(1));
         let mut table = (*added).clone();
         table.set_position(neighbour.and_then(Table::position));
@@ -85,7 +85,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
     Some(())
 }
 
-/// A list's tables, from whichever form they have in the file.
+/// Returns a list's tables, whichever form they have in the file.
 fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfTables> {
     if root.get(key).is_none_or(|item| !item.is_array_of_tables()) {
         let tables = match root.remove(key) {
@@ -97,7 +97,7 @@ fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfT
     root.get_mut(key)?.as_array_of_tables_mut()
 }
 
-/// Gives a field a value, with the blanks and the comment of the old one; of a vector only the numbers
+/// Sets a field's value, keeping the blanks and the comment of the old one; in a vector, only the components
 /// that have changed.
 fn edit_value(
     table: &mut dyn TableLike,

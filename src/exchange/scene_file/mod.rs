@@ -1,4 +1,4 @@
-//! Scene files: TOML, read with every error at its position, and saved without losing the comments.
+//! Scene files: TOML, read with the position of every error, and saved without losing comments.
 //!
 //! ```toml
 //! pinhole = 1                       # format version
@@ -31,16 +31,16 @@
 //! normal = [0.0, 0.0, 1.0]
 //! ```
 //!
-//! Every table but `camera` may be left out; so may each field of `viewport` and `image`. What is
-//! left out is the canonical camera's. A top-level `spheres = "file.csv"`, relative to the scene
-//! file, adds [many spheres](crate::csv::spheres). Unknown fields are errors.
+//! Every table except `camera` may be omitted, and so may each field of `viewport` and `image`; they default to
+//! the canonical camera's. A top-level `spheres = "file.csv"`, relative to the scene file, adds [many
+//! spheres](crate::csv::spheres). Unknown fields are errors.
 //!
-//! The comment lines at the very beginning of the file, up to the first line that is none, are the
-//! document's note: what to look for.
+//! The comment lines at the beginning of the file, up to the first other line, are the document's note: what to
+//! look for.
 //!
-//! A camera whose numbers make no basis (eye = at, up parallel to view, vectors by hand that are
-//! not orthonormal) is no error of the file: it loads, and whoever needs the basis says why there
-//! is none. What can be no value at all, such as a radius of 0, is an error here.
+//! A camera without a valid basis (eye = at, up parallel to view, vectors by hand that are not orthonormal) is
+//! not an error of the file: it can be loaded, and the reason is given where the basis is needed. Values that
+//! are never valid, such as a radius of 0, are errors here.
 
 use std::path::{Path, PathBuf};
 
@@ -73,8 +73,8 @@ pub fn load(path: &Path) -> Result<Document, FileError> {
     parse(text, path, path.parent().unwrap_or(Path::new("")))
 }
 
-/// Reads a scene file's text. `path` is for the messages; `base` is the folder that a CSV file's
-/// path is relative to.
+/// Reads a scene file's text. `path` is used in messages; `base` is the folder to which the path of a CSV file
+/// is relative.
 ///
 /// # Errors
 /// Returns the errors of [`load`].
@@ -82,7 +82,7 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
-/// Reads a scene file's text by itself: a CSV file is named in the document, and not read.
+/// Reads a scene file's text without the CSV file, whose path is still part of the document.
 ///
 /// # Errors
 /// Returns the first error in the text.
@@ -93,8 +93,8 @@ pub fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
 /// A document as [`save`] writes it.
 #[derive(Clone, Debug)]
 pub struct Saved {
-    /// The document as a reader of the file finds it. It shares the CSV file's spheres with the one
-    /// that was saved: that file is named, not written, and so not read again either.
+    /// The document that a reader of the file gets. It shares the CSV file's spheres with the one that was
+    /// saved: that file is only referred to, so it need not be read again.
     pub document: Document,
     /// The file's text.
     pub text: String,
@@ -111,10 +111,10 @@ pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<
     Ok(saved)
 }
 
-/// Returns what is to be written to make a scene file of this path.
+/// Returns the text to write for a scene file at this path.
 ///
-/// The comments and layout of the `previous` text stay where the values have not changed. The
-/// reference to a CSV file is kept, and written so that it means the same file from there.
+/// The comments and layout of the `previous` text are kept where the values have not changed. The path of a CSV
+/// file is rewritten if necessary, so that it refers to the same file.
 ///
 /// # Errors
 /// Returns an error if a value could not be read back.
@@ -137,8 +137,8 @@ pub fn prepare(
     Ok(Saved { document: written, text })
 }
 
-/// Returns the name of `file` in a scene file in `folder`: `written` if that means the same file from there,
-/// else by the relative path, else by the whole path.
+/// Returns the path of `file` for a scene file in `folder`: `written` if that refers to the same file,
+/// otherwise the relative path, otherwise the absolute path.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let file = resolved(file)?;
@@ -149,7 +149,7 @@ fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     relative.unwrap_or(file).to_str().map(str::to_owned)
 }
 
-/// The absolute path without links, also of a file that is gone while its folder is there.
+/// Returns the absolute path without links, also of a deleted file in an existing folder.
 fn resolved(path: &Path) -> Option<PathBuf> {
     let in_folder = || path.parent()?.canonicalize().ok().zip(path.file_name());
     path.canonicalize()
@@ -158,8 +158,8 @@ fn resolved(path: &Path) -> Option<PathBuf> {
         .or_else(|| std::path::absolute(path).ok())
 }
 
-/// Returns the path from one absolute path to another, by way of the folder that they share. Without one, as on two
-/// drives, there is none.
+/// Returns the relative path from a folder to a file, both absolute; `None` if they share no folder, as on two
+/// drives.
 fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     let shared = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
     if shared == 0 {
@@ -169,8 +169,8 @@ fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     Some(up.chain(file.components().skip(shared)).collect())
 }
 
-/// Splits a scene file's text into its note and the rest. The block ends before the first line
-/// that is no comment.
+/// Splits a scene file's text into its note and the rest. The note ends before the first line that is not a
+/// comment.
 fn split_note(text: &str) -> (&str, &str) {
     let mut end = 0;
     for line in text.split_inclusive('\n').take_while(|line| line.starts_with('#')) {
@@ -179,7 +179,7 @@ fn split_note(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// The note in a comment block: its lines without `# `.
+/// Returns the note in a comment block: its lines without `# `.
 fn note_of_block(block: &str) -> String {
     let line = |line: &str| -> String {
         let line = line.strip_prefix('#').unwrap_or(line);
@@ -189,9 +189,9 @@ fn note_of_block(block: &str) -> String {
     block.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// The comment block of a note, with a newline at its end; empty for an empty note.
+/// Returns the comment block of a note, with a final newline; empty for an empty note.
 ///
-/// Control characters, which TOML has no place for in comments, become blanks.
+/// Control characters, which TOML does not allow in comments, become blanks.
 fn note_to_block(note: &str) -> String {
     if note.is_empty() {
         return String::new();
@@ -205,11 +205,11 @@ fn note_to_block(note: &str) -> String {
         .collect()
 }
 
-/// The error of a file's camera at the position of the field at fault, as
-/// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.
+/// Returns the error of a file's camera with the position of the invalid field, such as `room.toml:5:6:
+/// camera.at: eye and at are the same point (1, 2, 3): move one of them`.
 ///
-/// The file is read again: a document, which is edited, knows nothing of places. `None` where the
-/// field is not there, be it that the file has changed or that it has the value by default.
+/// The file is read again, because a document has no positions. Returns `None` if the field is not there,
+/// because the file has changed or the value is the default.
 pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     let text = limits::read_text(path).ok()?;
     let source = TomlSource { text: &text, path };
@@ -223,7 +223,7 @@ pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     Some(section.get(key)?.fault(error))
 }
 
-/// The field with its tables, as messages call it.
+/// Returns the field with its tables, in the notation of messages.
 fn field_at_fault(error: &CameraError) -> Option<String> {
     Some(match error {
         CameraError::Basis(error) => match error {

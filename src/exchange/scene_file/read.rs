@@ -18,10 +18,10 @@ use crate::{FileError, limits};
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
 pub const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
-/// Fields of [`TOP`] that must stand before the first table.
+/// The fields of [`TOP`] that must precede the first table.
 const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
 
-/// Reads a document; without a `base` folder, the CSV file is named but not read.
+/// Reads a document; without a `base` folder, the CSV file is not read.
 pub(super) fn document(
     text: &str,
     path: &Path,
@@ -42,7 +42,7 @@ pub(super) fn document(
     Ok(document)
 }
 
-/// Reads the tables [`TABLES`] that are there; each replaces what the document has for it.
+/// Reads those of [`TABLES`] that are present; each replaces the document's values.
 pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
     let camera = &mut document.camera;
     if let Some(section) = root.get("camera") {
@@ -64,8 +64,8 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
-/// Parses a text whose brackets are nested no deeper than [`limits::NESTING`]: the parser calls itself for each,
-/// and goes on behind a fault, so that its own limit does not hold.
+/// Parses a text whose brackets are nested no deeper than [`limits::NESTING`]. The parser is recursive and
+/// continues after an error, so its own limit is not enough.
 ///
 /// # Errors
 /// Returns the first bracket of those that are too deep, or the first syntax error.
@@ -80,7 +80,7 @@ pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     Toml::parse(source.text).map_err(|error| not_toml(source, &error))
 }
 
-/// The byte of the first open bracket where so many are open that one is too deep.
+/// Returns the first open bracket at the place where the nesting becomes too deep.
 fn too_deep(text: &str) -> Option<usize> {
     let mut open = Vec::new();
     for token in toml_parser::Source::new(text).lex() {
@@ -103,7 +103,7 @@ fn too_deep(text: &str) -> Option<usize> {
     None
 }
 
-/// Says a syntax error in the words of someone who does not know the grammar, where that is common.
+/// Rephrases common syntax errors for readers who do not know the grammar.
 fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
     let found = &*one_line(source.text.get(span.clone()).unwrap_or_default());
@@ -244,7 +244,7 @@ fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> 
         None => Vec::new(),
         Some(_) => load_spheres(&file).map_err(|error| match error.location {
             Some(_) => error,
-            // The path is at fault, and it stands in the scene file.
+            // The path is wrong, and it is in the scene file.
             None => field.error(&error.to_string()),
         })?,
     };

@@ -9,15 +9,14 @@ use crate::document::{Document, Item};
 use crate::error::is_hidden;
 use crate::images;
 
-/// The text of a scene file; where there is a previous one, its comments and layout stay as far as
-/// the values have not changed.
+/// Returns the text of a scene file. The comments and layout of a previous text are kept as far as the values
+/// have not changed.
 ///
-/// Reading the text gives the document again, to the bit of every number.
+/// Reading the text gives the same document, to the last bit of every number.
 pub fn to_text(document: &Document, previous: Option<&str>) -> String {
     let fresh = fresh(document);
     let edited = previous.and_then(|previous| edit::edited(document, previous));
-    // The layouts that TOML allows are many. Should one be met that an edit cannot keep, its loss
-    // is the lesser evil.
+    // TOML allows many layouts. If an edit cannot keep one of them, losing it is the lesser evil.
     edited.filter(|text| reads_back_as(text, &fresh)).unwrap_or(fresh)
 }
 
@@ -25,7 +24,7 @@ fn reads_back_as(text: &str, fresh_text: &str) -> bool {
     read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == fresh_text)
 }
 
-/// The text without regard to a previous one: the same for documents that are the same to the bit.
+/// Returns the text without a previous one: equal for documents that are equal to the last bit.
 pub(super) fn fresh(document: &Document) -> String {
     let mut text = note_to_block(&document.note);
     if !text.is_empty() {
@@ -78,14 +77,14 @@ fn vector(v: DVec3) -> String {
     format!("[{}, {}, {}]", number(v.x), number(v.y), number(v.z))
 }
 
-/// The shortest float of TOML that reads back to the same `f64`, the sign of a zero included.
+/// Formats the shortest TOML float that reads back to the same `f64`, including the sign of zero.
 fn number(x: f64) -> String {
     let text = format!("{x:?}");
     // Rust's word for it is no TOML.
     if x.is_nan() { "nan".to_owned() } else { text }
 }
 
-/// A basic string of TOML, on one line whatever it contains.
+/// Formats a basic TOML string on one line, whatever it contains.
 fn string(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
