@@ -1,4 +1,4 @@
-//! `pinhole check`: a student's answers against a scene, and the mistake that explains them.
+//! `pinhole check`: grades a student's answers, and names the mistake that explains them.
 
 use std::fmt::Write as _;
 use std::io::BufWriter;
@@ -17,7 +17,7 @@ use super::console::{CommandError, is_standard, named, read, scene_fault, to_jso
 use super::load::{apart, files_of, load, once, pose};
 use crate::cli::arguments::CheckArguments;
 
-/// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
+/// An unreadable input, including the scene, gives no grade: the student is not to blame for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
     let text = if arguments.json {
@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
         text(&graded)
     };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
-        // What was found is the status, whether it is read or not.
+        // The result is the status, even if nobody reads the output.
         Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
         Ok(()) | Err(CommandError::ReaderGone) => Err(CommandError::Disagrees),
         Err(error) => Err(unreadable(error)),
@@ -124,7 +124,7 @@ fn text(graded: &Graded) -> String {
     text
 }
 
-/// The fields of the contract, and behind them those that say more.
+/// The fields of the contract, followed by more detailed ones.
 #[derive(Serialize)]
 struct Check {
     kind: &'static str,
@@ -138,7 +138,7 @@ struct Check {
     alternatives: Vec<Vec<&'static str>>,
     /// Shading that a picture is taken to have.
     shade: Option<&'static str>,
-    /// Pixels without an answer, where each counts as a wrong one.
+    /// The pixels without an answer, if each counts as wrong.
     unanswered: usize,
 }
 
@@ -165,9 +165,9 @@ impl Check {
     }
 }
 
-/// The position, the answer given, the right one, and the distance between them: `null` where a hit is
-/// taken for a miss or for one of another object, which no number measures. A miss is `"miss"`; nothing
-/// is right where there is no such pixel.
+/// Returns the position, the given and the right answer, and the distance between them: `null` if a hit and a
+/// miss, or hits of different objects, are confused. A miss is `"miss"`; there is no right answer if the pixel
+/// does not exist.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let given = match &graded.answers {

@@ -1,4 +1,5 @@
-//! Standard input, output and error, and the names of files to write.
+//! Standard input, output and error, the names of files to write, and the errors of commands with their exit
+//! status.
 
 use std::fmt;
 use std::io::{self, BufWriter, Write};
@@ -14,8 +15,7 @@ pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads a file of at most so many bytes, or standard input for `-`. Returns the name of the file in
-/// messages, too.
+/// Reads a file of at most `most` bytes, or standard input for `-`. Also returns the file's name for messages.
 pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
     if is_standard(path) {
         let path = Path::new("standard input");
@@ -24,7 +24,7 @@ pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError
     Ok((path, limits::read(path, most)?))
 }
 
-/// Returns a value as one JSON object and a line break. Numbers read back to the same `f64`.
+/// Returns a value as one JSON object with a line break. Numbers read back to the same `f64`.
 pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
     let text = serde_json::to_string_pretty(value);
     Ok(text.map_err(|error| CommandError::Input(error.to_string()))? + "\n")
@@ -38,7 +38,7 @@ pub fn print(asked: &clap::Error) -> Result<(), CommandError> {
     told(asked.print().and_then(|()| io::stdout().flush()))
 }
 
-/// Writes to standard output, with care for a reader who has seen enough.
+/// Writes to standard output; it is not an error if the reader stops reading.
 pub(super) fn to_stdout(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), CommandError> {
@@ -53,13 +53,13 @@ fn told(written: io::Result<()>) -> Result<(), CommandError> {
     })
 }
 
-/// Says on standard error what was done otherwise than one may think.
+/// Prints a note to standard error.
 pub(super) fn warn(note: &str) {
-    // Where standard error is closed, there is nobody to tell.
+    // If standard error is closed, nobody can be told.
     let _ = writeln!(io::stderr(), "note: {}", legible(note));
 }
 
-/// Refuses the name of another format: what it promises is not what would be in the file.
+/// Rejects a file name with the extension of another format.
 pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
     match output.extension() {
         Some(other) if !other.eq_ignore_ascii_case(ending) => {
@@ -78,7 +78,7 @@ pub enum CommandError {
     Input(String),
     /// The arguments do not go together: exit status 2.
     Arguments(String),
-    /// The answers were graded, and not all of them agree: exit status 1, and no message.
+    /// The answers were graded, and not all of them are right: exit status 1, without a message.
     Disagrees,
     /// There is nothing to grade, or nothing to grade it by: exit status 2.
     Unreadable(String),
@@ -106,7 +106,7 @@ impl From<FileError> for CommandError {
     }
 }
 
-/// The exit status of a command; its error goes to standard error.
+/// Prints a command's error to standard error and returns the exit status.
 pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     let status = match &result {
         Ok(()) | Err(CommandError::ReaderGone) => return ExitCode::SUCCESS,
@@ -117,26 +117,26 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     if let Err(error) = result {
         let styles = Styles::styled();
         let (style, error) = (styles.get_error(), error.to_string());
-        // As clap writes its own. Where standard error is closed too, the status has to do.
+        // In the style of clap's errors. If standard error is closed too, the status has to suffice.
         let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", legible(&error));
     }
     ExitCode::from(status)
 }
 
-/// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.
+/// Returns the error for a scene whose camera or objects are invalid.
 pub(super) fn scene_fault(scene: &Path, error: impl fmt::Display) -> CommandError {
     let name = if is_standard(scene) { Path::new("standard input") } else { scene };
     CommandError::Input(format!("{}: {error}", name.display()))
 }
 
-/// The error of a command that this build lacks, as it was built without a feature.
+/// Returns the error for a command that requires a feature that this build lacks.
 pub(super) fn not_built(what: &str, feature: &str) -> CommandError {
     CommandError::Input(format!(
         "this build has no {what}: it was built without the feature {feature}"
     ))
 }
 
-/// A file whose bytes could not be made.
+/// Returns the error for a file whose contents could not be computed.
 pub(super) fn unmade(path: &Path, error: &dyn fmt::Display) -> CommandError {
     FileError::of_file(path, format!("cannot be made: {error}")).into()
 }

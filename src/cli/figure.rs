@@ -1,5 +1,5 @@
-//! `pinhole figure`: a view, the derivation or the lab of lines as SVG, PDF or PNG; the derivation as LaTeX and
-//! Markdown, too; with `--play`, an animation of a view.
+//! `pinhole figure`: writes a view, the derivation or the lab of lines as SVG, PDF or PNG; the derivation also
+//! as LaTeX or Markdown; with `--play`, an animation of a view.
 
 use std::io::Write as _;
 
@@ -18,8 +18,8 @@ use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 use crate::view::derive::{Deriver, ViewSizes};
 
-/// The usual sizes of the world view, the lab of lines and the derivation, in dots. A derivation is as
-/// high as its lines.
+/// The default sizes of the world view, the lab of lines and the derivation, in dots. The derivation's height
+/// depends on its lines.
 const WORLD: [u32; 2] = [1920, 1080];
 const LINES: [u32; 2] = [1280, 960];
 const DERIVATION: [u32; 2] = [1600, 1600];
@@ -103,7 +103,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
 }
 
 fn start_of(document: &Document, session: &Session) -> Start {
-    // The ray is asked about wherever the derivation is open.
+    // The derivation always shows the ray.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
     Start::new(document, session, derived.inspection.as_deref(), derived.scene.as_deref())
 }
@@ -151,8 +151,8 @@ fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, Comm
     Ok(Order { subject, size, scale, style, transparent })
 }
 
-/// The session that looks at the document: as in a window that has just been opened, but that no ray is drawn
-/// unless it is asked for.
+/// Returns the session with which the document is drawn: that of a new window, but without a ray unless one is
+/// requested.
 fn session_of(
     arguments: &FigureArguments,
     document: &Document,
@@ -160,11 +160,11 @@ fn session_of(
 ) -> Result<Session, CommandError> {
     let FigureArguments { scene, view, ray, .. } = arguments;
     let mut session = Session::default();
-    // Nobody can take hold of a picture in a file.
+    // A picture in a file has no handles.
     session.settings.items.set(Item::Handles, false);
     let asked = ray.pixel.is_some() || ray.uv.is_some();
     let sees = matches!(view, Subject::World | Subject::Camera);
-    // The derivation of a camera without a basis says where its derivation fails.
+    // The derivation of a camera without a basis shows where it fails.
     if asked || sees {
         let camera = pose(scene, document)?;
         if asked {

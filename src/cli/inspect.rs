@@ -1,4 +1,4 @@
-//! `pinhole inspect`: one ray, its camera, and everything it meets.
+//! `pinhole inspect`: prints one ray, its camera, and everything it meets.
 
 use std::fmt::Write as _;
 
@@ -15,7 +15,7 @@ use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::readings::{Reading, ReadingValue, of_basis};
 
-/// A ray that is looked at, with all that is said of it.
+/// A ray with the numbers to print.
 struct Readout<'a> {
     document: &'a Document,
     camera: ResolvedCamera,
@@ -163,7 +163,8 @@ impl Readout<'_> {
     }
 }
 
-/// Returns a number; of one beyond the range of `f64`, in whose place the last one may stand, that it is.
+/// Returns a number. If the number is beyond the range of `f64`, and the largest one may stand for it, the text
+/// says so.
 fn told(x: f64) -> String {
     match x {
         f64::MAX.. => "beyond f64".to_owned(),

@@ -1,4 +1,4 @@
-//! Loading what most commands begin with: the scene, its camera, and the ray that is asked for.
+//! Loads the inputs of most commands: the scene, its camera, and the requested ray.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use pinhole_exchange::{FileError, limits, scene_file};
 
 use super::console::{CommandError, is_standard, read, scene_fault};
 
-/// Reads the scene that an argument means: a file, a built-in scene, or standard input for `-`.
+/// Reads the scene that an argument names: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
     if is_standard(scene) {
         let (path, bytes) = read(scene, limits::TEXT)?;
@@ -21,7 +21,7 @@ pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
     Ok(SceneSource::from_argument(scene)?.load()?)
 }
 
-/// The files that a scene is read from: its own, and that of its spheres.
+/// Returns the files that a scene is read from: its own, and that of its spheres.
 pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
     let source = SceneSource::from_argument(scene).ok();
     let file = source.and_then(|source| source.scene_file().map(Path::to_owned));
@@ -39,7 +39,7 @@ pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandErro
     Ok(())
 }
 
-/// Refuses to write over a file that is read. Outputs come with the option that names them.
+/// Rejects outputs that would overwrite an input. Outputs come with the option that names them.
 pub(super) fn apart<'a>(
     inputs: &[PathBuf],
     outputs: impl IntoIterator<Item = (&'a str, &'a Path)>,
@@ -64,9 +64,9 @@ pub(super) fn apart<'a>(
     Ok(())
 }
 
-/// The camera of a scene, ready for its rays.
+/// Returns the camera of a scene with its basis.
 ///
-/// A fault of it is told at its position in the scene file, as what cannot be read is.
+/// An error of the camera includes its position in the scene file, as for other errors of the file.
 pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
     let location_of = |error: &CameraError| match SceneSource::from_argument(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
@@ -78,7 +78,7 @@ pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, 
     })
 }
 
-/// The ray that is asked for; that through the viewport's centre where none is.
+/// Returns the requested ray; without one, that through the viewport's centre.
 pub(super) fn selection_of(
     camera: &ResolvedCamera,
     pixel: Option<Pixel>,
@@ -113,8 +113,8 @@ fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
     ))
 }
 
-/// Returns the size of a picture; a width or height alone takes the other along, in the ratio of the
-/// `usual` size.
+/// Returns the size of a picture; if only the width or the height is given, the other follows in the ratio of
+/// the `usual` size.
 ///
 /// # Errors
 /// Returns an error if no image has this size.

@@ -16,7 +16,7 @@ use crate::cli::load::{apart, files_of, load, pose};
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
-    // What is wrong with the camera is told at its position in the file.
+    // An error of the camera includes its position in the file.
     pose(&arguments.scene, &document)?;
     let with = match (arguments.camera_only, arguments.meshes) {
         (true, _) => Include::CameraAlone,

@@ -7,11 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// A line on standard error, which appears only where that is a terminal and the work takes longer
-/// than [`PATIENCE`].
+/// A line on standard error that appears if that is a terminal and the work takes longer than [`PATIENCE`].
 pub(super) struct Progress {
     work: Arc<ProgressState>,
-    /// Writes the line when it is time, until the other end of the channel goes away.
+    /// The thread that writes the line in intervals, until the other end of the channel is dropped.
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
@@ -24,32 +23,32 @@ const TICK: Duration = Duration::from_millis(100);
 struct ProgressState {
     since: Instant,
     done: AtomicUsize,
-    /// The unit that is counted, as `row`, and the number of them; otherwise the work's name.
+    /// The unit that is counted, such as `row`, and the total; otherwise the name of the work.
     what: Mutex<(&'static str, Option<usize>)>,
 }
 
 impl Progress {
-    /// Work on so many units, as `row`.
+    /// Creates the progress of work on `all` units, such as `row`.
     pub(super) fn counting(what: &'static str, all: usize) -> Progress {
         Progress::new(what, Some(all))
     }
 
-    /// Work that does not tell how far it is.
+    /// Creates the progress of work whose amount is unknown.
     pub(super) fn during(work: &'static str) -> Progress {
         Progress::new(work, None)
     }
 
-    /// Goes on with work that does not tell how far it is.
+    /// Continues with work whose amount is unknown.
     pub(super) fn go_on(&self, work: &'static str) {
         *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
     }
 
-    /// Counts more of them as done.
+    /// Adds finished units.
     pub(super) fn add(&self, count: usize) {
         self.work.done.fetch_add(count, Ordering::Relaxed);
     }
 
-    /// The work may be silent for long, so another thread looks at the clock.
+    /// The work may report nothing for a long time, so another thread watches the clock.
     fn new(what: &'static str, all: Option<usize>) -> Progress {
         let what = Mutex::new((what, all));
         let work =
@@ -99,7 +98,7 @@ fn in_words(time: Duration) -> String {
 /// Writes over the line that was there before.
 fn write_line(line: &str) {
     let mut out = io::stderr().lock();
-    // Where standard error is closed, there is nobody to tell.
+    // If standard error is closed, nobody can be told.
     let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
 }
 
@@ -107,7 +106,7 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((end, clock)) = self.clock.take() {
             drop(end);
-            // A clock that has failed has shown nothing, which is all that is wanted here.
+            // If the clock's thread has failed, it has shown nothing, which is all that is needed here.
             let _ = clock.join();
         }
     }

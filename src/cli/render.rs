@@ -1,4 +1,4 @@
-//! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
+//! `pinhole render`: writes the picture as PNG, and the hits as OpenEXR.
 
 use std::io::{BufWriter, Write};
 
@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let progress = if arguments.overlay || arguments.view == Subject::World {
         Progress::during("drawing")
     } else {
-        // Each row is traced, and for the other file asked how surely.
+        // Each row is traced, and for the other file its certificates are computed.
         let passes = 1 + usize::from(options.aov);
         Progress::counting("row", passes * image.height() as usize)
     };
@@ -95,8 +95,8 @@ pub struct RenderOptions {
     pub overlay: bool,
     /// The shading: how a hit becomes a colour.
     pub shade: Shade,
-    /// Computes what the camera's rays meet, with normals and certificates, even if the picture does
-    /// not need it.
+    /// Computes the hits of the camera's rays, with normals and certificates, even if the picture does not need
+    /// them.
     pub aov: bool,
 }
 
@@ -105,15 +105,16 @@ pub struct RenderOptions {
 pub struct Rendering {
     /// Opaque sRGB pixels with alpha 255, row by row from the top.
     pub pixels: Vec<[u8; 4]>,
-    /// Hits of the camera's rays, pixel by pixel, where they were asked for or needed anyway.
+    /// Hits of the camera's rays, pixel by pixel, if they were requested or needed anyway.
     pub frame: Option<Frame<f32>>,
-    /// How surely each pixel of the frame is decided, where that was asked for.
+    /// The certificate of each pixel, if requested.
     pub certificates: Vec<Certificate>,
 }
 
-/// Draws a view of the document, `options.size` large. `done` hears of finished rows.
+/// Draws a view of the document with the size `options.size`. `done` is called with the number of finished
+/// rows.
 ///
-/// A camera view of another size than the document's image is that of a camera with as many
+/// If the size differs from the document's image, the camera view is that of a camera with this number of
 /// pixels; the world view keeps the camera's pixels and draws them on its viewport.
 ///
 /// # Errors
@@ -154,7 +155,7 @@ pub fn render_view(
     Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
 }
 
-/// The view as the window shows it, labels included. No ray is selected, so none is drawn.
+/// Draws the view as the window does, with labels. No ray is selected, so none is drawn.
 fn with_overlay(
     document: &Document,
     scene: &Scene,
@@ -163,10 +164,10 @@ fn with_overlay(
     let size = options.size;
     let items = if options.overlay {
         let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
-        // Nobody can take hold of a picture in a file.
+        // A picture in a file has no handles.
         items.with(Item::Handles, false)
     } else {
-        // A plane has no end: the world view draws a patch of it.
+        // Planes are infinite: the world view draws a patch.
         OverlayItems::NONE.with(Item::Planes, true)
     };
     let session = Session {

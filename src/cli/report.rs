@@ -1,4 +1,4 @@
-//! `pinhole report`: error against run time, as a table, JSON and a plot.
+//! `pinhole report`: writes error against run time as a table, JSON and a plot.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     deliver(arguments, &measured(runs(arguments)?))
 }
 
-/// Checks what can be told to be wrong before minutes of work.
+/// Checks the arguments before minutes of work.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     let refused = |problem: String| Err(CommandError::Arguments(problem));
     if arguments.plot.as_deref().is_some_and(is_standard) {
@@ -47,13 +47,13 @@ fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     files(arguments).try_for_each(|(_, path)| Ok(atomic::check(path)?))
 }
 
-/// The files to write, with the options that name them.
+/// Returns the files to write, with the options that name them.
 fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, &Path)> {
     let files = [("--json", json_file(arguments)), ("--plot", arguments.plot.as_deref())];
     files.into_iter().filter_map(|(name, path)| Some((name, path?)))
 }
 
-/// The runs to measure. Every scene is read before the first is measured.
+/// Returns the measurements to make. Every scene is read before the first one is measured.
 fn runs(arguments: &ReportArguments) -> Result<Vec<Measurement>, CommandError> {
     if arguments.scenes.is_empty() {
         return Ok(vec![Measurement::of_families(arguments.seed)]);
@@ -69,7 +69,7 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Measurement>, CommandError> {
     arguments.scenes.iter().map(run_of).collect()
 }
 
-/// Measures the runs one after the other; the report is about all of them.
+/// Makes the measurements one after the other; the report contains all of them.
 fn measured(mut runs: Vec<Measurement>) -> Report {
     let progress = Progress::counting("step", runs.iter().map(Measurement::total).sum());
     let mut all = Report::default();
@@ -84,8 +84,8 @@ fn measured(mut runs: Vec<Measurement>) -> Report {
     all
 }
 
-/// Writes the files that were asked for, and the table or the JSON to standard output. All of it is
-/// whole in memory before the first file is written.
+/// Writes the requested files, and the table or the JSON to standard output. All of it is complete in memory
+/// before the first file is written.
 fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandError> {
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut text = table::to_table(report);
@@ -113,7 +113,7 @@ fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandEr
     to_stdout(|out| out.write_all(text.as_bytes()))
 }
 
-/// The file of a page of the plot: `a.png`, `a-2.png`, `a-3.png` and so on.
+/// Returns the file for a page of the plot: `a.png`, `a-2.png`, `a-3.png` and so on.
 fn page_path(plot: &Path, page: usize) -> PathBuf {
     let (stem, ending) = (plot.file_stem(), plot.extension());
     match (page, stem, ending) {
@@ -127,18 +127,18 @@ fn page_path(plot: &Path, page: usize) -> PathBuf {
     }
 }
 
-/// The file for the JSON; none for `--json` without a path, or with the sign for standard output.
+/// Returns the file for the JSON; `None` for `--json` without a path, or with `-` for standard output.
 fn json_file(arguments: &ReportArguments) -> Option<&Path> {
     arguments.json.as_deref().filter(|path| !is_standard(path))
 }
 
-/// Returns true for a path that is meant to be read, not written.
+/// Returns true if a path is more likely an input than an output.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     ends_as_one || path.to_str().is_some_and(|name| BuiltinScene::find(name).is_some())
 }
 
-/// The format of a plot's file, by the ending of its name.
+/// Returns the format of a plot's file, from its extension.
 fn format_of(plot: &Path) -> Result<FigureFormat, CommandError> {
     let is = |format: &FigureFormat| {
         plot.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(format.ending()))

@@ -1,4 +1,4 @@
-//! `pinhole trace`: any rays against a scene, from one CSV file to another.
+//! `pinhole trace`: intersects the rays in one CSV file with a scene, and writes the hits to another.
 
 use std::io::{self, Write};
 
@@ -11,14 +11,15 @@ use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
 use super::load::{apart, files_of, load, once};
 use crate::cli::arguments::TraceArguments;
 
-/// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
+/// Number of rays that are traced and written together: enough to keep every core busy, few enough to fit in
+/// memory.
 const CHUNK: usize = 1 << 16;
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     once(&arguments.scene, ("--rays", &arguments.rays))?;
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
-    // All rays are read before the first is traced, so that a bad row leaves no half an answer.
+    // All rays are read before the first is traced, so that an invalid row leaves no partial output.
     let (path, bytes) = read(&arguments.rays, limits::TABLE)?;
     let rays = csv::rays(path, &bytes)?;
     let mut inputs = files_of(&arguments.scene, &document);
@@ -36,7 +37,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
 }
 
 fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {
-    // A ray that waits for the index while another makes it would make it again.
+    // Otherwise several rays would build the index at the same time.
     scene.make_index();
     writeln!(out, "object,t,px,py,pz,nx,ny,nz")?;
     for chunk in rays.chunks(CHUNK) {
@@ -48,8 +49,8 @@ fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()
     Ok(())
 }
 
-/// Numbers in the shortest form that reads back to the same `f64`; nothing in any cell for a miss, and in
-/// that of a number beyond `f64`.
+/// Writes numbers in the shortest form that reads back to the same `f64`. All cells of a miss are empty, and so
+/// is that of a number beyond `f64`.
 fn write_hit(out: &mut dyn Write, hit: Option<Root>) -> io::Result<()> {
     let Some(Root { object, t, point: p, normal: n }) = hit else {
         return writeln!(out, ",,,,,,,");

@@ -89,10 +89,10 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         .map_err(|error| CommandError::Input(error.to_string()))
 }
 
-/// Makes this thread, which the window runs on, one of those that share parallel work. It would wait for
-/// the others to wake up for each picture otherwise, and do nothing meanwhile.
+/// Adds the window's thread to rayon's pool. Otherwise it would wait idly for workers to wake up for each
+/// picture.
 fn share_this_thread() {
-    // An error says that there are such threads already, and they do.
+    // An error means that the pool exists already, which is fine.
     let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
 }
 

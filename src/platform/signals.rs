@@ -1,5 +1,5 @@
-//! The signals that end the program. The window ends in order, with its changes written aside; a command
-//! leaves no temporary file.
+//! Handles the signals that end the program: the window saves its changes aside and closes; a command removes
+//! its temporary files.
 
 use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -14,23 +14,22 @@ static WINDOW: Mutex<Option<End>> = Mutex::new(None);
 /// The signal that ended the window, 0 for none.
 static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
-/// Time in which several signals mean the same: a terminal that closes sends SIGHUP twice, a session that
-/// ends SIGTERM and SIGHUP.
+/// Several signals within this time count as one: a terminal that closes sends SIGHUP twice, a session that
+/// ends sends SIGTERM and SIGHUP.
 const TOGETHER: Duration = Duration::from_secs(2);
 
-/// Ends the window by `end` at the first signal; a later one ends the program as ever.
+/// Calls `end` at the first signal to close the window; a later signal ends the program as usual.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
     *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
 }
 
-/// Waits for the signals beside the program. Those that it was started to ignore, as by `nohup`, stay
-/// ignored.
+/// Waits for signals on another thread. Signals that were ignored at the start, as with `nohup`, stay ignored.
 pub fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     let ignored = ignored();
     let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_in(*signal, ignored));
-    // Where signals cannot be held, they end the program as ever.
+    // If signals cannot be caught, they end the program as usual.
     let Ok(mut signals) = Signals::new(heeded) else { return };
     std::thread::spawn(move || {
         let mut ended: Option<Instant> = None;
@@ -45,7 +44,7 @@ pub fn watch() {
                 None if ended.is_some_and(|ended| ended.elapsed() < TOGETHER) => {}
                 None => {
                     pinhole_exchange::atomic::abandon();
-                    // It does what the signal would have done, and so does not return.
+                    // It has the default effect of the signal, and so does not return.
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
                 }
             }
@@ -53,7 +52,7 @@ pub fn watch() {
     });
 }
 
-/// Ends the program as the signal would have that ended its window, for those who ask how it ended.
+/// Ends the program with the signal that closed its window, so that the parent process sees it.
 pub fn pass_on() {
     match ENDED_BY.load(Ordering::SeqCst) {
         0 => {}
@@ -66,7 +65,7 @@ fn is_in(signal: i32, set: u64) -> bool {
     set >> (signal - 1) & 1 == 1
 }
 
-/// The set of signals that this process ignores, a bit each; none where the system does not tell.
+/// Returns the set of signals that this process ignores, one bit for each; empty if the system does not say.
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

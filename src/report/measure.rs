@@ -1,9 +1,8 @@
 //! Measures error against run time, a slice at a time: [`Measurement`].
 //!
-//! A run is a list of cases (a scene, or a stress family at one setting of its knob). Of each, some
-//! rays are followed by every [`Method`] and by the reference, and
-//! whole frames or lists of rays are timed in rounds that take the methods in turn, so that whatever
-//! slows the machine down slows all of them.
+//! A measurement is a list of cases (a scene, or a stress family at one setting of its knob). For each case,
+//! the reference and every [`Method`] follow some rays. Whole frames or lists of rays are timed in rounds that
+//! take the methods in turn, so that a slow moment of the machine affects all of them.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -21,13 +20,13 @@ mod families;
 mod scenes;
 mod subject;
 
-/// Time after which a slice leaves the next piece of work to the one after it.
+/// Time after which a slice starts no further piece of work.
 const SLICE: Duration = Duration::from_millis(8);
 
 /// The method that times are compared with.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
-/// A measurement under way. It does nothing by itself: [`Measurement::step`] does.
+/// A measurement in progress. Work is only done in [`Measurement::step`].
 ///
 /// ```
 /// use pinhole::report::measure::Measurement;
@@ -50,12 +49,12 @@ pub struct Measurement {
     notes: &'static str,
     seed: Option<u64>,
     timed_what: &'static str,
-    /// Holds the ladder's parallel tracer to one thread while it is timed.
+    /// Restricts the ladder's parallel tracer to one thread while it is timed.
     one_thread: Option<ThreadPool>,
 }
 
 impl Measurement {
-    /// Will measure a scene as a camera sees it: the same pixels on every machine.
+    /// Creates the measurement of a scene as seen by a camera: the same pixels on every machine.
     ///
     /// # Errors
     /// Returns an error if a camera sees nothing.
@@ -78,8 +77,8 @@ impl Measurement {
         })
     }
 
-    /// Will measure all stress families, in about two minutes on two cores. The same seed gives the
-    /// same cases, and all of them are compared with the truth on every machine.
+    /// Creates the measurement of all stress families, which takes about two minutes on two cores. The same
+    /// seed gives the same cases on every machine, and all of them are compared with the truth.
     pub fn of_families(seed: u64) -> Measurement {
         let (cases, left_out) = families::cases(seed);
         let timed_what = "the family's rays one by one, or its frames at some 8000 pixels";
@@ -148,12 +147,12 @@ impl Measurement {
     }
 }
 
-/// A thread of its own for the ladder; without one it is timed on all threads of the default pool.
+/// Returns a pool of one thread for the ladder; without one, it is timed on all threads of the default pool.
 fn one_thread() -> Option<ThreadPool> {
     ThreadPoolBuilder::new().num_threads(1).build().ok()
 }
 
-/// The processor's name, where it can be had, its vector instructions that programs choose by, and
+/// Describes the processor: its name if known, the vector instructions by which programs choose their code, and
 /// those that `what` was compiled for.
 pub(crate) fn describe(what: &str) -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());

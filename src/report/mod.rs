@@ -1,6 +1,6 @@
-//! Error against run time: what `pinhole report` measures, and the forms it shows that in.
+//! Error against run time, which `pinhole report` measures and shows.
 //!
-//! [`model`] is what was measured; everything else turns it into text and pictures.
+//! [`model`] contains the results; the other modules measure them, or turn them into text and pictures.
 
 #[cfg(feature = "report")]
 #[cfg(feature = "report")]

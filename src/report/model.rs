@@ -1,8 +1,8 @@
-//! A report as plain data, in the very shape in which `report --json` writes it.
+//! A report as plain data, in the form that `report --json` writes.
 //!
-//! Numbers that do not exist, such as the error in t where no hit is in common with the truth, are
-//! `None`, which is `null` in JSON. No number is NaN or infinite: a method that answers so for a ray
-//! that hits has decided wrong, and is counted there.
+//! Missing numbers, such as the error in t if method and truth have no hit in common, are `None`, which is
+//! `null` in JSON. No number is NaN or infinite: a method that returns one for a ray that hits has decided
+//! wrong, and is counted there.
 
 use pinhole_core::Steps;
 use serde::Serialize;
@@ -16,9 +16,9 @@ pub struct Report {
     pub cpu: String,
     /// The cases measured, in order; the cases of a family follow each other.
     pub cases: Vec<Case>,
-    /// Sentences about what the cases do not need and so was not run.
+    /// Sentences about measurements that were omitted because the cases do not need them.
     pub left_out: Vec<String>,
-    /// The method and the loop that times are to be compared with.
+    /// The method and the loop with which times are compared.
     pub baseline: String,
     /// Sentences that a reader of the numbers needs.
     pub notes: Vec<String>,
@@ -29,7 +29,7 @@ pub struct Report {
 /// One scene, or a stress family at one setting of its knob.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Case {
-    /// The scene, or the family, whose cases share the name.
+    /// The name of the scene, or of the family, which its cases share.
     pub name: String,
     /// The setting that makes the family easier or harder; a scene has none.
     pub knob: Option<f64>,
@@ -39,19 +39,19 @@ pub struct Case {
     pub methods: Vec<MethodRow>,
     /// Name of the knob; empty without one.
     pub knob_name: String,
-    /// How much t depends on what is given, over the rays that hit.
+    /// The sensitivity of t to the input, over the rays that hit.
     pub condition: Option<ConditionSpread>,
-    /// The same of the cases that the `f32` methods get, where those are others.
+    /// The same for the cases of the `f32` methods, if those differ.
     pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
-    /// The scene that this is a part of, looked at alone: its pixels are among the scene's too.
+    /// The scene of which this is a part, measured separately: its pixels are among the scene's too.
     pub part_of: Option<String>,
 }
 
-/// Spread of the condition number of t: the share of itself that t moves by, where centre, radius, origin
-/// and direction each move by a small share of their sizes, is at most this times that share. Tangents,
-/// where it is infinite, are left out.
+/// Spread of the condition number of t: if centre, radius, origin and direction each change by a small share of
+/// their sizes, t changes by at most the condition number times this share. Tangents, where it is infinite, are
+/// excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ConditionSpread {
     /// Half of them are at most this.
@@ -65,45 +65,46 @@ pub struct ConditionSpread {
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
-    /// Decisions that are not what exact arithmetic gives: hit or miss, which object is first, and which
-    /// of a sphere's two roots (another one is taken where t is less than half as far from it as from the
-    /// true one; roots that its precision hardly tells apart are one).
+    /// Decisions that differ from exact arithmetic: hit or miss, which object is first, and which of a sphere's
+    /// two roots (it is another one if t is less than half as far from it as from the true one; roots that the
+    /// method's precision can hardly distinguish count as one).
     pub wrong: u64,
     /// All decisions.
     pub decisions: u64,
-    /// The error in t, in ulps of the method's own precision, over the rays that truth and method
-    /// decide alike. [`MethodRow::ulp_f64`] has the same errors on one scale.
+    /// The error in t, in ulps of the method's own precision, over the rays whose decisions are right.
+    /// [`MethodRow::ulp_f64`] contains the same errors on one scale.
     pub ulp: Ulps,
     /// The largest angle between the method's normal and the true one, in radians.
     pub normal_error_max: Option<f64>,
     /// Nanoseconds a pixel.
     pub ns_per_pixel: Times,
-    /// Decisions by each step of the ladder; the ladder alone has steps.
+    /// Number of decisions by each step of the ladder; only the ladder has steps.
     pub steps: Option<Steps>,
-    /// The error in t, in ulps of `f64` whatever the method's precision: an ulp of `f32` is 2^29 of
-    /// them. What is compared among methods.
+    /// The error in t, in ulps of `f64` whatever the method's precision, with which methods are compared: an
+    /// ulp of `f32` is 2^29 of them.
     pub ulp_f64: Ulps,
-    /// `t` by the step of the ladder that found it, where `t` has a step of its own: rounded once from
-    /// more digits than `f64` has, it is found in double-double or exactly.
+    /// Number of `t`s found by each step of the ladder, if `t` has steps of its own: rounded once from more
+    /// digits than `f64` has, it is found in double-double or exactly.
     pub steps_of_t: Option<Steps>,
-    /// Wrong decisions as a share of all rays of the case, 0 to 1. Where more is compared with the truth
-    /// beside outlines than elsewhere, both are weighted by how many pixels there are.
+    /// Wrong decisions as a share of all rays of the case, 0 to 1. If pixels next to outlines are sampled more
+    /// densely, both kinds are weighted by their number.
     pub wrong_share: Option<f64>,
-    /// The largest backward error, in units of 2^-53: centre, radius, origin and direction each moved by
-    /// this share of their sizes make the method's t exact. Times the condition number it is at least
+    /// The largest backward error, in units of 2^-53: if centre, radius, origin and direction each change by
+    /// this share of their sizes, the method's t is exact. Multiplied by the condition number, it is at least
     /// the error in ulps of `f64`, to first order.
     pub backward_error_max: Option<f64>,
-    /// Rays decided right whose true t is out of the range of the method's precision: they are in no error.
+    /// Rays that are decided right, but whose true t is outside the range of the method's precision. They are
+    /// excluded from the errors.
     pub t_out_of_range: u64,
-    /// Pixels (or rays) that each round traced, and whose decisions [`MethodRow::steps`] counts.
+    /// Number of pixels (or rays) that each round traced, whose decisions [`MethodRow::steps`] counts.
     pub pixels_timed: u64,
 }
 
-/// An error from here on, in ulps of `f64`, leaves no digit of t right in `f32` or `f64`: it is larger
-/// than t.
+/// The smallest error, in ulps of `f64`, at which no digit of t is right in `f32` or `f64`: it is as large as
+/// t.
 pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 
-/// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), wherever both are normal numbers.
+/// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), if both are normal numbers.
 pub const SINGLE: f64 = (1u64 << 29) as f64;
 
 /// Spread of the errors in t, in ulps.
@@ -118,7 +119,7 @@ pub struct Ulps {
 }
 
 impl Ulps {
-    /// Returns the same errors in ulps of another precision, of which each of these is `count`; at most
+    /// Returns the same errors in ulps of another precision, where each of these is `count` of those; at most
     /// [`f64::MAX`].
     pub fn times(self, count: f64) -> Ulps {
         let times = |error: Option<f64>| error.map(|error| (error * count).min(f64::MAX));
@@ -131,7 +132,7 @@ impl Ulps {
 pub struct Times {
     /// The middle one.
     pub median: Option<f64>,
-    /// The shortest one: what methods are compared by, as all that disturbs a round makes it longer.
+    /// The shortest round, with which methods are compared, because every disturbance makes a round longer.
     pub min: Option<f64>,
     /// A quarter of them are at most this.
     pub lower_quartile: Option<f64>,
@@ -154,7 +155,7 @@ pub enum Digits {
 const DOUBLE_DOUBLE: &str = "double-double";
 
 impl Report {
-    /// Takes in what another run measured on the same machine.
+    /// Adds the results of another measurement on the same machine.
     pub fn append(&mut self, other: Report) {
         let Report { reference, cpu, cases, left_out, baseline, notes, seed } = other;
         (self.reference, self.cpu, self.baseline, self.seed) = (reference, cpu, baseline, seed);
@@ -168,7 +169,7 @@ impl Report {
         }
     }
 
-    /// The cases by name, in order: a scene alone, a family with all its knobs.
+    /// Returns the cases grouped by name, in order: a scene alone, a family with all its settings.
     pub fn families(&self) -> Vec<Vec<&Case>> {
         let mut families: Vec<Vec<&Case>> = Vec::new();
         for case in &self.cases {
@@ -182,7 +183,7 @@ impl Report {
 }
 
 impl Case {
-    /// Returns the name, with the knob where it has one: `tiny far sphere, radius / distance = 1e-6`.
+    /// Returns the name, with the knob if there is one: `tiny far sphere, radius / distance = 1e-6`.
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };
@@ -191,7 +192,7 @@ impl Case {
 }
 
 impl MethodRow {
-    /// A sentence that says by which steps of the ladder the method decided, where it has steps.
+    /// Returns a sentence about the steps with which the ladder decided, if the method has steps.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {
@@ -209,7 +210,7 @@ impl MethodRow {
         self.digits() == Digits::Single
     }
 
-    /// The name without the precision: `half-b`, of which `double-double` is one more precision.
+    /// Returns the name without the precision: `half-b`, of which `double-double` is one more precision.
     pub fn formula(&self) -> &str {
         match self.name.as_str() {
             DOUBLE_DOUBLE => "half-b",

@@ -1,4 +1,4 @@
-//! What a scene shows, or a family over all settings of its knob; and all of them together.
+//! Summaries of a scene, of a family over all settings of its knob, and of all of them together.
 
 use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
 
@@ -9,26 +9,26 @@ pub(crate) struct Summary<'a> {
     pub(crate) methods: Vec<MethodSummary<'a>>,
 }
 
-/// A method over all cases of a family: the error at its worst, wrong decisions all together, the time in
-/// the middle. One case is its own worst.
+/// A method over all cases of a family: its worst error, the sum of its wrong decisions, its middle time. A
+/// scene has a single case.
 pub(crate) struct MethodSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
     pub(crate) digits: Digits,
     pub(crate) outcome: Option<Outcome>,
-    /// Nanoseconds a pixel: of the shortest rounds of all cases, the one in the middle.
+    /// Nanoseconds per pixel: the middle one of the shortest rounds of all cases.
     pub(crate) time: Option<f64>,
-    /// Of a family, the least and the most of them; of a scene, the shortest round and the upper
+    /// For a family, the least and the greatest of them; for a scene, the shortest round and the upper
     /// quartile.
     pub(crate) times: Option<[f64; 2]>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
 }
 
-/// The error in t that a method shows, or why it shows none; the worst is the greatest.
+/// The error in t of a method, or the reason why it has none, in ascending order of severity.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(crate) enum Outcome {
-    /// Every true t is out of the range of its precision.
+    /// Every true t is outside the range of its precision.
     OutOfRange,
     /// Ulps of `f64`.
     Error(f64),
@@ -38,7 +38,7 @@ pub(crate) enum Outcome {
     NoHit,
 }
 
-/// Returns what a method shows in a case; `None` where there is nothing to hit and it hits nothing.
+/// Returns the outcome of a method in a case; `None` if there is nothing to hit and it hits nothing.
 pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     match row.ulp_f64.max {
         Some(error) if error >= NO_DIGIT => Some(Outcome::NoDigit),
@@ -48,8 +48,7 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
-/// Returns the summaries of a report, in order. Parts of a scene are in none of them: they would count
-/// twice.
+/// Returns the summaries of a report, in order. Parts of a scene are excluded, because they would count twice.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     let families = report.families().into_iter();
     families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
@@ -75,7 +74,7 @@ impl<'a> Summary<'a> {
         Summary { cases, methods }
     }
 
-    /// Returns whether there is a curve over a knob to show.
+    /// Returns true if there is a curve over a knob to show.
     pub(crate) fn has_knob(&self) -> bool {
         self.cases.len() > 1
     }
@@ -114,7 +113,7 @@ impl<'a> MethodSummary<'a> {
             [one] => one.ns_per_pixel.upper_quartile,
             _ => times.last().copied(),
         };
-        // Where nothing is to be hit, to hit says nothing about t.
+        // If there is nothing to hit, a hit says nothing about t.
         let hit = cases.iter().filter(|case| case.coverage > 0.0).filter_map(row_of);
         let worse = |a, b| if a > b { a } else { b };
         MethodSummary {
@@ -129,7 +128,7 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Time and error, of a method that decides all right and has some digit right.
+    /// Returns the time and the error of a method whose decisions are all right and that has some right digit.
     fn result(&self) -> Option<(f64, f64)> {
         match (self.time, self.outcome) {
             (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
@@ -137,22 +136,22 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns whether the other is at least as fast and as close, and better in one of them.
+    /// Returns true if the other is at least as fast and as accurate, and better in one of them.
     fn is_beaten_by(&self, other: &MethodSummary) -> bool {
         let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
         others.0 <= own.0 && others.1 <= own.1 && others != own
     }
 }
 
-/// The one in the middle of ascending values, or the geometric mean of the two.
+/// Returns the median of ascending values; for an even number, the geometric mean of the two in the middle.
 pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     let (low, high) = (sorted.get(sorted.len().saturating_sub(1) / 2)?, sorted[sorted.len() / 2]);
     // Of 0 and infinity there is no mean.
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
 }
 
-/// The Pareto front: of the methods that decide all right, those that no other one beats in both time
-/// and error; the fastest first.
+/// Returns the Pareto front: of the methods whose decisions are all right, those that no other one beats in
+/// both time and error; the fastest first.
 pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
     let is_first = |method: &&MethodSummary| {
         method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
@@ -174,8 +173,8 @@ pub(crate) struct Overall<'a> {
     pub(crate) in_errors: usize,
 }
 
-/// A method over all scenes or families. Shares, errors and times are of shared ones alone: those of
-/// different ones are not compared.
+/// A method over all scenes or families. Shares, errors and times are only those of shared cases, because
+/// different cases cannot be compared.
 pub(crate) struct MethodOverall<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
@@ -211,7 +210,7 @@ pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
     let method =
         |first: &&MethodSummary<'a>| MethodOverall::new(first, summaries, &in_share, &shared);
     let mut methods: Vec<MethodOverall> = all.iter().map(method).collect();
-    // Each formula's precisions beside each other, the formulas in the order in which they came.
+    // Each formula's precisions are next to each other, the formulas in the order in which they occurred.
     let order: Vec<&str> = methods.iter().map(|method| method.formula).collect();
     methods.sort_by_key(|m| (order.iter().position(|formula| *formula == m.formula), m.digits));
     let has_knobs = summaries.iter().any(|summary| summary.cases[0].knob.is_some());
@@ -251,8 +250,8 @@ impl<'a> MethodOverall<'a> {
         }
     }
 
-    /// The outcomes as numbers, infinite where no digit of t is right, or no hit: the least, the middle,
-    /// the greatest.
+    /// Returns the least, the middle and the greatest of the outcomes as numbers, infinite if no digit of t is
+    /// right or nothing was hit.
     pub(crate) fn errors(&self) -> Option<[f64; 3]> {
         let number = |outcome: &Outcome| match outcome {
             Outcome::Error(error) => *error,
@@ -262,7 +261,7 @@ impl<'a> MethodOverall<'a> {
     }
 }
 
-/// The least, the middle and the greatest of ascending values.
+/// Returns the least, the middle and the greatest of ascending values.
 pub(crate) fn least_middle_most(sorted: &[f64]) -> Option<[f64; 3]> {
     Some([*sorted.first()?, middle(sorted)?, *sorted.last()?])
 }
@@ -293,8 +292,8 @@ mod tests {
         Case { name: name.to_owned(), knob: Some(knob), coverage: 0.5, methods, ..Case::default() }
     }
 
-    /// A family of planes has fewer methods: what they do wrong there makes them no worse than those that
-    /// were spared it.
+    /// A family of planes has fewer methods: wrong decisions there must not rank them below methods that were
+    /// not tested.
     #[test]
     fn shares_are_of_what_all_have() {
         let both =
@@ -321,7 +320,7 @@ mod tests {
         assert_eq!(middle(&[f64::INFINITY; 2]), Some(f64::INFINITY));
     }
 
-    /// What is worst is worst at any setting, but where there is nothing to hit.
+    /// The worst outcome over all settings, except those where there is nothing to hit.
     #[test]
     fn the_worst_setting_counts_and_the_middle_time() {
         let settings = [(Some(2.0), 1.0), (None, 4.0), (Some(1e17), 9.0), (None, 16.0)];

@@ -117,7 +117,7 @@ fn summary(out: &mut String, all: &Overall) {
     headed(out, &rows, &HEADS);
 }
 
-/// Writes rows under heads that stand over one column or several: the first, how many, and the text.
+/// Writes rows under heads that span one column or several: the first column, their number, and the text.
 fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usize, usize, &str)]) {
     let mut widths = widths(rows);
     let before = heads.first().map_or(0, |(first, ..)| *first);
@@ -135,8 +135,8 @@ fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usiz
     aligned(out, rows, widths);
 }
 
-/// The time that the others are compared with: that of the method which the baseline's text begins
-/// with.
+/// Returns the time with which the others are compared: that of the method named at the beginning of the
+/// baseline's text.
 fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
     let name = report.baseline.split([' ', ',', ':']).next()?;
     let row = case.methods.iter().find(|row| row.name == name)?;
@@ -203,14 +203,14 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
     ]
 }
 
-/// The width of each column: that of its widest cell.
+/// Returns the width of each column: that of its widest cell.
 pub(crate) fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
     std::array::from_fn(|column| {
         rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
     })
 }
 
-/// Writes rows, the first column to the left, the others to the right, two blanks between.
+/// Writes rows: the first column aligned to the left, the others to the right, separated by two blanks.
 pub(crate) fn aligned<const N: usize>(out: &mut String, rows: &[[String; N]], widths: [usize; N]) {
     for row in rows {
         let mut line = format!("{:<width$}", row[0], width = widths[0]);
@@ -222,8 +222,8 @@ pub(crate) fn aligned<const N: usize>(out: &mut String, rows: &[[String; N]], wi
     }
 }
 
-/// Writes text behind a head, in lines of at most `width` characters, the further ones indented as
-/// far.
+/// Writes text after a head, in lines of at most `width` characters. Further lines are indented by the head's
+/// width.
 pub(crate) fn wrapped(out: &mut String, width: usize, head: &str, text: &str) {
     let indent = head.chars().count();
     for (k, line) in lines(text, width - indent).into_iter().enumerate() {

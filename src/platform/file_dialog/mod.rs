@@ -1,11 +1,11 @@
-//! The desktop's own file dialog, where it has one: its portal on Linux and the like, the system's dialog
-//! on Windows and macOS.
+//! The desktop's own file dialog, if there is one: the portal's on Linux and similar systems, the system's on
+//! Windows and macOS.
 //!
-//! It is asked beside the window's thread, which goes on drawing, and tells its answer as an event.
+//! It runs on another thread, while the window continues to draw, and its answer arrives as an event.
 //!
-//! The crate `rfd` is used on Windows and macOS alone. With a portal it takes an error for a closed
-//! dialog, or starts Zenity, where the window would ask by its own list; and it needs libdbus, while the
-//! window talks to screen readers through zbus already.
+//! The crate `rfd` is only used on Windows and macOS. With a portal, it mistakes an error for a closed dialog
+//! or starts Zenity, while the window would show its own list; and it needs libdbus, while the window already
+//! uses zbus for screen readers.
 
 #[cfg(all(unix, not(target_os = "macos")))]
 mod portal;

@@ -27,11 +27,11 @@ const OBJECT: &str = "/org/freedesktop/portal/desktop";
 const FILE_CHOOSER: &str = "org.freedesktop.portal.FileChooser";
 const REQUEST: &str = "org.freedesktop.portal.Request";
 
-/// Time that the bus and the portal, which may have to be started, have for an answer to a call. None of
-/// the calls waits for the user.
+/// Time in which the bus and the portal, which may have to be started, must answer a call. No call waits for
+/// the user.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Time in which nobody has seen a dialog and closed it.
+/// A dialog that ends within this time was not closed by a user.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
 /// Calls `tell` if the bus has a portal, or can start one.
@@ -57,22 +57,22 @@ async fn is_there() -> zbus::Result<bool> {
     Ok(activatable.iter().any(|name| name.as_str() == PORTAL))
 }
 
-/// An open dialog. Dropped, it is closed: the portal closes the dialogs of those who leave the bus.
+/// An open dialog, which is closed when dropped: the portal closes the dialogs of clients that leave the bus.
 pub(crate) struct FileDialog(Arc<OnceLock<Option<Connection>>>);
 
 impl Drop for FileDialog {
     fn drop(&mut self) {
-        // Where there is no connection yet, there is none any more.
+        // If there is no connection yet, none will be made.
         if self.0.set(None).is_err()
             && let Some(connection) = self.0.get().cloned().flatten()
         {
-            // It fails where the bus is gone, and the dialog's way back with it.
+            // Closing fails if the bus is gone, and the dialog with it.
             let _ = block_on(connection.close());
         }
     }
 }
 
-/// Opens the dialog over this window, and tells its answer.
+/// Opens the dialog over this window, and passes its answer to `tell`.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
@@ -109,7 +109,7 @@ async fn answer(
     }
     let rule =
         MatchRule::builder().msg_type(Type::Signal).interface(REQUEST)?.member("Response")?;
-    // Before the question is asked: its answer may come at once.
+    // Subscribe before asking: the answer may come at once.
     let mut responses = MessageStream::for_match_rule(rule.build(), &connection, None).await?;
     let method = if request.question.writes.is_some() { "SaveFile" } else { "OpenFile" };
     let body = (parent, request.question.title, options(request));

@@ -5,7 +5,7 @@ use winit::window::Window;
 
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 
-/// Tells that there is a dialog: these systems always have one.
+/// Calls `tell`: these systems always have a dialog.
 pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
     tell();
 }
@@ -13,7 +13,7 @@ pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
 /// An open dialog. The system keeps it before its window until it is answered.
 pub(crate) struct FileDialog;
 
-/// Opens the dialog over this window, and tells its answer.
+/// Opens the dialog over this window, and passes its answer to `tell`.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
@@ -30,7 +30,7 @@ pub(crate) fn ask(
             .add_filter(question.endings.join(", "), question.endings)
             .add_filter("all files", &["*"]);
     }
-    // macOS has it begun by the window's thread, and waited for by another.
+    // On macOS, the window's thread must start the dialog, and another one wait for it.
     if question.writes.is_some() {
         wait(dialog.save_file(), tell);
     } else {

@@ -24,7 +24,7 @@ pub(super) struct CaseRun {
     left_out: Option<String>,
 }
 
-/// The amount of work for a case: the same on every machine, however busy it is.
+/// The amount of work for a case, which is the same on every machine, however busy it is.
 pub(super) struct Limits {
     /// Number of times that every method is timed.
     pub(super) rounds: usize,
@@ -32,10 +32,10 @@ pub(super) struct Limits {
     pub(super) pieces: usize,
 }
 
-/// The parts of a case, made when its turn comes.
+/// The sets of a case, created when its turn comes.
 pub(super) struct CaseWork {
     sets: Vec<Set>,
-    /// The share of rays that hit, where it is known; else that of the rays decided.
+    /// The share of rays that hit, if known; otherwise that of the decided rays is used.
     coverage: Option<f64>,
     /// A sentence about what is not decided.
     left_out: Option<String>,
@@ -66,7 +66,7 @@ struct Worker {
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
-    /// Will measure a case, whose parts are made when its turn comes.
+    /// Creates the measurement of a case; `make` is called when its turn comes.
     pub(super) fn new(
         case: Case,
         limits: Limits,
@@ -165,7 +165,7 @@ impl CaseWork {
         let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
         if to_time && (self.is_timing_next || !to_decide) {
-            // The set that is behind, so that all of them are timed in turn.
+            // The set that is furthest behind, so that all of them are timed in turn.
             let behind = self.sets.iter_mut().min_by_key(|set| set.round());
             if let Some(set) = behind {
                 set.time(rounds, one_thread);
@@ -204,7 +204,7 @@ impl Set {
         self.timings / self.workers.len().max(1)
     }
 
-    /// Follows the next rays by the reference and all methods.
+    /// Follows the next rays with the reference and all methods.
     fn decide(&mut self) {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
@@ -273,8 +273,8 @@ impl Tally {
         Tally { populations, ..Tally::default() }
     }
 
-    /// One more decision. Errors are taken where it is right; those of t, where the true t is a number
-    /// of the method's precision at its full number of digits.
+    /// Counts a decision. Errors are recorded if it is right; those of t, only if the true t is a normal number
+    /// of the method's precision.
     pub(super) fn decide(
         &mut self,
         method: Method,
@@ -317,7 +317,7 @@ impl Tally {
             self.t_out_of_range += 1;
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
-        // A normal of no direction is as wrong as one the other way round.
+        // A normal without a direction counts as wrong as the opposite one.
         let angle = if angle.is_nan() { PI } else { angle };
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
@@ -327,7 +327,7 @@ impl Tally {
         self.times.push(ns_per_pixel);
     }
 
-    /// Keeps how far up the ladder the last round had to go.
+    /// Stores the ladder's steps in the last round.
     pub(super) fn climb(&mut self, steps: Option<[Steps; 2]>) {
         self.steps = steps;
     }
@@ -337,7 +337,7 @@ impl Tally {
         [0, 1].map(|k| self.populations[k] as f64 / self.decisions[k].max(1) as f64)
     }
 
-    /// Wrong decisions as a share of all rays, not of those that happen to be compared.
+    /// Returns the wrong decisions as a share of all rays, weighted by stratum.
     fn wrong_share(&self, weights: [f64; 2]) -> Option<f64> {
         let weighted = |counts: [u64; 2]| -> f64 {
             counts.iter().zip(weights).map(|(count, weight)| *count as f64 * weight).sum()
@@ -389,9 +389,10 @@ pub(super) fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)
     values
 }
 
-/// The smallest value that at least this share of the weight does not exceed.
+/// Returns the weighted quantile: the smallest value such that at least this share of the weight is not above
+/// it.
 pub(super) fn quantile(sorted: &[(f64, f64)], share: f64) -> Option<f64> {
-    // Sums of weights that are whole numbers are exact; the others are a hair off.
+    // Sums of integral weights are exact; others have small rounding errors.
     let all: f64 = sorted.iter().map(|(_, weight)| weight).sum();
     let mut below = 0.0;
     let reaches = |(_, weight): &&(f64, f64)| {

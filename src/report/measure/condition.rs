@@ -24,12 +24,12 @@
 use pinhole_core::{DVec3, Object, Ray};
 use pinhole_reference::{Hit, Real};
 
-/// Unit roundoff of `f64`, 2^-53: backward errors are counted in it, as errors in `t` are in ulps. An
-/// error in ulps is at most the condition number times the backward error.
+/// Unit roundoff of `f64`, 2^-53: the unit of backward errors. An error in ulps is at most the condition number
+/// times the backward error.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// One ray's root of one object, at the truth. All lengths are shares of the distance to the hit, so that
-/// none of them leaves the range of `f64`.
+/// The true hit of one ray with one object. All lengths are relative to the distance of the hit, so that they
+/// stay in the range of `f64`.
 pub(super) struct Problem {
     /// True `t`.
     t: f64,
@@ -41,7 +41,7 @@ pub(super) struct Problem {
     radius: Option<f64>,
 }
 
-/// The cosine at the hit below which it does not tell the roots of a sphere apart.
+/// The cosine at the hit below which a sphere's roots cannot be distinguished.
 const ONE_ROOT: f64 = 1e-14;
 
 impl Problem {
@@ -75,15 +75,14 @@ impl Problem {
         let moved = if half.abs() < 0.5 {
             -2.0 * half / (1.0 + half)
         } else {
-            // The difference is exact: what it would lose by cancelling is not lost.
+            // The difference is exact, so nothing is lost to cancellation.
             -truth.t.minus_f64(t).to_f64() / self.t
         };
         moved.is_finite().then_some(moved)
     }
 
-    /// Returns whether a computed t is another root of the same object: less than half as far from it as
-    /// from the true one. Where no more than a few of these units of precision lie between both, they are
-    /// one.
+    /// Returns true if a computed t is the other root of the same object: less than half as far from it as from
+    /// the true one. Roots that differ by only a few of these units of precision count as one.
     pub(super) fn is_other_root(&self, truth: &Hit, t: f64, unit: f64) -> bool {
         let (Some(radius), Some(moved)) = (self.radius, self.moved(truth, t)) else { return false };
         let to_other = -2.0 * self.cosine * radius;
@@ -91,14 +90,14 @@ impl Problem {
         are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
-    /// The condition number of `t`; `None` at a tangent, where it is infinite, and where sizes leave the
+    /// Returns the condition number of `t`; `None` at a tangent, where it is infinite, and if sizes leave the
     /// range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
         let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
     }
 
-    /// The backward error of a computed `t`, in units of 2^-53.
+    /// Returns the backward error of a computed `t`, in units of 2^-53.
     pub(super) fn backward_error(&self, truth: &Hit, t: f64) -> Option<f64> {
         let moved = self.moved(truth, t)?;
         let off = match self.radius {

@@ -18,7 +18,7 @@ use crate::report::model::Case;
 const RAYS: usize = 600;
 /// Pictures for each setting of a knob.
 const FRAMES: usize = 4;
-/// Number of pixels that a small picture is timed at, about.
+/// Approximate number of pixels at which a small picture is timed.
 const TIMED: u32 = 90 * 90;
 /// Maximum number of pixels of a picture, a side.
 const SIDE: u32 = 256;
@@ -52,8 +52,8 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
     CaseRun::new(case, limits, move || make(family, knob, seed))
 }
 
-/// The `f64` methods get the family's cases; the `f32` methods get those in numbers that are exact in
-/// `f32`, so that their own errors are seen and not those of rounding the scene.
+/// Creates the sets of a case. The `f64` methods get the family's cases; the `f32` methods get cases whose
+/// numbers are exact in `f32`, so that their own errors are measured and not those of rounding the scene.
 fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
@@ -83,8 +83,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
     CaseWork::new(sets, None, left_out)
 }
 
-/// The precision of the numbers that a method is given. The ladder takes them as they are, whatever
-/// precision its t has.
+/// Returns the precision of a method's input. The ladder's input is `f64`, whatever the precision of its t.
 fn given_in(method: Method) -> Precision {
     match method {
         Method::Known(_, precision) => precision,
@@ -130,9 +129,9 @@ fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     Some(MeasuredPicture::new(scene, &camera, &resolved, raster, sample, timed))
 }
 
-/// The picture at a size that pictures have, as what all its pixels share is no more than a share of the
-/// time there: each pixel divided into odd by odd ones, so that its own ray, which may be the hard one,
-/// is among them. None where the picture is large.
+/// Returns a picture of usual size, in which work that all pixels share takes little of the time. Each pixel is
+/// divided into odd by odd ones, so that its own ray, which may be the difficult one, is among them. Returns
+/// `None` if the picture is large already.
 fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
     let (columns, rows) = (camera.image.width(), camera.image.height());
     let times = (f64::from(TIMED) / (f64::from(columns) * f64::from(rows))).sqrt() as u32;

@@ -1,4 +1,4 @@
-//! The cases of one scene: as a whole, and those of its objects that are met in another way alone.
+//! The cases of one scene: the whole scene, and separately the objects that need other code.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -10,12 +10,11 @@ use super::case::{CaseRun, CaseWork, Limits, Set};
 use super::subject::{CaseSubject, MeasuredPicture, Sample, objects_of};
 use crate::report::model::Case;
 
-/// Maximum number of pixels a side that are looked at.
+/// Maximum number of pixels per side for comparing.
 const SIDE: u32 = 400;
-/// Maximum number of pixels a side that are traced for the time.
+/// Maximum number of pixels per side for timing.
 const TIMED_SIDE: u32 = 256;
-/// Maximum number of questions of one object to one ray that are timed at once, so that no slice is
-/// long.
+/// Maximum number of intersection tests that are timed at once, so that slices stay short.
 const TIMED_TESTS: usize = 1 << 17;
 /// Maximum number of pixels that are compared with the truth.
 const MOST_PIXELS: usize = 60_000;
@@ -25,7 +24,7 @@ const SEED: u64 = 1;
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// The part of a scene that a case is about.
+/// A part of a scene, which makes a case.
 struct Subset {
     title: String,
     part_of: Option<String>,
@@ -50,7 +49,7 @@ pub(super) fn cases(
     Ok((subsets.into_iter().map(run).collect(), left_out))
 }
 
-/// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
+/// Returns the scene, its planes, and the spheres around the eye if there are others too.
 fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
     let limits = |pieces| Limits { rounds: 41, pieces };
     let (title, whole) = (name.to_owned(), scene.clone());
@@ -93,7 +92,7 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
     subsets
 }
 
-/// All methods, or where there is no sphere, one for each way to meet a plane.
+/// Returns all methods, or without spheres, one for each way to intersect a plane.
 pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     Method::of_frames().filter(move |method| match method {
         Method::Known(formula, _) => has_spheres || *formula == Formula::Textbook,
@@ -129,15 +128,15 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
     )
 }
 
-/// Raster that is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
+/// Returns the raster for timing: the image, or fewer of its pixels, in rows as long as possible.
 fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
     let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());
     Raster::shown_on(resolved.image(), columns, (pixels / columns).min(TIMED_SIDE))
 }
 
-/// The pixels to compare with the truth: those beside an outline, where another object or none is next to them, and any others, in turn,
-/// so that of both kinds, which are the strata, there are some.
+/// Selects the pixels to compare with the truth, alternating between two strata: pixels next to an outline,
+/// where a neighbour shows another object or none, and all others.
 fn sample(object: &[u32], width: usize) -> Sample {
     let is_outline = |index: &usize| {
         let (row, column) = (index / width, index % width);
@@ -164,7 +163,7 @@ fn sample(object: &[u32], width: usize) -> Sample {
     }
 }
 
-/// A number that looks random: the finalizer of SplitMix64 (Steele, Lea, Flood, *Fast splittable
+/// Returns a pseudorandom number: the finalizer of SplitMix64 (Steele, Lea, Flood, *Fast splittable
 /// pseudorandom number generators*, 2014).
 fn mixed(x: u64) -> u64 {
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,4 +1,4 @@
-//! The subject of a case: rays that the reference and the methods follow alike.
+//! The subject of a case: rays that the reference and the methods follow.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -32,8 +32,8 @@ pub(super) struct MeasuredPicture {
     pub(super) camera: ResolvedCamera,
     of_reference: reference::Camera,
     objects: Vec<Object>,
-    /// All that the rays share, in exact numbers; none for a scene of many objects, which are
-    /// looked through for each pixel first.
+    /// The exact numbers that all rays share; `None` for a scene of many objects, which are filtered for each
+    /// pixel first.
     view: Option<View>,
     raster: Raster,
     sample: Sample,
@@ -45,21 +45,21 @@ pub(super) struct MeasuredPicture {
 pub(super) struct Sample {
     /// Rows and columns of the raster.
     pub(super) pixels: Vec<(usize, usize)>,
-    /// Which stratum each of them is of; empty where all are of the first.
+    /// The stratum of each pixel; empty if all are in the first.
     pub(super) strata: Vec<usize>,
     /// Number of pixels of each stratum in the whole raster.
     pub(super) populations: Populations,
 }
 
-/// The rays of a case fall into two strata, of which more or fewer may be compared with the truth:
-/// number of rays that each stands for. Errors and shares are weighted by it.
+/// The number of rays in each of the two strata of a case, which may be sampled with different density. Errors
+/// and shares are weighted by it.
 pub(super) type Populations = [usize; 2];
 
 /// One method at work on a subject.
 pub(super) enum Kernel {
     Rays {
         kernel: Box<dyn RayKernel>,
-        /// Number of times that the list is gone through for one measurement of time.
+        /// Number of passes through the list for one measurement of time.
         repeats: u32,
     },
     Frames {
@@ -68,10 +68,10 @@ pub(super) enum Kernel {
     },
 }
 
-/// Minimum time of one measurement of rays, where it can be had.
+/// Minimum time of one measurement of rays, if possible.
 const MEASUREMENT: Duration = Duration::from_micros(300);
 
-/// Number of objects from which on those that a ray misses for sure are not shown to the reference.
+/// Number of objects above which the reference only gets those that a ray may hit.
 const MANY_OBJECTS: usize = 12;
 
 impl CaseSubject {
@@ -148,7 +148,7 @@ impl CaseSubject {
         }
     }
 
-    /// A method, prepared to follow these rays; `None` for single rays and a method of frames alone.
+    /// Prepares a method to follow these rays; `None` for single rays and a method that only traces frames.
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
             CaseSubject::Rays(cases) => {
@@ -170,7 +170,7 @@ impl CaseSubject {
         })
     }
 
-    /// The hit that the method finds for the ray of this number.
+    /// Returns the hit that the method finds for the ray with this number.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
         match (self, kernel) {
             (CaseSubject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
@@ -183,7 +183,7 @@ impl CaseSubject {
         }
     }
 
-    /// Number of pixels (or rays) that are traced for the time.
+    /// Returns the number of pixels (or rays) that are traced for timing.
     pub(super) fn pixels_timed(&self) -> usize {
         match self {
             CaseSubject::Rays(cases) => cases.len(),
@@ -212,8 +212,7 @@ impl CaseSubject {
 }
 
 impl Kernel {
-    /// Returns how far up the ladder the last measurement of time had to go: for decisions, and for
-    /// `t`.
+    /// Returns the ladder's steps in the last measurement of time: for decisions, and for `t`.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
         match self {
             Kernel::Rays { kernel, .. } => kernel.steps(),
@@ -229,7 +228,8 @@ impl Kernel {
 }
 
 impl MeasuredPicture {
-    /// The sample's pixels of `raster` are compared with the truth; `timed` is traced for the time.
+    /// Creates a picture: the sample's pixels of `raster` are compared with the truth; `timed` is traced for
+    /// timing.
     pub(super) fn new(
         scene: Arc<Scene>,
         given: &Camera,
@@ -277,11 +277,10 @@ impl MeasuredPicture {
     }
 }
 
-/// Returns whether the line passes the sphere at a distance that no rounding of the ray can bridge.
+/// Returns true if the line misses the sphere by more than any rounding of the ray.
 ///
-/// The ray at hand is the true one but for some 1e-16 of its direction; 1e-6 of the distance to the
-/// centre is far more than that, and than what this arithmetic rounds. Where it overflows or
-/// underflows, nothing is for sure.
+/// The ray's direction has a relative error of about 1e-16; the margin, 1e-6 of the distance to the centre, is
+/// far larger than that and the rounding here. If anything overflows or underflows, the result is false.
 fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     let Object::Sphere { center, radius } = object else { return false };
     let to_center = DVec3::from_array(*center) - ray.origin;
@@ -291,7 +290,7 @@ fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     is_plain(ray.direction.length()) && is_plain(reach) && across > reach
 }
 
-/// The scene as the reference has it: spheres, then planes.
+/// Returns the scene's objects for the reference: spheres, then planes.
 pub(super) fn objects_of(scene: &Scene) -> Vec<Object> {
     let sphere = |sphere: &Sphere| Object::Sphere {
         center: sphere.center.to_array(),

@@ -1,5 +1,5 @@
-//! Marks that tell methods apart: a shape and a colour for each formula, hollow in `f32`, filled in
-//! `f64`, filled and framed in double-double.
+//! Marks that distinguish methods: a shape and a colour for each formula, hollow in `f32`, filled in `f64`,
+//! filled and framed in double-double.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 
@@ -15,7 +15,7 @@ pub(crate) struct Marker {
 /// The outline of a mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum MarkerOutline {
-    /// A polygon of so many equal sides, the first corner so many degrees from straight up.
+    /// A regular polygon with this number of sides, whose first corner is this many degrees from straight up.
     Regular(usize, f32),
     Star,
 }
@@ -26,8 +26,8 @@ const RADIUS: f32 = 6.0;
 /// Wrong decisions, wherever they are shown.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
-/// Colours after Okabe and Ito, "Color Universal Design" (2008), which readers who do not see red
-/// or green can tell apart; yellow, too light for white paper, is wine instead (Tol 2021).
+/// Colours after Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers can distinguish;
+/// yellow, too light for white paper, is replaced by wine (Tol 2021).
 const MARKERS: [(&str, Marker); 8] = [
     ("ladder", Marker { color: Color32::BLACK, outline: MarkerOutline::Star }),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
@@ -51,7 +51,7 @@ const IN_WORDS: [(&str, &str); 8] = [
     ("lagrange", "discriminant as r²a - |oc × d|²"),
 ];
 
-/// What a formula does, in half a line; empty for one that came later.
+/// Returns a short description of a formula; empty for an unknown one.
 pub(crate) fn in_words(formula: &str) -> &'static str {
     IN_WORDS.iter().find(|(name, _)| *name == formula).map_or("", |(_, words)| *words)
 }
@@ -68,7 +68,7 @@ pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// Returns a formula's colour on a dark ground: at least as light as a mid grey.
+/// Returns a formula's colour on a dark background: at least as light as a medium grey.
 pub(crate) fn lightened(color: Color32) -> Color32 {
     let [r, g, b, _] = color.to_array().map(f32::from);
     let luma = 0.299 * r + 0.587 * g + 0.114 * b;
@@ -77,8 +77,7 @@ pub(crate) fn lightened(color: Color32) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the sign of methods that decided wrong: one ring around their marks, which stand side by
-/// side.
+/// Draws the sign of methods with wrong decisions: one ring around their marks, which are next to each other.
 pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = Pos2>) {
     const RING: f32 = 1.5 * RADIUS;
     let mut around = Rect::NOTHING;
@@ -102,15 +101,15 @@ impl Marker {
             return;
         }
         self.fill(painter, &corners, self.color);
-        // A line of white keeps a filled mark apart from what lies under it.
+        // A white line separates a filled mark from anything below it.
         outlined(&corners, 1.0, Color32::WHITE);
         if digits == Digits::DoubleDouble {
             outlined(&self.corners(center, 1.55), 1.5, self.color);
         }
     }
 
-    /// Fills the outline. egui fills convex shapes alone: of a star, five kites from a tip to the
-    /// notch opposite.
+    /// Fills the outline. egui only fills convex shapes, so a star is drawn as five kites, each from a tip to
+    /// the opposite notch.
     fn fill(&self, painter: &Painter, corners: &[Pos2], color: Color32) {
         let fill = |corners| painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
         if self.outline == MarkerOutline::Star {
@@ -122,7 +121,7 @@ impl Marker {
         }
     }
 
-    /// Returns the corners. Triangles and stars are drawn larger, to look as large.
+    /// Returns the corners. Triangles and stars are drawn larger to appear as large as the others.
     fn corners(&self, center: Pos2, scale: f32) -> Vec<Pos2> {
         let corner = |degrees: f32, radius: f32| {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())

@@ -1,10 +1,10 @@
-//! The report as pictures, in the way of work-precision diagrams (Hairer and Wanner, "Solving
-//! Ordinary Differential Equations II", section IV.10; SciML's benchmarks): time across, error up,
-//! both logarithmic; a curve a formula, over the precisions that it is computed in.
+//! The report as pictures similar to work-precision diagrams (Hairer and Wanner, "Solving Ordinary Differential
+//! Equations II", section IV.10; SciML's benchmarks): time on the x axis, error on the y axis, both
+//! logarithmic; one curve per formula, over the precisions in which it is computed.
 //!
-//! Pages of 16:9, each for one slide. A scene is a page; of several scenes the first page is the summary,
-//! a line a method. Families are a summary, and pages of four of them each: a family also shows its error
-//! against the knob, and its time panel the worst error of all settings.
+//! The pages are 16:9, each for one slide. A scene has one page; for several scenes, the first page is a
+//! summary with one line per method. The families have a summary, and pages of four each: a family also shows
+//! its error against the knob, and its time panel the worst error over all settings.
 
 pub(crate) mod marker;
 mod panel;
@@ -22,7 +22,7 @@ use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 
-/// Dots to a point in PNG: as wide as a projector.
+/// Dots per point in PNG: as wide as a projector.
 pub const PNG_SCALE: f32 = 1.5;
 
 /// The size of a page, in points.
@@ -31,7 +31,7 @@ const PAGE: Vec2 = vec2(1280.0, 720.0);
 /// Margin around all panels.
 const MARGIN: f32 = 28.0;
 
-/// Room for the numbers left of a panel, and for the names of lines right of it.
+/// Space for the numbers to the left of a panel, and for the names of lines to the right.
 const NUMBERS: f32 = 84.0;
 const NAMES: f32 = 46.0;
 
@@ -44,7 +44,7 @@ const FRAME: Color32 = Color32::from_gray(0x70);
 /// Every other formula of a table lies on this.
 const BAND: Color32 = Color32::from_gray(0xf6);
 
-/// The size of numbers at a scale, and of what is to be read.
+/// The font sizes of an axis's numbers and of other text.
 const SMALL: f32 = 14.0;
 
 const GRID: GridInk = GridInk { line: Color32::from_gray(0xe4), text: TEXT, size: SMALL };
@@ -57,7 +57,7 @@ fn bold(size: f32) -> FontId {
     FontId::new(size, theme::bold())
 }
 
-/// Draws a report, with so many dots to a point: a picture a page.
+/// Draws a report with this number of dots per point: one picture per page.
 pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     let summaries = summary::summaries(report);
     let (families, scenes): (Vec<&Summary>, Vec<&Summary>) =
@@ -164,7 +164,7 @@ fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
     }
 }
 
-/// Draws a scene or a family: its error against time, and against the knob where it has one.
+/// Draws a scene or a family: its error against time, and against the knob if there is one.
 fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     let Some(case) = summary.cases.first() else { return };
     let top = rect.left_top() + vec2(0.0, 4.0);
@@ -182,8 +182,8 @@ fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary);
 }
 
-/// Draws the panels of a scene or a family with all that stands around them. Returns the marks of
-/// error against time.
+/// Draws the panels of a scene or a family with everything around them. Returns the marks of error against
+/// time.
 pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<PlotMark<'a>> {
     let what = "largest error in t, ulps of f64";
     painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
@@ -198,7 +198,7 @@ pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) ->
     panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary)
 }
 
-/// Writes text over as many lines as it needs; returns its lower edge.
+/// Writes wrapped text; returns its lower edge.
 fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     let galley = painter.layout(text.to_owned(), plain(SMALL), WEAK, PAGE.x - 2.0 * MARGIN);
     let below = y + galley.size().y;
@@ -206,7 +206,7 @@ fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     below
 }
 
-/// Writes the reference, the processor, what a reader needs and what was left out.
+/// Writes the reference, the processor, the notes, and what was left out.
 fn foot(painter: &Painter, mut y: f32, report: &Report) {
     let seed = report.seed.map_or(String::new(), |seed| format!("; seed {seed}"));
     for (name, text, more) in [
@@ -223,7 +223,7 @@ fn foot(painter: &Painter, mut y: f32, report: &Report) {
     }
 }
 
-/// The first of what was left out, and how much more there is: all of it is in the table.
+/// Returns the first measurement that was left out, and the number of others: the table contains all of them.
 fn left_out(lines: &[String]) -> String {
     const MOST: usize = 160;
     let mut length = 0;

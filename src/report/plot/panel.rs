@@ -20,14 +20,14 @@ const CONDITION: Color32 = Color32::from_gray(0xa0);
 /// Dash and gap of a dashed line.
 const DASH: [f32; 2] = [7.0, 5.0];
 
-/// The height of the places for zero errors and for methods that have no error to show.
+/// The height of the lanes for zero errors and for methods without an error.
 const LANE: f32 = 20.0;
 
-/// Room between the outermost values and the frame, and of a knob's outermost settings.
+/// Space between the outermost values and the frame, and around a knob's outermost settings.
 const MARGIN: f32 = 10.0;
 const EDGE: f32 = 24.0;
 
-/// Lanes above the scale, from the top, each there only where something stands in it.
+/// Lanes above the scale, from the top, each present only if something is in it.
 const LANES: [(Outcome, &str); 3] = [
     (Outcome::NoHit, "no hit alike"),
     (Outcome::NoDigit, "no digit right"),
@@ -43,7 +43,7 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    /// Creates the scale of panels from this top to this bottom.
+    /// Creates the scale of panels with this top and bottom.
     pub(super) fn new(summary: &Summary, y: Rangef) -> Errors {
         let is_there = |(lane, _): &(Outcome, &str)| summary.outcomes().any(|o| o == *lane);
         let lanes: Vec<_> = LANES.into_iter().filter(is_there).collect();
@@ -68,7 +68,7 @@ impl Errors {
         }
     }
 
-    /// Draws the frame and the lines across; the numbers and names stand on the left of the frame.
+    /// Draws the frame and the horizontal lines, with numbers and names to the left of the frame.
     fn draw(&self, painter: &Painter, rect: Rect, has_numbers: bool) {
         let ticks = self.scale.ticks(24.0);
         rows(painter, rect, &ticks, GRID.line);
@@ -91,7 +91,7 @@ impl Errors {
         painter.rect_stroke(rect, 0.0, Stroke::new(1.5, FRAME), StrokeKind::Middle);
     }
 
-    /// Writes the names of the two lines that stand for one ulp, on the right of a frame.
+    /// Writes the names of the two lines for one ulp, to the right of a frame.
     pub(super) fn name_ulps(&self, painter: &Painter, right: f32) {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.contains(ulp) {
@@ -117,8 +117,8 @@ impl PlotMark<'_> {
     }
 }
 
-/// Draws error against time: a curve a formula, over its precisions, each with a bar over its times;
-/// behind them the Pareto front. Returns the marks.
+/// Draws error against time: one curve per formula, over its precisions, each with a bar over its times; behind
+/// them the Pareto front. Returns the marks.
 pub(super) fn time<'a>(
     painter: &Painter,
     rect: Rect,
@@ -148,8 +148,8 @@ pub(super) fn time<'a>(
         let points: Vec<Pos2> = curve.iter().map(|mark| mark.center).collect();
         line(painter, &points, (2.0, marker_of(curve[0].method.formula).color), SOLID);
     }
-    // The first method on top of the others, as it is the one to look for; each ring with its own mark, so
-    // that none is taken for another's.
+    // The first method is drawn on top, as it is the one to look for; each ring is drawn with its own mark, so
+    // that they are not confused.
     for mark in marks.iter().rev() {
         marker::ring_around(painter, mark.is_wrong.then_some(mark.center));
         mark.draw(painter);
@@ -164,14 +164,14 @@ fn across(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk, name: &st
     painter.text(below, Align2::CENTER_CENTER, name, plain(SMALL), TEXT);
 }
 
-/// Draws the Pareto front as stairs: between two of its methods there is none, so that what is bought
-/// for more time is the slower one's error, from its time on.
+/// Draws the Pareto front as stairs: no method lies between two of its methods, so extra time gains nothing
+/// until the slower method's time is reached.
 fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     let mut last: Option<Pos2> = None;
     for point in front {
         if let Some(last) = last {
             let corner = pos2(point.x, last.y);
-            // Each step by itself: egui's wide lines have no clean corners.
+            // Each step is drawn separately, because egui's wide lines have no clean corners.
             line(painter, &[last, corner], (7.0, FRONT), SOLID);
             line(painter, &[corner - egui::vec2(0.0, 3.5), point], (7.0, FRONT), SOLID);
         }
@@ -180,7 +180,7 @@ fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     }
 }
 
-/// Draws error against the family's knob: a line a method, at its largest error.
+/// Draws error against the family's knob: one line per method, at its largest error.
 pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Summary) {
     let (places, is_to_scale) = places(rect, summary);
     let case_name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
@@ -218,7 +218,7 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
         };
         let dash = if method.digits == Digits::Single { DASH } else { SOLID };
         let stroke = Stroke::new(1.5, marker_of(method.formula).color);
-        // A curve ends where there is no error to show.
+        // A curve is interrupted where there is no error to show.
         let points = columns.iter().map(center).collect();
         chains(points).for_each(|chain| line(painter, &chain, stroke, dash));
     }
@@ -229,8 +229,8 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     }
 }
 
-/// Returns the position of each setting of the knob: true to scale where that keeps their marks apart,
-/// else side by side; and whether it is true to scale.
+/// Returns the position of each setting of the knob, true to scale if that keeps their marks separate,
+/// otherwise equally spaced; and whether it is true to scale.
 fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     let knobs: Vec<f64> = summary.cases.iter().map(|case| case.knob.unwrap_or(0.0)).collect();
     let (low, high) = (knobs[0], knobs[knobs.len() - 1]);
@@ -244,7 +244,7 @@ fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     ((0..knobs.len()).map(place).collect(), false)
 }
 
-/// Returns the runs of points that follow each other without a gap.
+/// Returns the runs of consecutive points.
 fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     let chains: Vec<Vec<Pos2>> = points
         .split(Option::is_none)
@@ -254,13 +254,12 @@ fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     chains.into_iter()
 }
 
-/// Marks that stand closer than this above each other are set apart sideways, each from the next by so
-/// much.
+/// Marks whose heights differ by less than this are moved apart horizontally, by the second distance.
 const CLOSE: f32 = 5.0;
 const APART: f32 = 4.0;
 
-/// Returns the marks of one setting of the knob, those that would hide each other together: side by side,
-/// over at most `room`, and those that decide wrong last, so that one ring can be around them.
+/// Returns the marks of one setting of the knob, grouped so that marks that would overlap are next to each
+/// other, over at most `room`. Those with wrong decisions come last, so that one ring can enclose them.
 fn column<'a>(
     case: &Case,
     (x, room): (f32, f32),
@@ -290,8 +289,8 @@ fn column<'a>(
     column
 }
 
-/// Returns the condition number, where it leaves some digit of t: what one rounding of what is given
-/// may cost.
+/// Returns the condition number if it leaves any digit of t: the error that one rounding of the input may
+/// cause.
 fn condition(case: &Case) -> Option<f64> {
     case.condition.map(|condition| condition.max).filter(|max| *max < NO_DIGIT)
 }

@@ -1,6 +1,6 @@
-//! The table of methods that stands on every page but those of families: a row a method, with its
-//! mark, its formula in words and its wrong decisions. Of several scenes or families, it also shows
-//! errors and times, each as a line from the least to the most.
+//! The table of methods on every page except those of families: one row per method, with its mark, its formula
+//! in words and its wrong decisions. For several scenes or families, it also shows errors and times, each as a
+//! line from the least to the greatest.
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use pinhole_lecture::numbers::grouped;
@@ -69,7 +69,7 @@ pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
             wrong: match method.share {
                 None => "-".to_owned(),
                 Some(0.0) => "0 %".to_owned(),
-                // What is not zero is never written as 0 %.
+                // A share that is not zero is never written as 0 %.
                 Some(share) => {
                     format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3)))
                 }
@@ -128,8 +128,8 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str
     body
 }
 
-/// Draws, for each method, a line from its least to its greatest value, and its mark at the one in the
-/// middle. Zero and infinity have places of their own.
+/// Draws, for each method, a line from its least to its greatest value, with its mark at the middle one. Zero
+/// and infinity have separate places.
 fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f64; 3]>]) {
     let all = || values.iter().flatten().flatten().copied();
     let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };
