@@ -1,11 +1,11 @@
-//! The times of a frame's work: this is where deriving meets the clock.
+//! Measures the work of a frame.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::view::derive::WorkKind;
 
-/// The times of the work that a frame needed before it could be painted.
+/// The time that a frame took for each kind of work before it was painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WorkTimes {
     pub(crate) trace: Duration,
@@ -38,7 +38,7 @@ impl Stopwatch {
         times.is_new |= work != WorkKind::Rest;
     }
 
-    /// Stops the stopwatch when everything is derived.
+    /// Attributes the remaining time to the rest and returns all times.
     pub(crate) fn stop(self) -> WorkTimes {
         self.tell(WorkKind::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
@@ -61,8 +61,7 @@ pub(crate) struct FrameWork {
 }
 
 impl FrameWork {
-    /// Adds a pass of the frame with this number. Ignores passes before the first that makes a
-    /// picture.
+    /// Adds a pass of the frame with this number. Passes before the first new picture are ignored.
     pub(crate) fn add(&mut self, frame: u64, pass: WorkTimes) {
         if self.frame != frame {
             *self = FrameWork { frame, work: None };

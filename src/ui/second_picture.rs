@@ -10,7 +10,7 @@ use crate::ui::widgets::no_picture;
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
-/// Returns the picture's name, on the screen and for screen readers.
+/// Returns the picture's name, for its title and for screen readers.
 pub(crate) fn name(second: SecondPicture) -> &'static str {
     match second {
         SecondPicture::ErrorMap => views::MAP,
@@ -20,7 +20,7 @@ pub(crate) fn name(second: SecondPicture) -> &'static str {
     }
 }
 
-/// Shows the picture, or the reason why there is none, in `rect`, with its title above the area.
+/// Shows the picture, or the reason why there is none, in `rect`, with its title strip in `area`.
 pub(crate) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,

@@ -46,21 +46,21 @@ pub(crate) fn page(layout: ViewLayout) -> &'static Page {
 
 /// A page of a workspace.
 pub(crate) struct Page {
-    /// True if camera and objects can be edited beside it.
+    /// True if the side panel with camera and objects is shown.
     pub(crate) has_panel: bool,
-    /// True if the ray under the pointer is shown in place of the selected one.
+    /// True if the ray under the pointer is shown instead of the selected one.
     pub(crate) follows_pointer: bool,
-    /// Lays out its parts.
+    /// Lays out the page's parts.
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
-    /// The picture beside the camera's, if it has one.
+    /// The second picture, if the page has one.
     pub(crate) second: Option<SecondPicture>,
-    /// Shows what it has below the views, beside them or in their place.
+    /// Shows the rest of the page, below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Shows what may be seen of that while the question of a lesson's step waits for its answer.
+    /// Replaces `rest` while the question of a lesson's step waits for its answer.
     pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
-    /// Returns the concept that the mouse or the focus is on in that.
+    /// Returns the concept under the pointer or the focus in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
-    /// The figure that it is about.
+    /// The subject of the page's figure.
     pub(crate) figure: Subject,
 }
 
@@ -76,24 +76,24 @@ pub(crate) struct Tools {
     pub(crate) second: ViewTexture,
 }
 
-/// The values that a page shows, and those that it may change.
+/// The values that a page shows or changes.
 pub(crate) struct PageContext<'a> {
     pub(crate) open: &'a OpenDocument,
     pub(crate) session: &'a mut Session,
     pub(crate) derived: &'a Derived,
     pub(crate) tools: &'a mut Tools,
     pub(crate) style: NumberStyle,
-    /// A lesson is open.
+    /// True if a lesson is open.
     pub(crate) has_lesson: bool,
     /// Actions for the next pass.
     pub(crate) actions: &'a mut Vec<Action>,
 }
 
-/// Size of the text in place of what is hidden, in points.
+/// Size of the text that replaces hidden content, in points.
 const HIDDEN: f32 = 16.0;
 
 impl Page {
-    /// Both views, and nothing below them.
+    /// The default page: both views and nothing below them.
     pub(crate) const VIEWS: Page = Page {
         has_panel: true,
         follows_pointer: false,
@@ -106,7 +106,7 @@ impl Page {
     };
 }
 
-/// Says in the middle that something is hidden, and which key shows it, where there is room for that.
+/// Shows that the answer is hidden, and the key that reveals it, if there is room.
 fn hidden(ui: &mut Ui) {
     let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
     let room = ui.available_height();
@@ -245,7 +245,7 @@ const EXERCISES: Page = Page {
 const ACCURACY: Page = Page {
     areas: |divider| {
         let (views, rest) = divider.above(Split::Accuracy);
-        // Below both, so that they are alike, room for the map's legend.
+        // Both views leave room for the map's legend, so that they have the same size.
         let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
         let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
         Areas { world: None, camera: Some(left), second: Some(right), rest }

@@ -24,12 +24,11 @@ use crate::ui::dialogs::{Dialog, Message};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
 
-/// Names of the history's steps that put the camera where the ghost is, and that set it from the
-/// clipboard.
+/// Names of the undo steps for swapping with the ghost and for pasting a camera.
 const SWAP: &str = "swap with the ghost";
 const PASTE: &str = "paste a camera";
 
-/// Name of the step that takes over what another program has written into the scene's file.
+/// Name of the undo step for reading the scene's file again.
 const RELOAD: &str = "reload the file";
 
 const OPEN: FileQuestion = FileQuestion {
@@ -43,9 +42,9 @@ const SAVE_AS: FileQuestion =
     FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
 
 impl App {
-    /// Carries out the action, and opens the dialog that it asks for.
+    /// Applies the action and opens the dialog that it needs.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
-        // An animation that moves the camera is all that there is to undo.
+        // During an animation that moves the camera, undo only ends the animation.
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
         match action.play_end() {
             PlayEnd::GoesOn => {}
@@ -59,7 +58,7 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Carries out the action. Returns the dialog to open, if the user has to be asked or told.
+    /// Applies the action; returns a dialog if the user must answer or be told.
     fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
         match action {
             Action::Leave(leave) => return self.leave(ctx, leave),
@@ -88,7 +87,7 @@ impl App {
         None
     }
 
-    /// Goes elsewhere, or asks first about unsaved changes.
+    /// Leaves the open scene, or asks about unsaved changes first.
     fn leave(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
         if leave == Leave::BackToStep && !self.scene.differs_from_step() {
             return None;
@@ -103,7 +102,7 @@ impl App {
         Dialog::Unsaved { title: title_of(self.scene.open.origin()), then }
     }
 
-    /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
+    /// Opens the other scene or step, or closes the window, without asking.
     fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         let before = self.scene.clone();
@@ -135,12 +134,12 @@ impl App {
         Ok(opened)
     }
 
-    /// Goes on with what is shown now.
+    /// Prepares the views for the scene that was opened, and starts its animation.
     pub(super) fn show_opened(&mut self, Opened { is_another, play }: Opened) {
         if is_another {
             self.views.deriver = Deriver::default();
         }
-        // In the next pass, which knows what the step's ray hits.
+        // The animation opens in the next pass, which knows what the step's ray hits.
         self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
     }
 
@@ -173,7 +172,7 @@ impl App {
         }
     }
 
-    /// Opens the unsaved changes that were offered.
+    /// Opens the recovered changes that were offered.
     fn restore(&mut self, as_new: bool) -> Result<Opened, Message> {
         let Some(found) = self.recovery.take() else { return Ok(Opened::default()) };
         let problem = |reason| Message::new("The unsaved changes cannot be restored", reason);
@@ -182,7 +181,8 @@ impl App {
         Ok(self.scene.restore(open))
     }
 
-    /// Takes over what another program has written into the scene's files; asks where there are changes.
+    /// Reads the scene's files again if another program has changed them; asks first if there are unsaved
+    /// changes.
     fn look(&mut self, ctx: &Context) -> Option<Dialog> {
         let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
@@ -196,13 +196,13 @@ impl App {
         dialog
     }
 
-    /// Says in passing what was done, with notes on it.
+    /// Shows a passing notice with notes.
     pub(crate) fn say(&mut self, title: String, notes: Vec<String>) {
         let notice = Notice { title, notes, worked: true, camera: None, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Opens what another program has written into the scene's file, as a step that can be undone.
+    /// Reads the scene's file again as a step that can be undone.
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         if let Err(error) = self.scene.reload() {
@@ -212,7 +212,7 @@ impl App {
         None
     }
 
-    /// Saves to the scene's own file, or asks for one.
+    /// Saves to the scene's file, or asks for a path.
     fn save(&mut self, ctx: &Context, then: Option<Leave>) -> Option<Dialog> {
         match self.scene.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_to(ctx, &path, then),
@@ -260,7 +260,7 @@ impl App {
         let leave = Leave::GoTo(to?);
         self.playback.give_back(&mut self.scene);
         let dialog = self.leave(ctx, leave);
-        // Who goes back has heard the answer, and seen every line.
+        // Going back shows the answer and every line, which the class has already seen.
         if action == LessonAction::Previous && dialog.is_none() {
             self.scene.show_all();
         }
@@ -298,7 +298,7 @@ impl App {
 
     fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {
         match action {
-            // It comes as if it was pasted by its keys.
+            // The text arrives as a paste event, as it does from the keyboard.
             ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
             ExchangeAction::Paste(text) => {
                 let (camera, said) = pasted(&text, &self.scene.open.document.camera);
@@ -333,7 +333,7 @@ impl App {
     }
 }
 
-/// A step of the window's zoom.
+/// The step of the window's zoom.
 const ZOOM_STEP: f32 = 0.1;
 
 /// Changes how the scene is shown.
@@ -388,7 +388,7 @@ fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
         None => {
             session.presenting = Some(Presenting::begin(session.spotlight));
-            // What the open question is about is derived line by line.
+            // The derivation that answers the open question is revealed line by line.
             let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
             session.revealed_lines = (session.is_asking && derives).then_some(0);
         }
@@ -401,7 +401,7 @@ fn present_or_end(session: &mut Session) {
     }
 }
 
-/// Gives the window the colours and sizes that are set.
+/// Applies the settings' theme, text size and zoom to the window.
 pub(super) fn follow_look(ctx: &Context, session: &Session) {
     let settings = &session.settings;
     ctx.set_theme(match settings.theme {
@@ -416,17 +416,17 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
     } else {
         settings.zoom
     };
-    // Reckoned from points, which are rounded, it would never rest.
+    // A zoom computed from points, which are rounded, would never settle.
     if (ctx.zoom_factor() / zoom - 1.0).abs() > 0.004 {
         ctx.set_zoom_factor(zoom);
         ctx.request_repaint();
     }
 }
 
-/// The window's size in points without zoom.
+/// Returns the window's size in points at a zoom of 1, or zero if it is not on a screen.
 fn window_size(ctx: &Context) -> [f32; 2] {
     let size = ctx.content_rect().size() * ctx.zoom_factor();
-    // A window that is only in memory does not know its size in pixels: its points do not change.
+    // A window that is only in memory has no size in pixels: its size in points does not change.
     let is_real = ctx.input(|input| input.viewport().inner_rect.is_some());
     if is_real { size.into() } else { [0.0; 2] }
 }

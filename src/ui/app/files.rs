@@ -29,7 +29,7 @@ use crate::ui::workspaces::page;
 use crate::view::derive::Derived;
 use crate::view::overlay::Style;
 
-/// A text that was pasted while nothing is typed into.
+/// Returns the text pasted while no text field has the focus.
 pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     if ctx.text_edit_focused() {
         return None;
@@ -42,7 +42,7 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     })
 }
 
-/// Tells what was done last that nobody sees else; of a camera, until it is another one.
+/// Shows the last notice; one about a camera disappears when the camera changes.
 pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) {
     let notice = &mut scene.session.translator.notice;
     let camera = notice.as_ref().and_then(|said| said.camera);
@@ -59,7 +59,7 @@ fn translated(scene: &OpenScene) -> Option<Exported> {
     translator.chosen().write(&subject).ok()
 }
 
-/// Asks where to write the translator's text.
+/// Returns the dialog that asks where to save the translated camera.
 pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog> {
     translated(scene)?;
     let format = scene.session.translator.chosen();
@@ -73,7 +73,7 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
     Some(Dialog::Translate(PathField::new(question, scene.open.file(), format.file)))
 }
 
-/// Writes the translator's text; what there is to tell if that fails.
+/// Saves the translated camera; returns a message if that fails.
 pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog> {
     let text = translated(scene)?.text.text;
     let write = |()| {
@@ -84,7 +84,7 @@ pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog>
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
 }
 
-/// Maximum size of a file that is graded in the window: two million answers, which take some seconds.
+/// Maximum size of a file that is graded in the window: two million answers take several seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
 const ANSWERS: FileQuestion = FileQuestion {
@@ -95,11 +95,11 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file that is dropped on the window: its first bytes tell.
+/// Returns the action for a file dropped on the window, chosen by the file's first bytes.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
-    // A pipe may never be written to.
+    // Reading a pipe could block forever.
     let file =
         || if path.is_file() { File::open(&path) } else { Err(ErrorKind::InvalidInput.into()) };
     let read = file().and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
@@ -114,7 +114,7 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
     let session = &mut scene.session;
     match action {
         AnswersAction::Ask => {
-            // Near the last one, or the scene.
+            // Start in the folder of the last answers, or of the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
             return Some(Dialog::Answers(PathField::new(ANSWERS, last.or(scene.open.file()), "")));
         }
@@ -129,8 +129,7 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
     None
 }
 
-/// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
-/// the file.
+/// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the file does.
 fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
     let size = fs::metadata(path).map_or(0, |file| file.len());
     if size > MOST_BYTES {
@@ -152,12 +151,12 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
     Ok(())
 }
 
-/// The larger side of a view that is not on the screen, and the size of what else is not, in points.
+/// Larger side of a view that is not on the screen, and sizes of the other figures, in points.
 const VIEW: f32 = 960.0;
 const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
-/// The screen as it was derived last.
+/// The contents of the screen in the last pass, from which figures are made.
 pub(super) struct ScreenContents<'a> {
     pub(super) ctx: &'a Context,
     pub(super) scene: &'a OpenScene,
@@ -166,7 +165,7 @@ pub(super) struct ScreenContents<'a> {
 }
 
 impl ScreenContents<'_> {
-    /// The dialog with what the layout is about chosen.
+    /// Returns the export dialog with the layout's subject chosen.
     pub(super) fn ask_export(&self) -> Dialog {
         let first = self.layout_subject();
         let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
@@ -174,7 +173,7 @@ impl ScreenContents<'_> {
         Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, self.style()))
     }
 
-    /// The subject of the layout.
+    /// Returns the subject of the open layout's figure.
     fn layout_subject(&self) -> Subject {
         page(self.scene.session.settings.layout).figure
     }
@@ -183,8 +182,7 @@ impl ScreenContents<'_> {
         Style::new(self.scene.session.settings.scheme, self.is_dark())
     }
 
-    /// Puts a figure of what the layout is about on the clipboard, as large as it is on the screen; what
-    /// there is to tell if that fails.
+    /// Copies the layout's figure to the clipboard at its size on the screen; returns a message if that fails.
     pub(super) fn copy(&self) -> Option<Dialog> {
         let shown = self.on_screen(self.layout_subject());
         let order = shown.order(shown.dots(), self.style(), false);
@@ -202,12 +200,12 @@ impl ScreenContents<'_> {
         order.figure(&self.scene.open.document, &self.session(), is_folded)
     }
 
-    /// The session without what the mouse is at, which is nothing to keep.
+    /// Returns the session without the hovered concept, which figures do not show.
     fn session(&self) -> Session {
         Session { hovered: None, ..self.scene.session.clone() }
     }
 
-    /// The dialog of an animation, with the world view chosen.
+    /// Returns the export dialog for an animation, with the world view chosen.
     pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
         let subjects = [Subject::World, Subject::Camera].map(|subject| self.on_screen(subject));
         let style = if self.is_dark() { Style::Dark } else { Style::Light };
@@ -239,7 +237,7 @@ impl ScreenContents<'_> {
         OnScreen { subject, points, scale }
     }
 
-    /// Writes a figure of it; what there is to tell if that fails.
+    /// Writes a figure to a file; returns a message if that fails.
     pub(super) fn export(&self, order: &Order, path: &Path) -> Option<Dialog> {
         let exported = self.exported(order, path);
         exported.err().map(|problem| Dialog::message("The figure was not exported", problem))

@@ -43,7 +43,7 @@ impl App {
         self.playback.go_on(ui, &mut self.scene, &mut self.history, inspection, &mut actions);
         let start = self.scene.pass_start();
         self.panels(ui, &mut actions);
-        // The first pass does not know yet where anything is.
+        // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
         CentralPanel::default().show(ui, |ui| {
             let rects = self.rects(ui);
@@ -73,18 +73,18 @@ impl App {
     fn page(&self) -> &'static Page {
         let session = &self.scene.session;
         let layout = session.settings.layout;
-        // While the class is asked there is no derivation or graph to show: the views have its room.
+        // While the class is asked a question, the views take the room of the derivation or the graph.
         let derives = layout.workspace() == Some(Workspace::Derivation);
         let asks = session.is_asking && (derives || layout == ViewLayout::Plot);
         page(if asks { ViewLayout::Both } else { layout })
     }
 
-    /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
+    /// Handles keys, the clipboard, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         if self.over.dialog.is_none() && actions.is_empty() {
             self.over.dialog = self.recovery.offer();
         }
-        // Not under a dialog: its answer would then be about another scene.
+        // Ignored under a dialog, whose answer would otherwise apply to another scene.
         if !self.over.covers() {
             self.keys(ctx, actions);
             let pasted = files::pasted_text(ctx);
@@ -103,13 +103,13 @@ impl App {
         self.window.geometry.update(ctx);
     }
 
-    /// The keys of all commands but those of the views, which [`views`] knows.
+    /// Adds the actions of pressed keys, except those of the views, which [`views`] handles.
     fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let is_typing = ctx.text_edit_focused();
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
-        // Before a lesson goes on: its next step is not the answer.
+        // A vote takes the key first: it must reveal its answer rather than advance the lesson.
         if !is_typing {
             vote::reveal_by_key(ctx, &mut self.scene.session);
         }
@@ -129,8 +129,8 @@ impl App {
                 actions.push(action);
             }
         }
-        // Escape ends a drag, closes a menu, lets go of the focus and puts the pen away before it ends
-        // presenting.
+        // Escape ends a drag, closes a menu, releases the focus or puts the pen away before it ends presenter
+        // mode.
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
@@ -140,8 +140,8 @@ impl App {
         }
     }
 
-    /// Does it now; where something has the focus, in the next pass: a number that is being typed is
-    /// taken over when its field loses the focus.
+    /// Applies the action now, or in the next pass if a field has the focus: the field must lose the focus
+    /// first to accept the typed number.
     fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
         match ctx.memory(|memory| memory.focused()) {
             Some(focused) => {
@@ -153,7 +153,7 @@ impl App {
         }
     }
 
-    /// Returns what there is for commands to be done to.
+    /// Returns what exists for commands to work on.
     fn available(&self) -> Available {
         Available {
             undo: self.history.steps.undo_name().is_some(),
@@ -165,7 +165,7 @@ impl App {
         }
     }
 
-    /// Everything round the views, from the top.
+    /// Draws everything around the views, from the top.
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let there = self.available();
         let scene = &mut self.scene;
@@ -187,8 +187,8 @@ impl App {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
             panel.show(ui, |ui| {
-                // What is too wide for the panel, as something that is just unfolding, is cut off: the
-                // panel has the width that a hand has given it.
+                // Contents that are too wide are clipped, so that the panel keeps the width that the user has
+                // set.
                 let rect = ui.available_rect_before_wrap();
                 let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
                 ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
@@ -210,7 +210,7 @@ impl App {
         let (selected, settings) = (&mut scene.session.selection, &mut scene.session.settings);
         ui.separator();
         let resolved = document.camera.resolve().ok();
-        // Its numbers may be what the class is asked for.
+        // The ray's numbers may be the answer to the question.
         if !scene.session.is_asking {
             section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
                 camera::selected_ray(ui, selected, resolved.as_ref(), settings.count_from_one);
@@ -218,7 +218,7 @@ impl App {
             ui.separator();
         }
         let chosen = &mut scene.chosen_object;
-        // Who has chosen an object elsewhere wants its fields.
+        // An object chosen elsewhere unfolds the section with its fields.
         let mut is_open = settings.unfolded.objects || chosen.is_some();
         section(ui, "Objects", &mut is_open, |ui| objects::ui(ui, document, chosen));
         if !is_open {
@@ -236,7 +236,7 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// Lays out the views, and what is beside them.
+    /// Lays out the views and the rest of the page.
     fn rects(&mut self, ui: &mut Ui) -> ViewRects {
         let areas = self.page().areas;
         let session = &mut self.scene.session;
@@ -255,10 +255,11 @@ impl App {
         ViewRects::new(areas, image, per_point, presenting)
     }
 
-    /// Takes the inputs of mouse and keys in the views, and what they point at.
+    /// Handles mouse and keys in the views, and finds what the pointer is over.
     fn view_inputs(&mut self, ui: &mut Ui, rects: &ViewRects, actions: &mut Vec<Action>) {
         let page = self.page();
-        // A pointer that rests while another ray is selected, by keys or a lesson's step, leaves it.
+        // If the selection changes by keys or a lesson's step while the pointer rests, the selected ray is
+        // shown rather than the one under the pointer.
         let (pointer, selection) =
             (ui.input(|i| i.pointer.latest_pos()), self.scene.session.selection);
         if self.views.seen_selection.replace(selection) != Some(selection) {
@@ -293,8 +294,8 @@ impl App {
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
-    /// Shows the views, and what the page has beside them. Whatever they change of the session is
-    /// derived in the next pass.
+    /// Shows the views and the rest of the page. Changes that they make to the session take effect in the next
+    /// pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
         let actions = &mut self.waiting;
@@ -314,8 +315,8 @@ impl App {
         {
             second_picture::show(ui, &mut context, second, [area, rect]);
         }
-        // Nothing is printed before the class has thought.
-        // A vote asks its own question, and tells nothing of the step's.
+        // Answers stay hidden while the class thinks. A vote asks its own question and reveals nothing about
+        // the step's.
         let shown = !context.session.is_asking || context.session.shows_vote();
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
@@ -328,8 +329,8 @@ impl App {
         files::notice(ui.ctx(), &mut self.scene);
     }
 
-    /// A change of the document becomes a step of the history as soon as the hand rests, no button is
-    /// held and nothing plays: a drag is one step.
+    /// Records a change of the document as an undo step once no button is held and no animation plays, so that
+    /// a drag is one step.
     fn keep_history(&mut self, ctx: &Context) {
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
             self.history.settle(ctx, &self.scene.open.document);
@@ -337,7 +338,7 @@ impl App {
     }
 }
 
-/// The document and the session as the panels of a pass began to draw them.
+/// The document and the session at the start of a pass, before the panels are drawn.
 struct PassStart {
     document: Document,
     session: Session,
@@ -345,7 +346,7 @@ struct PassStart {
 }
 
 impl OpenScene {
-    /// Returns what the panels are about to draw.
+    /// Returns the state that the panels are about to draw.
     fn pass_start(&self) -> PassStart {
         PassStart {
             document: self.open.document.clone(),
@@ -354,11 +355,11 @@ impl OpenScene {
         }
     }
 
-    /// Returns true if something that was `drawn` has changed since in a way that is seen above the
-    /// views: the pass runs again before anything is presented.
+    /// Returns true if anything that panels show has changed since the start of the pass, which must then run
+    /// again.
     fn has_changed_since(&self, start: PassStart) -> bool {
         let (before, now) = (&start.document, &self.open.document);
-        // The views take these in before they are derived, and nothing else shows them.
+        // These are set before the views are derived, and only the views show them.
         let session = Session {
             observer: self.session.observer,
             pointed_ray: self.session.pointed_ray,
@@ -376,8 +377,8 @@ impl OpenScene {
     }
 }
 
-/// Returns true if the cameras differ in eye and orientation alone, which only their own fields and the
-/// views show.
+/// Returns true if the cameras differ at most in eye and orientation, which only their own fields and the views
+/// show.
 fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
     let moved = Camera { eye: now.eye, orientation: now.orientation, ..*before };
     let is_same_kind = before.orientation.kind() == now.orientation.kind();
@@ -386,7 +387,7 @@ fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
 }
 
 impl App {
-    /// One frame, or the page about the fault of the last one.
+    /// Runs one frame, or shows the page about a panic in the last one.
     pub fn ui(&mut self, ui: &mut Ui) {
         let shown = match self.failure.take() {
             Some(failure) => caught(|| self.failure_page(ui, failure)),
@@ -394,11 +395,11 @@ impl App {
         };
         if let Err(failure) = shown {
             self.failure = Some(failure);
-            // Whatever was half done is done anew.
+            // Discard whatever the failed pass left unfinished.
             self.waiting.clear();
             self.over.dialog = None;
             self.views.deriver = Deriver::default();
-            // The pass did not come as far as to note the edit that it met its fault by.
+            // The failed pass did not get as far as saving the edit that caused it.
             self.recovery.write_changes(&self.scene.open);
             ui.ctx().request_repaint();
         }
@@ -407,10 +408,10 @@ impl App {
     fn failure_page(&mut self, ui: &mut Ui, failure: String) {
         let ctx = ui.ctx().clone();
         if self.window.is_to_close(&ctx) {
-            // The changes are offered at the next start.
+            // The next start offers the changes.
             self.window.let_close(&ctx, true);
         }
-        // What was changed last may have no name yet.
+        // The last change may not be an undo step yet.
         self.history.settle(&ctx, &self.scene.open.document);
         let mut stays = true;
         CentralPanel::default().show(ui, |ui| {
@@ -439,7 +440,7 @@ impl App {
         }
     }
 
-    /// The text for those who mend the program.
+    /// Returns a bug report about the failure.
     fn report_of(&self, failure: &str) -> String {
         let (version, system) = (env!("CARGO_PKG_VERSION"), std::env::consts::OS);
         let scene = pinhole_exchange::scene_file::to_text(self.document(), None);

@@ -1,4 +1,4 @@
-//! Undo and redo: when a change of the document becomes a step, and going back and forth.
+//! Undo and redo: recording changes of the document as steps, and moving between them.
 
 use egui::{Context, Id};
 use pinhole_exchange::document::Document;
@@ -8,25 +8,25 @@ use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
 use crate::ui::action::HistoryAction;
 
-/// Seconds within which more of the same change goes on with a step, where no button is held.
+/// Seconds within which a repeated change without a button, such as scrolling, extends the last step.
 const PAUSE: f64 = 1.0;
 
-/// The steps so far, and what the next one is told from.
+/// The undo steps, and the state from which the next one is recognized.
 #[derive(Debug)]
 pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
-    /// The document when the hand last rested.
+    /// The document after the last step.
     settled: Document,
-    /// The last step, to tell whether the next change goes on with it.
+    /// The last step, which the next change may extend.
     last: Option<Last>,
 }
 
-/// The state at a step's beginning, or end.
+/// The state before or after a step.
 #[derive(Clone, Debug)]
 pub(super) enum Moment {
-    /// The scene is the same one.
+    /// The same scene was edited.
     Edited(Box<Document>),
-    /// Another scene or lesson's step, and how it was looked at.
+    /// Another scene or lesson step was open, with its view.
     Elsewhere(Box<OpenScene>),
 }
 
@@ -47,12 +47,12 @@ impl SceneHistory {
         &self.settled
     }
 
-    /// Makes a step of what has changed since the hand last rested.
+    /// Records the changes since the last step as a new step, named after the change.
     pub(super) fn settle(&mut self, ctx: &Context, document: &Document) {
         self.settle_as(ctx, document, None);
     }
 
-    /// The same, with a name that the change itself does not tell.
+    /// Records the changes since the last step under this name, if there is one.
     pub(super) fn settle_as(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
         if *document == self.settled {
             return;
@@ -77,8 +77,7 @@ impl SceneHistory {
         self.last = Some(Last { name: name.text, focus, time });
     }
 
-    /// Takes note of another scene or step that is shown since `before`, or the same one from its
-    /// beginning.
+    /// Records that another scene or step was opened, or that the same one was reset.
     pub(super) fn went_elsewhere(&mut self, before: OpenScene, now: &OpenScene) {
         if now.open.origin() == before.open.origin()
             && now.open.document == before.open.document
@@ -92,12 +91,12 @@ impl SceneHistory {
         self.last = None;
     }
 
-    /// Takes the changes until now for no step: they were written to disk, or a lesson begins with them.
+    /// Excludes the changes so far from the next step: they were saved, or belong to a lesson's step.
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }
 
-    /// Goes a step back, or forth again.
+    /// Undoes or redoes a step.
     pub(super) fn apply(
         &mut self,
         ctx: &Context,

@@ -1,4 +1,4 @@
-//! The way through the lessons.
+//! Opening lessons, moving through their steps, and closing them.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,13 +16,13 @@ use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;
 use crate::view::derivation::Derivation;
 
-/// The lesson that is open, and what is needed to leave it without a trace.
+/// The open lesson, and the state to restore when it closes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lessons {
     pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
-    /// The first observer of the step, fitted to the world view.
+    /// The step's initial observer, fitted to the world view.
     seen_from: Option<Observer>,
     /// The session before the first step.
     before: Option<Session>,
@@ -31,14 +31,15 @@ pub(super) struct Lessons {
 }
 
 impl Lessons {
-    /// Takes note that the world view, seen `before` by another observer or by none, was framed anew.
+    /// Updates the step's initial observer when the world view is framed again, unless the user had moved the
+    /// observer.
     pub(super) fn framed(&mut self, before: Option<Observer>, observer: Observer) {
         if self.seen_from.is_none() || self.seen_from == before {
             self.seen_from = Some(observer);
         }
     }
 
-    /// The settings without what lessons have set.
+    /// Returns the settings without the changes made by lessons.
     pub(super) fn settings_without(&self, session: &Session) -> Settings {
         let mut session = session.clone();
         if let Some(before) = &self.before {
@@ -47,7 +48,7 @@ impl Lessons {
         session.settings
     }
 
-    /// The open lesson and its step, counted from 1, if it comes with the program.
+    /// Returns the numbers of the open lesson and its step, counted from 1, if the lesson is built in.
     pub(super) fn remembered(&self) -> Option<(usize, usize)> {
         let id = self.open.as_ref()?.id();
         match id.lesson {
@@ -58,8 +59,8 @@ impl Lessons {
 }
 
 impl OpenScene {
-    /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
-    /// where there is no such step.
+    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if there is no
+    /// such step.
     pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
         self.lessons.file = file.or(self.lessons.file.take());
         let next = OpenLesson::at(id, self.lessons.file.as_ref())?;
@@ -83,7 +84,7 @@ impl OpenScene {
         if next.step().view.observer.is_some() {
             self.framed = None;
         }
-        // What was drawn was about the step before.
+        // The pen's strokes belong to the previous step.
         if let Some(pen) = &mut self.session.pen {
             *pen = Pen::default();
         }
@@ -92,14 +93,14 @@ impl OpenScene {
         Some(Opened { is_another: !same_scene, play })
     }
 
-    /// Shows another step.
+    /// Shows another step, without the ghost.
     pub(super) fn go_to(&mut self, id: StepId) -> Opened {
         self.session.ghost = None;
         self.open_lesson(id, None).unwrap_or_default()
     }
 
-    /// Shows what the step keeps back: the answer to its question with the lines of the derivation
-    /// that it is about, or, before an audience, the next of those lines. Returns false if all is shown.
+    /// Shows the answer to the step's question with its lines of the derivation or, while presenting, the next
+    /// line. Returns false if everything is shown already.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
         let is_asking = self.session.is_asking;
         if is_asking {
@@ -117,8 +118,8 @@ impl OpenScene {
         is_asking || is_left
     }
 
-    /// Returns the number of the derivation's lines to begin a step with: before an audience those that
-    /// the step before has shown, if it is the same derivation.
+    /// Returns the number of the derivation's lines that a step starts with while presenting: those already
+    /// shown if the derivation stays the same, otherwise none.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let session = &self.session;
         session.presenting?;
@@ -133,7 +134,7 @@ impl OpenScene {
         if is_same && was_derived && !session.is_asking { session.revealed_lines } else { Some(0) }
     }
 
-    /// Shows all that the step keeps back.
+    /// Shows the step's answer and all lines of its derivation.
     pub(super) fn show_all(&mut self) {
         self.answer();
         self.session.revealed_lines = None;
@@ -146,7 +147,7 @@ impl OpenScene {
         }
     }
 
-    /// Sets everything as the open step says, where anything is not.
+    /// Resets everything to the open step if anything differs from it.
     pub(super) fn back_to_step(&mut self) -> Opened {
         let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) else {
             return Opened::default();
@@ -159,14 +160,14 @@ impl OpenScene {
         if !is_asking {
             self.answer();
         }
-        // The step's own observer is fitted anew where the world view is shown.
+        // The step's own observer is fitted again when the world view is shown.
         let observer = open.step().view.observer.or(seen_from);
         (self.session.observer, self.lessons.seen_from) = (observer, observer);
         opened
     }
 
-    /// Closes the strip; the step's scene stays, and counts as a scene like any other. It is seen from
-    /// where a hand has moved the observer, or fitted to the layout from before the lesson.
+    /// Closes the lesson; its scene stays open as an ordinary one. The observer stays if the user has moved it,
+    /// and is otherwise fitted to the layout from before the lesson.
     pub(super) fn close_lesson(&mut self) {
         if self.lessons.open.take().is_some() && self.session.observer == self.lessons.seen_from {
             self.session.observer = None;
@@ -179,7 +180,7 @@ impl OpenScene {
         self.open.leave_lesson(before.chain(BuiltinScene::all().iter().map(SceneSource::Builtin)));
     }
 
-    /// Returns true if anything was changed since the step of the open lesson was set.
+    /// Returns true if anything differs from the open lesson's step.
     pub(super) fn differs_from_step(&self) -> bool {
         self.lessons.open.as_ref().is_some_and(|open| {
             let seen_from = self.lessons.seen_from;
@@ -187,8 +188,8 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip; `differs`: the window is not as the step says. Before an audience a
-    /// vote has the strip's room: its question is another one.
+    /// Shows the lesson's strip; `differs` is true if anything was changed since the step was set. A vote while
+    /// presenting replaces the strip, because it asks another question.
     pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
         let Some(open) = &self.lessons.open else { return };
         if self.session.presenting.is_some() && self.session.shows_vote() {

@@ -1,5 +1,5 @@
-//! The window's program: small parts, each with its own state, and the order in which they take their
-//! turns in a frame (`frame`).
+//! The program in the window: parts that own their state, and the order in which a frame runs them
+//! (`frame.rs`).
 
 mod apply;
 mod files;
@@ -45,7 +45,7 @@ use crate::view::typesetting::theme::{self, Look};
 
 pub(crate) use self::window::complain;
 
-/// The open document, how it is looked at, and what is shown of it.
+/// The program's state: the open document, the session that views it, and what is derived from them.
 pub struct App {
     scene: OpenScene,
     history: SceneHistory,
@@ -57,7 +57,7 @@ pub struct App {
     window: AppWindow,
     recovery: Recovery,
     watch: FileWatch,
-    /// A fault of the program itself in the last frame.
+    /// The message of a panic in the last frame.
     failure: Option<String>,
     /// Actions for the next pass.
     waiting: Vec<Action>,
@@ -66,7 +66,7 @@ pub struct App {
 }
 
 impl App {
-    /// The program on this document, with what the last run remembered.
+    /// Creates the program with this document and the state remembered from the last run.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.window, remembered.recent);
@@ -82,7 +82,7 @@ impl App {
             history: SceneHistory::new(&open.document),
             scene: OpenScene::new(open, session),
             playback: Playback::default(),
-            // What was found is offered as soon as no dialog is open.
+            // Recovered changes are offered as soon as no dialog is open.
             over: Overlays::default(),
             views: Views::default(),
             tools: Tools::default(),
@@ -96,35 +96,35 @@ impl App {
         }
     }
 
-    /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
+    /// Sets up a context's fonts, zoom and style. Call it once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
         theme::install_base(ctx);
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
-            // Bars that stay tell that there is more.
+            // Scroll bars that stay visible show that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
-        // Its keys stand in the table of commands with all others.
+        // The zoom's keys are in the table of commands.
         ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
-            // Set at once: a change would be taken over in the first pass, with another size of the screen.
+            // A later change would take effect in the first pass and alter the size of the screen.
             options.zoom_factor = settings.zoom.clamp(ZOOM.0, ZOOM.1);
         });
         theme::install(ctx, Look::new(settings, false));
     }
 
-    /// Says what draws the window.
+    /// Sets the renderer's name for bug reports and the next run.
     pub fn set_renderer_name(&mut self, renderer: String) {
         self.window.renderer = renderer;
     }
 
-    /// Tells the user about an error from before the window was there.
+    /// Shows a message about an error that occurred before the window opened.
     pub fn tell(&mut self, title: &str, text: String) {
         self.over.dialog = Some(Dialog::message(title, text));
     }
 
-    /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
-    /// where there is no such step.
+    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if there is no
+    /// such step.
     pub fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) {
         if let Some(opened) = self.scene.open_lesson(id, file) {
             self.history.take_as_settled(&self.scene.open.document);
@@ -132,48 +132,48 @@ impl App {
         }
     }
 
-    /// The open document.
+    /// Returns the open document.
     pub fn document(&self) -> &Document {
         &self.scene.open.document
     }
 
-    /// The session, which looks at the document.
+    /// Returns the session: how the document is viewed.
     pub fn session(&self) -> &Session {
         &self.scene.session
     }
 
-    /// The lesson that is open.
+    /// Returns the open lesson.
     pub fn lesson(&self) -> Option<&OpenLesson> {
         self.scene.lessons.open.as_ref()
     }
 
-    /// The animation that is open.
+    /// Returns the open animation.
     pub fn player(&self) -> Option<&Player> {
         self.playback.player.as_ref()
     }
 
-    /// The values that the last frame showed.
+    /// Returns the values shown in the last frame.
     pub fn derived(&self) -> &Derived {
         &self.views.derived
     }
 
-    /// Number of pictures traced so far.
+    /// Returns the number of pictures traced so far.
     pub fn pictures_traced(&self) -> u64 {
         self.views.deriver.traced()
     }
 
-    /// Sets the time that tracing may take while a hand moves what is traced; pictures are coarser where
-    /// it would take longer. For those who want to see it happen on any scene.
+    /// Sets the time budget for tracing during a drag, above which pictures become coarser; tests use it to
+    /// make any scene coarse.
     pub fn follow_within(&mut self, budget: Duration) {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
-    /// Times all frames from now on, for those who keep a log.
+    /// Starts to measure the work of frames, for the log.
     pub(crate) fn time_frames(&mut self) {
         self.views.frame_work = Some(FrameWork::default());
     }
 
-    /// The work of the frame presented last, if it showed a new picture and is timed.
+    /// Returns the work of the last presented frame, if frames are measured and it showed a new picture.
     pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
         self.views.frame_work.as_ref()?.work()
     }
@@ -183,7 +183,8 @@ impl App {
         self.scene.open.scene_file().is_some()
     }
 
-    /// Looks whether another program has changed the scene's file. Returns true if there is something to show.
+    /// Checks whether another program has changed the scene's file. Returns true if a frame is needed to show
+    /// that.
     pub fn look_at_file(&mut self) -> bool {
         let is_free = !self.over.covers() && self.playback.player.is_none();
         let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
@@ -191,29 +192,29 @@ impl App {
         is_news
     }
 
-    /// Asks for files by the desktop's dialog from now on; the caller then looks at
+    /// Lets the desktop's dialog ask for files from now on; the caller then checks
     /// [`file_request`](App::file_request) after each frame.
     pub fn use_desktop_dialog(&mut self) {
         self.over.has_desktop = true;
     }
 
-    /// The question that the desktop's dialog is to ask; `None` closes it.
+    /// Returns the question for the desktop's dialog; `None` closes the dialog.
     pub fn file_request(&mut self) -> Option<&FileRequest> {
         self.over.dialog.as_mut()?.field()?.request()
     }
 
-    /// Takes the answer of the desktop's dialog. The next frame carries it out.
+    /// Takes the answer of the desktop's dialog, which the next frame applies.
     pub fn answer_file(&mut self, answer: FileAnswer) {
         self.over.answer(answer);
     }
 
-    /// Takes note that there may be no frame for a long time.
+    /// Writes pending changes to the recovery file, because the next frame may be long in coming.
     pub fn rest(&mut self) {
         self.recovery.write_now(&self.scene.open);
     }
 
-    /// Remembers settings, window, recent files and the open scene for the next run, and changes that
-    /// nobody was asked about.
+    /// Saves the settings, window, recent files and open scene for the next run, and writes unsaved changes to
+    /// the recovery file unless the user discarded them.
     pub fn on_exit(&mut self) {
         self.recovery.end(&self.scene.open, self.window.discarded);
         self.window.end(&self.scene);

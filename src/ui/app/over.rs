@@ -1,5 +1,4 @@
-//! The overlays of the window: dialogs, the command palette, the list of keys, the ring round what has
-//! the focus, and the spotlight.
+//! The window's overlays: dialogs, the command palette, the list of keys, the focus ring and the spotlight.
 
 use egui::{Context, Ui};
 use pinhole_exchange::scenes::SceneSource;
@@ -25,17 +24,17 @@ pub(super) struct Overlays {
     pub(super) has_desktop: bool,
     palette: Option<CommandPalette>,
     shows_keys: bool,
-    /// The focus was moved by the keyboard, and is shown by a ring.
+    /// True if the keyboard moved the focus last, which is then shown by a ring.
     by_keyboard: bool,
 }
 
 impl Overlays {
-    /// Returns true if something lies over the window, which takes mouse and keys.
+    /// Returns true if an overlay takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
-    /// Opens a dialog. Where it asks for a file, the desktop's dialog does, if there is one.
+    /// Opens a dialog. The desktop's dialog, if there is one, asks for files in its place.
     pub(super) fn open(&mut self, mut dialog: Dialog) {
         if self.has_desktop {
             dialog.leave_to_desktop();
@@ -43,13 +42,13 @@ impl Overlays {
         self.dialog = Some(dialog);
     }
 
-    /// Takes the answer of the desktop's dialog. One that does not work is not tried again.
+    /// Takes the answer of the desktop's dialog, and stops using that dialog if it does not work.
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
         dialogs::answer(&mut self.dialog, answer);
     }
 
-    /// Opens the box.
+    /// Opens an entry of the Help menu.
     pub(super) fn apply(&mut self, action: HelpAction) {
         match action {
             HelpAction::Palette => self.palette = Some(CommandPalette::default()),
@@ -59,7 +58,7 @@ impl Overlays {
         }
     }
 
-    /// Shows what lies over the window; what was chosen in it goes into `actions`.
+    /// Shows the open overlays and adds what the user chooses in them to `actions`.
     pub(super) fn ui(
         &mut self,
         ctx: &Context,
@@ -83,7 +82,7 @@ impl Overlays {
         }
     }
 
-    /// The ring round what has the focus, and the spotlight.
+    /// Draws the focus ring and the spotlight.
     pub(super) fn marks(&mut self, ui: &Ui, spotlight: bool) {
         let (pressed, moved) = ui.input(|i| {
             let moves = [egui::Key::Tab, egui::Key::ArrowDown, egui::Key::ArrowUp];
@@ -99,7 +98,7 @@ impl Overlays {
     }
 }
 
-/// Commands for the steps of a lesson from a file, recent files and the scene's objects.
+/// Returns commands for the steps of a lesson from a file, for recent files and for the scene's objects.
 fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) -> Vec<UiCommand> {
     let open = scene.lessons.open.as_ref();
     let own = open.filter(|open| open.id().lesson == Which::File);

@@ -1,5 +1,5 @@
-//! Animations: opening one, what it shows in each frame, what is left of it when it ends, and writing
-//! one to a file, a frame a pass of the window, which so stays alive.
+//! Opens, plays, closes and exports animations. An export writes one frame per pass of the window, so that the
+//! window keeps responding.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
 use crate::view::derive::Derived;
 
-/// The animation that is open, and the one that is being written.
+/// The open animation, and the one being exported.
 #[derive(Default)]
 pub(super) struct Playback {
     pub(super) player: Option<Player>,
@@ -25,8 +25,8 @@ pub(super) struct Playback {
 }
 
 impl Playback {
-    /// Moves the open animation on, shows its strip, and sets what it shows; before anything else is
-    /// drawn of it.
+    /// Advances the open animation, shows its strip and updates the scene, before anything else draws the
+    /// scene.
     pub(super) fn go_on(
         &mut self,
         ui: &mut Ui,
@@ -41,7 +41,7 @@ impl Playback {
         let moved =
             (camera.eye, camera.orientation) != (player.shown.eye, player.shown.orientation);
         if player.kind.moves_camera() && moved {
-            // Who edits the camera has taken it over.
+            // An edit of the camera ends the animation.
             self.keep(&ctx, scene, history);
             return;
         }
@@ -58,7 +58,7 @@ impl Playback {
         show_still(player, &still, scene);
     }
 
-    /// Does what the strip or a key asks for.
+    /// Applies an action of the strip or a key.
     pub(super) fn apply(
         &mut self,
         ctx: &Context,
@@ -84,10 +84,10 @@ impl Playback {
         }
     }
 
-    /// Ends the animation with everything as it was when it was opened.
+    /// Closes the animation and restores the state from before it.
     pub(super) fn give_back(&mut self, scene: &mut OpenScene) {
         let Some(mut player) = self.player.take() else { return };
-        // Who has moved the observer since wants it there.
+        // The observer stays if the user has moved it since.
         let observer = &mut scene.session.observer;
         *observer = match player.stepped_back {
             Some([before, after]) if *observer == Some(after) => Some(before),
@@ -97,8 +97,8 @@ impl Playback {
         show_still(&mut player, &still, scene);
     }
 
-    /// Ends the animation with everything as it is now; a camera that it moved is a step of the
-    /// history.
+    /// Closes the animation and keeps the current state; records an undo step if the animation moved the
+    /// camera.
     pub(super) fn keep(
         &mut self,
         ctx: &Context,
@@ -112,7 +112,7 @@ impl Playback {
             let camera = &mut scene.open.document.camera;
             (camera.eye, camera.orientation) = (player.shown.eye, player.shown.orientation);
             let name = player.kind.step_name();
-            // The camera's place and orientation are all that has changed since the last step.
+            // True if nothing but the camera's eye and orientation has changed since the last step.
             let mut before = history.settled().clone();
             (before.camera.eye, before.camera.orientation) = (camera.eye, camera.orientation);
             let only_moved = before == scene.open.document;
@@ -121,17 +121,17 @@ impl Playback {
         }
     }
 
-    /// Returns true if an animation moves the camera: its frames are no steps of the history.
+    /// Returns true if an animation that moves the camera is open; its frames are not undo steps.
     pub(super) fn plays_camera(&self) -> bool {
         self.player.as_ref().is_some_and(|player| player.kind.moves_camera())
     }
 
-    /// Returns true if the camera is moving by itself just now.
+    /// Returns true if an animation is moving the camera.
     pub(super) fn is_running(&self) -> bool {
         self.plays_camera() && self.player.as_ref().is_some_and(|player| player.running)
     }
 
-    /// Begins to write the animation that is open; the dialog that tells of it.
+    /// Starts to export the open animation; returns the dialog with its progress or with an error.
     pub(super) fn export(
         &mut self,
         order: Order,
@@ -159,8 +159,7 @@ impl Playback {
         })
     }
 
-    /// Makes the next frame, if something is being written; nothing is left of it where its dialog was
-    /// closed.
+    /// Writes the export's next frame, if there is an export; cancels it if its dialog was closed.
     pub(super) fn record(&mut self, ctx: &Context, dialog: &mut Option<Dialog>) {
         let Some(recorder) = &mut self.recorder else { return };
         let Some(Dialog::Progress { done, frames }) = dialog else {
@@ -181,7 +180,7 @@ impl Playback {
     }
 }
 
-/// An animation at its start.
+/// Creates an animation at its start.
 fn opened(kind: Kind, scene: &mut OpenScene, derived: &Derived, aspect: f64) -> Player {
     let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());
     let start = Start::new(&scene.open.document, &scene.session, inspection, traced);
@@ -190,8 +189,8 @@ fn opened(kind: Kind, scene: &mut OpenScene, derived: &Derived, aspect: f64) -> 
     player
 }
 
-/// Takes the observer so far back that the camera stays in sight on its way; the observer before and
-/// after. What a lesson's step plays is seen from where the step says.
+/// Moves the observer back until the camera stays in sight throughout the animation; returns the observer
+/// before and after if it moved. An animation of a lesson's step keeps the step's observer.
 fn step_back(
     kind: Kind,
     start: &Start,
@@ -205,7 +204,7 @@ fn step_back(
     (after != before).then_some([before, after])
 }
 
-/// Sets what the animation moves, and leaves alone what it does not.
+/// Sets the parts of the scene that the animation changes.
 fn show_still(player: &mut Player, still: &Still, scene: &mut OpenScene) {
     still.show(player.kind, &mut scene.open.document, &mut scene.session);
     player.shown = scene.open.document.camera;

@@ -1,5 +1,5 @@
-//! Writing unsaved changes aside while they are made, and offering those of a window that ended
-//! without being asked.
+//! Recovery files: writes unsaved changes while the user works, and offers those of a window that ended without
+//! asking.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,32 +15,32 @@ use crate::model::recovery::{Found, Slot, Unsaved, in_words};
 use crate::model::store::Store;
 use crate::ui::dialogs::Dialog;
 
-/// Time after the last edit, and during a long drag, after which changes are written, in seconds.
+/// Seconds from the last edit, and at most from the first one, until changes are written.
 const REST: f64 = 1.0;
 const LONGEST: f64 = 4.0;
 
-/// Time after which a disk that was busy is asked again.
+/// Time until the next attempt while the last write is not finished.
 const BUSY: Duration = Duration::from_millis(100);
 
-/// This window's slot, and what was found in others.
+/// This window's recovery slot, and the changes found in others.
 #[derive(Default)]
 pub(super) struct Recovery {
     slot: Option<Arc<Slot>>,
     found: Vec<Found>,
-    /// Index of the next one to offer.
+    /// Index of the next changes to offer.
     next: usize,
-    /// True if changes are written, or being written.
+    /// True if the slot holds changes, or is being written.
     is_written: bool,
-    /// The document as it was seen last.
+    /// The document in the last pass.
     seen: Option<Document>,
-    /// Times of the last edit, and of the first one that is not written yet, in seconds.
+    /// Times of the last edit and of the first unwritten one, in seconds.
     last_edit: f64,
     first_edit: Option<f64>,
     writing: Option<JoinHandle<()>>,
 }
 
 impl Recovery {
-    /// Finds what other windows have left.
+    /// Opens a slot and finds the changes that other windows have left.
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
@@ -50,7 +50,7 @@ impl Recovery {
         Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
 
-    /// Returns the dialog that offers what was found and not offered yet, if there is any.
+    /// Returns a dialog that offers the next recovered changes, if there are any.
     pub(super) fn offer(&mut self) -> Option<Dialog> {
         let found = self.found.get(self.next)?;
         self.next += 1;
@@ -58,19 +58,19 @@ impl Recovery {
         Some(Dialog::Found { title, file, age: in_words(found.age) })
     }
 
-    /// Takes the changes that were offered last.
+    /// Removes and returns the changes that were offered last.
     pub(super) fn take(&mut self) -> Option<Found> {
         self.next = self.next.checked_sub(1)?;
         (self.next < self.found.len()).then(|| self.found.remove(self.next))
     }
 
-    /// Goes on in the slot of changes that are open now, where they stay until they are saved.
+    /// Continues in the slot of the restored changes, where they stay until they are saved.
     pub(super) fn go_on_in(&mut self, slot: Slot) {
         self.clear();
         (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
-    /// Writes changes aside, beside the frame, once the hand rests or has moved for long.
+    /// Writes changes in another thread once editing pauses or has gone on for long.
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
         if self.slot.is_none() {
             return;
@@ -92,7 +92,7 @@ impl Recovery {
             return;
         }
         if self.writing.as_ref().is_some_and(|writing| !writing.is_finished()) {
-            // A slow disk holds up no frame.
+            // A slow disk must not delay a frame.
             ctx.request_repaint_after(BUSY);
             return;
         }
@@ -100,14 +100,14 @@ impl Recovery {
         self.write(Unsaved::of(open));
     }
 
-    /// Writes at once what waits to be written: there may be no frame for a long time.
+    /// Writes pending changes at once, because the next frame may be long in coming.
     pub(super) fn write_now(&mut self, open: &OpenDocument) {
         if self.first_edit.is_some() {
             self.write_changes(open);
         }
     }
 
-    /// Writes what is unsaved at once.
+    /// Writes all unsaved changes at once.
     pub(super) fn write_changes(&mut self, open: &OpenDocument) {
         self.first_edit = None;
         if open.has_changes() {
@@ -126,7 +126,7 @@ impl Recovery {
         }));
     }
 
-    /// Waits until what is being written is written: what comes next must not overtake it.
+    /// Waits until the last write is finished, so that a later one cannot overtake it.
     fn finish_writing(&mut self) {
         if let Some(writing) = self.writing.take() {
             // A thread that panicked has written nothing.
@@ -134,7 +134,7 @@ impl Recovery {
         }
     }
 
-    /// Removes what is written: it is saved, or not wanted.
+    /// Clears the slot, because its changes are saved or not wanted.
     fn clear(&mut self) {
         self.finish_writing();
         (self.seen, self.first_edit) = (None, None);
@@ -143,8 +143,8 @@ impl Recovery {
         }
     }
 
-    /// Writes changes that nobody was asked about, because display or adapter went away; removes them
-    /// if they are saved, or not wanted.
+    /// Writes unsaved changes when the window ends without asking, as when the display is lost; clears the slot
+    /// if they are saved or discarded.
     pub(super) fn end(&mut self, open: &OpenDocument, discarded: bool) {
         if discarded || !open.has_changes() {
             self.clear();

@@ -1,4 +1,4 @@
-//! The open scene: the document, how it is looked at, and the lesson that it belongs to.
+//! The open scene: the document, the session that views it, and the lesson that it belongs to.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Message};
 use crate::ui::panels::{camera, objects};
 
-/// All that going back to a scene brings back.
+/// The state that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]
 pub(super) struct OpenScene {
     pub(super) open: OpenDocument,
@@ -31,27 +31,27 @@ pub(super) struct OpenScene {
     pub(super) lessons: Lessons,
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
-    /// The observer as it was last framed; another one was moved by hand.
+    /// The observer that was framed last; the current one differs if the user has moved it.
     pub(super) framed: Option<Framed>,
 }
 
-/// An observer that was fitted to the world view's size.
+/// An observer fitted to the world view's size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Framed {
     observer: Observer,
     size: ViewSize,
-    /// The camera that was in sight.
+    /// The camera that was framed.
     camera: Camera,
-    /// The observer that a lesson's step names, whose direction and subject this one keeps.
+    /// The observer given by a lesson's step, whose direction and target this one keeps.
     named: Option<Observer>,
 }
 
-/// The work that showing a scene asks of the other parts.
+/// The work that opening a scene leaves to the other parts.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Opened {
-    /// True for another scene: what was good in the one before is nothing to show in this one.
+    /// True if the scene is another one, so that nothing derived from the last one may be shown.
     pub(super) is_another: bool,
-    /// The animation to open as soon as it is known what the ray hits.
+    /// The animation to open once the ray's hit is known.
     pub(super) play: Option<Kind>,
 }
 
@@ -75,7 +75,7 @@ impl OpenScene {
         Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }
 
-    /// Opens a document from no file, with both views beside it.
+    /// Opens a generated document in the layout with both views.
     pub(super) fn show(&mut self, made_up: MadeUp) -> Opened {
         let MadeUp { document, title, uv } = made_up;
         let open = OpenDocument::made_up(document, title);
@@ -84,7 +84,7 @@ impl OpenScene {
         opened
     }
 
-    /// Reads the scene's file again, looked at as before.
+    /// Reads the scene's file again and keeps the view.
     pub(super) fn reload(&mut self) -> Result<(), FileError> {
         let Some(path) = self.open.scene_file().map(Path::to_owned) else { return Ok(()) };
         let source = SceneSource::File(path);
@@ -114,9 +114,9 @@ impl OpenScene {
         [self.open.has_changes(), self.differs_from_step()]
     }
 
-    /// Lets the observer, if there is none yet, see everything in a world view of this size. In a view
-    /// of another size it is fitted anew, unless it was moved by hand; and, while nothing is dragged
-    /// or played, where eye or at were moved out of sight.
+    /// Frames the whole scene in a world view of this size if there is no observer yet. An observer that the
+    /// user has not moved is fitted again when the size changes, or when eye or at leave its sight while
+    /// nothing is dragged or played.
     pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
         let shown = self.session.observer;
         let own = self.framed.filter(|framed| shown == Some(framed.observer));
@@ -126,7 +126,7 @@ impl OpenScene {
         }
         let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
         let named = match (own, shown) {
-            // What a step names was for another camera.
+            // The step's observer was for another camera.
             (Some(framed), _) => framed.named.filter(|_| !lost),
             (None, None) => None,
             (None, Some(_)) if of_step == shown => shown,
@@ -134,9 +134,9 @@ impl OpenScene {
         };
         let document = &self.open.document;
         let camera = &document.camera;
-        // An object at fault is not there yet; the camera is.
+        // An invalid object is left out; the camera is not.
         let scene = || document.scene().unwrap_or_default();
-        // Those that a hand switches later move nothing.
+        // Items that are switched later do not move the observer.
         let items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
             None => self.session.settings.items,
@@ -151,7 +151,7 @@ impl OpenScene {
         self.lessons.framed(shown, observer);
     }
 
-    /// Returns true if eye or at were moved since, out of this observer's sight.
+    /// Returns true if eye or at has moved out of this observer's sight since it was framed.
     fn is_lost_to(&self, framed: &Framed) -> bool {
         let camera = &self.open.document.camera;
         let sees = |camera| framed.observer.sees_eye_and_at(camera, framed.size);
@@ -172,12 +172,12 @@ impl OpenScene {
             Observe::FrameCamera => {
                 *observer = observer.framing_camera(&self.open.document.camera, size);
             }
-            // The next pass, which knows the view's proportions, frames everything.
+            // The next pass, which knows the view's aspect, frames the whole scene.
             Observe::FrameAll => self.session.observer = None,
         }
     }
 
-    /// Adds, removes or chooses an object; what there is to tell if that cannot be done.
+    /// Adds, removes or chooses an object; returns a message if that fails.
     pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
         let document = &mut self.open.document;
         let count = document.object_count();
@@ -187,7 +187,7 @@ impl OpenScene {
             ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
             ObjectAction::Choose(index) if index < count => self.chosen_object = Some(index),
             ObjectAction::Next(by) if count > 0 => {
-                // Forward from none is the first one, backward the last.
+                // With no object chosen, forward starts at the first and backward at the last.
                 let from = chosen.map_or(if by > 0 { -1 } else { 0 }, |chosen| chosen as i64);
                 let next = (from + i64::from(by)).rem_euclid(count as i64);
                 self.chosen_object = Some(next as usize);
@@ -202,16 +202,14 @@ impl OpenScene {
         None
     }
 
-    /// Puts another camera in place of this one; the selected pixel stays where it is in the
-    /// image.
+    /// Replaces the camera; the selected pixel keeps its place in the image.
     pub(super) fn replace_camera(&mut self, camera: Camera) {
         let before = std::mem::replace(&mut self.open.document.camera, camera);
         let selection = self.session.selection;
         self.session.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera, drops the ghost, or lets both change places. Whether the camera is another
-    /// one.
+    /// Freezes the camera as the ghost, removes the ghost, or swaps both. Returns true if the camera changed.
     pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
         let camera = &mut self.open.document.camera;
         let ghost = &mut self.session.ghost;
@@ -231,7 +229,7 @@ impl OpenScene {
         false
     }
 
-    /// Selects another pixel.
+    /// Moves the selection by whole pixels.
     pub(super) fn step_selection(&mut self, rows: i64, columns: i64) {
         if let Ok(resolved) = self.open.document.camera.resolve() {
             let selection = self.session.selection.inside(resolved.image());
@@ -239,18 +237,18 @@ impl OpenScene {
         }
     }
 
-    /// Takes over the same scene with other numbers; the selected place goes along as when they are
-    /// edited.
+    /// Replaces the document with another version of the same scene; the selection follows the camera as in an
+    /// edit.
     pub(super) fn edit_back(&mut self, document: Document) {
         self.session.follow_camera(&self.open.document.camera, &document.camera);
         self.open.document = document;
     }
 
-    /// Sets a given number, as its field in the side panel does.
+    /// Sets a given number as its field in the side panel does.
     pub(super) fn give(&mut self, ctx: &Context, given: Given, value: f64) {
         let (document, session) = (&mut self.open.document, &mut self.session);
         let before = document.camera;
-        // A ray that was only pointed at is pinned by being edited.
+        // Editing a ray under the pointer selects it.
         let mut selection = session.shown_selection().inside(before.image);
         let shown = selection;
         let from_one = session.settings.count_from_one;
@@ -262,7 +260,7 @@ impl OpenScene {
         session.follow_camera(&before, &document.camera);
     }
 
-    /// Goes back to another scene or step, looked at as it was then. What belongs to the window stays.
+    /// Returns to another scene or step with the view that it had. The window's own settings stay.
     pub(super) fn go_back(&mut self, to: OpenScene) {
         let now = &self.session.settings;
         let settings = Settings {

@@ -1,5 +1,4 @@
-//! The views: deriving what they show, keeping up with the hand, and putting their pictures on the
-//! screen.
+//! Derives the views, adapts their resolution during drags, and shows their pictures.
 
 use pinhole_core::Selection;
 use std::time::Duration;
@@ -20,7 +19,7 @@ use crate::ui::widgets::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 
-/// Keys that move the camera, the observer or a handle, again and again while they are held.
+/// Keys that move the camera, the observer or a handle, repeatedly while held.
 const STEERING: [Key; 7] = [
     Key::ArrowLeft,
     Key::ArrowRight,
@@ -31,16 +30,16 @@ const STEERING: [Key; 7] = [
     Key::Minus,
 ];
 
-/// The derived values, and their pictures on the way to the screen.
+/// The derived values and the textures of the views.
 #[derive(Default)]
 pub(super) struct Views {
     pub(super) deriver: Deriver,
     pub(super) derived: Derived,
     pub(super) adaptive_resolution: AdaptiveResolution,
-    /// The selection when it was seen last, and the position of the pointer when it changed.
+    /// The selection in the last pass, and the pointer's position when it changed.
     pub(super) seen_selection: Option<Selection>,
     pub(super) rested_at: Option<Pos2>,
-    /// The work for the last frame, for those who keep a log.
+    /// The work of the last frame, if it is measured.
     pub(super) frame_work: Option<FrameWork>,
     world_size: Option<ViewSize>,
     world: ViewTexture,
@@ -48,12 +47,12 @@ pub(super) struct Views {
 }
 
 impl Views {
-    /// The size of the world view as it was seen last.
+    /// Returns the size of the world view in the last pass that showed it.
     pub(super) fn world_size(&self) -> ViewSize {
         self.world_size.unwrap_or(ViewSize::of_aspect(1.25))
     }
 
-    /// Derives everything that is shown; `plays`: an animation moves the camera.
+    /// Derives everything that is shown. `plays` is true if an animation moves the camera.
     pub(super) fn derive(
         &mut self,
         ctx: &Context,
@@ -67,7 +66,7 @@ impl Views {
         let subsampling = self.adaptive_resolution.now(moves, time, objects);
         let under_hand = self.adaptive_resolution.is_followed(time);
         let sizes = ViewSizes { subsampling, under_hand, ..sizes };
-        // Whose spheres are then changed in place, not copied.
+        // Without this reference, spheres are updated in place rather than copied.
         self.derived.scene = None;
         let stopwatch = Stopwatch::start();
         let tell = |work| stopwatch.tell(work);
@@ -80,7 +79,7 @@ impl Views {
         if let Some(frame_work) = &mut self.frame_work {
             frame_work.add(ctx.cumulative_frame_nr(), times);
         }
-        // What is coarse is made finer as soon as the hand rests. A grade may have been put off, too.
+        // Coarse pictures are refined once the drag rests. A grade may be postponed until then, too.
         let waits = self.adaptive_resolution.is_followed(time) && session.answers.is_some();
         let is_coarse = |shown: &Subsampling| self.adaptive_resolution.is_made_finer(*shown);
         if waits || self.derived.subsampling.iter().any(is_coarse) {
@@ -88,7 +87,7 @@ impl Views {
         }
     }
 
-    /// Shows the pictures with what is written on them.
+    /// Shows the pictures with their labels.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -114,7 +113,7 @@ impl Views {
             views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &spoken);
         }
-        // One of them speaks at a time.
+        // At most one of the two labels is shown at a time.
         let is_steered = dragging.has_word(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
             let style = NumberStyle::new(&session.settings);
@@ -129,7 +128,7 @@ impl Views {
         }
         for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
         {
-            // A picture from before a fault says so, and is not made finer.
+            // A picture from before an error is marked as such and is not refined.
             let text = self.adaptive_resolution.message(subsampling);
             let text = text.filter(|_| derived.fault.is_none());
             if let (Some(rect), Some(text)) = (rect, text) {
@@ -140,13 +139,13 @@ impl Views {
     }
 }
 
-/// Returns true if mouse or keys move what is seen.
+/// Returns true if mouse or keys are moving the views.
 fn is_hand_moving(ctx: &Context) -> bool {
     ctx.input(|i| {
         let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
         let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
-        // Not the keys that are down: of Shift and = pressed together, Shift may be let go first, and
-        // the key that is let go then is another one.
+        // The set of held keys is unreliable: if Shift is released before =, the key that is released last is a
+        // different one.
         let is_steered = i.events.iter().any(|event| match event {
             Event::Key { key, pressed, .. } => *pressed && STEERING.contains(key),
             _ => false,

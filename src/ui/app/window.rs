@@ -16,15 +16,15 @@ use crate::ui::app::scene::OpenScene;
 pub(super) struct AppWindow {
     store: Option<Store>,
     pub(super) geometry: WindowGeometry,
-    /// Files opened or saved lately.
+    /// Files opened or saved recently, the latest first.
     pub(super) recent: Vec<PathBuf>,
     title: String,
-    /// The renderer of the window, in words.
+    /// The renderer's name.
     pub(super) renderer: String,
-    /// While presenting: true if the window filled the screen before.
+    /// While presenting, true if the window filled the screen before.
     filled_before: Option<bool>,
     may_close: bool,
-    /// The user chose to lose the changes.
+    /// True if the user chose to discard the changes.
     pub(super) discarded: bool,
 }
 
@@ -46,23 +46,23 @@ impl AppWindow {
         }
     }
 
-    /// Puts a file at the head of the recent ones.
+    /// Puts a file first in the list of recent files.
     pub(super) fn remember(&mut self, path: &Path) {
         remember(&mut self.recent, path);
     }
 
-    /// Closes the window: nothing stands in the way any more.
+    /// Closes the window without asking.
     pub(super) fn close(&mut self, ctx: &Context) {
         self.may_close = true;
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// Returns true if the close button was pressed, and nobody has said yet that it may be.
+    /// Returns true if the close button was pressed and closing is not allowed yet.
     pub(super) fn is_to_close(&self, ctx: &Context) -> bool {
         ctx.input(|i| i.viewport().close_requested()) && !self.may_close
     }
 
-    /// Lets the window go, or keeps it open for now.
+    /// Allows the window to close, or keeps it open.
     pub(super) fn let_close(&mut self, ctx: &Context, may_close: bool) {
         self.may_close = may_close;
         if !may_close {
@@ -70,7 +70,7 @@ impl AppWindow {
         }
     }
 
-    /// Says in the title what is open, and fills the screen while presenting.
+    /// Updates the title, and fills the screen while presenting.
     pub(super) fn follow(&mut self, ctx: &Context, scene: &OpenScene) {
         self.fill_screen(ctx, scene.session.presenting.is_some());
         let changed = if scene.open.has_changes() { "*" } else { "" };
@@ -81,7 +81,7 @@ impl AppWindow {
         }
     }
 
-    /// Fills the screen that the window is on when presenting begins, and puts it back at the end.
+    /// Fills the window's screen when presenting begins, and restores the window at the end.
     fn fill_screen(&mut self, ctx: &Context, presenting: bool) {
         let to = match (presenting, self.filled_before) {
             (true, None) => {
@@ -98,7 +98,7 @@ impl AppWindow {
         ctx.send_viewport_cmd(ViewportCommand::Fullscreen(to));
     }
 
-    /// Remembers settings, window, recent files and the open scene for the next run.
+    /// Saves the settings, window, recent files and open scene for the next run.
     pub(super) fn end(&mut self, scene: &OpenScene) {
         let Some(store) = &self.store else { return };
         let argument = argument_of(scene.open.origin());
@@ -119,7 +119,7 @@ impl AppWindow {
     }
 }
 
-/// The settings without what lessons and presenting have set.
+/// Returns the settings without the changes made by lessons and presenter mode.
 fn settings_to_remember(scene: &OpenScene) -> Settings {
     let mut session = scene.session.clone();
     if let Some(presenting) = session.presenting {
@@ -128,23 +128,23 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
     scene.lessons.settings_without(&session)
 }
 
-/// Writes a message to standard error. Failure is ignored: where it is closed, there is nobody to tell.
+/// Writes a message to standard error, and ignores failure, which can be reported nowhere.
 pub(crate) fn complain(text: &str) {
     let _ = writeln!(std::io::stderr(), "pinhole: {text}");
 }
 
-/// The stamps that were seen.
+/// Notices that another program has changed the scene's files.
 #[derive(Default)]
 pub(super) struct FileWatch {
-    /// The files at the last look, if one was changed.
+    /// The files' stamps at the last check, if one was changed.
     seen: Option<Stamps>,
-    /// The files that were told about.
+    /// The stamps of the last reported change.
     told: Option<Stamps>,
 }
 
 impl FileWatch {
-    /// Takes the stamps of files of which one was changed. Returns true if that is to be told: not before it
-    /// rests from one look to the next, for it may still be written to; and only once.
+    /// Takes the files' stamps if one of them was changed. Returns true if the change is to be reported: once,
+    /// and only when the stamps are the same in two checks, because the file may still be being written.
     pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {
         let rests = touched.is_some() && touched == self.seen;
         self.seen = touched;

@@ -1,9 +1,7 @@
-//! Every command of the program, once: its name, what it does, its keys and its [`Action`].
-//!
-//! Menus take their keys' names from this table, [`pressed`] looks keys up in it, and the command
-//! palette and the key sheet list it, so that a key stands in one place. A command that is added
-//! to `table` is found by all of them; one that is carried out elsewhere, because it needs to
-//! know what is under the pointer, is a [`Gesture`].
+//! The table of commands: each command's name, description, keys and [`Action`].
+//!  Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so that a
+//! new command is a row in `table.rs`. A [`Gesture`], which depends on what is under the pointer, is listed
+//! there but handled by the views.
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -19,7 +17,7 @@ pub(crate) use table::{command, of_lesson};
 mod search;
 mod table;
 
-/// The group of a command: a heading of the key sheet.
+/// The group of a command, a heading in the list of keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// Opening, saving, quitting.
@@ -32,7 +30,7 @@ pub enum Group {
     Presenting,
     /// The selected pixel and the observer.
     Views,
-    /// The camera in the hand: handles, and dragging in the camera view.
+    /// Moving the camera by its handles or in the camera view.
     Hand,
     /// The scene's spheres and planes.
     Objects,
@@ -61,7 +59,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Returns the heading, which the palette writes before a command's name.
+    /// Returns the heading, which precedes a command's name in the palette.
     pub fn label(self) -> &'static str {
         match self {
             Group::File => "File",
@@ -89,13 +87,13 @@ impl Group {
 /// A command.
 #[derive(Clone, Debug)]
 pub struct UiCommand {
-    /// The heading that it stands under.
+    /// The group that it is listed in.
     pub group: Group,
     /// The name within its group.
     pub name: Cow<'static, str>,
-    /// A sentence about it.
+    /// A sentence that describes it.
     pub about: Cow<'static, str>,
-    /// The keys that do it; the first one is the one that menus tell.
+    /// The keys that trigger it; menus show the first one.
     pub keys: &'static [Keys],
     /// The action.
     pub action: Action,
@@ -116,12 +114,12 @@ impl UiCommand {
 
 static ALL: LazyLock<Vec<UiCommand>> = LazyLock::new(table::table);
 
-/// Every command that does not depend on what is open, by groups.
+/// Returns every command that does not depend on what is open, by group.
 pub fn all() -> &'static [UiCommand] {
     &ALL
 }
 
-/// The first key of this action, such as `Ctrl+O`; nothing where it has none.
+/// Returns the first key of this action, such as `Ctrl+O`; empty if it has none.
 pub fn shortcut(action: impl Into<Action>) -> String {
     with_action(&action.into())
         .and_then(|command| command.keys.first())
@@ -129,7 +127,7 @@ pub fn shortcut(action: impl Into<Action>) -> String {
         .unwrap_or_default()
 }
 
-/// All keys of this action, such as `Page Down, Right`; nothing where it has none.
+/// Returns all keys of this action, such as `Page Down, Right`; empty if it has none.
 pub fn keys_text(action: impl Into<Action>) -> String {
     with_action(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
 }
@@ -138,7 +136,7 @@ fn with_action(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|command| command.action == *action)
 }
 
-/// Returns the common name of commands that are one but for their direction.
+/// Returns the common name of commands that differ only in direction.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
@@ -155,7 +153,7 @@ fn family(action: &Action) -> Option<&'static str> {
     }
 }
 
-/// The keys of commands that belong together: `Alt+arrows`, or all of them.
+/// Returns the keys of a family of commands: `Alt+arrows`, or a list of all keys.
 fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
     let keys: Vec<&Keys> = family.iter().flat_map(|command| command.keys).collect();
@@ -169,8 +167,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
     keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
 }
 
-/// The commands that have keys, and the gestures, by groups; commands that differ in direction alone
-/// are one entry.
+/// Returns the list of keys: commands with keys and gestures, by group, with commands that differ only in
+/// direction as one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
     let with_keys: Vec<&UiCommand> =
@@ -193,47 +191,47 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     groups
 }
 
-/// The time at which a key counts. Under a dialog none does.
+/// The condition under which a key works. No key works under a dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
-    /// Always, also while something is typed, which is taken over first.
+    /// Always, even during typing; the typed text is accepted first.
     Anywhere,
-    /// Unless a text is being typed.
+    /// Except during typing.
     Untyped,
-    /// While a lesson is open, also while something is typed.
+    /// While a lesson is open, even during typing.
     Lesson,
-    /// While a lesson is open and no text is typed.
+    /// While a lesson is open, except during typing.
     LessonUntyped,
     /// While a lesson is open and nothing has the focus.
     LessonUnfocused,
-    /// While presenting, unless a text is being typed.
+    /// While presenting, except during typing.
     Presenting,
-    /// While a view has the focus, or nothing has.
+    /// While a view or nothing has the focus.
     View,
-    /// While the camera view has the focus, or nothing has and it is the only view.
+    /// While the camera view has the focus, or is the only view and nothing has the focus.
     CameraView,
-    /// The same for the world view.
+    /// While the world view has the focus, or is the only view and nothing has the focus.
     WorldView,
 }
 
-/// A key with what is held besides.
+/// A key with its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
-    /// The modifiers that are held.
+    /// The modifiers that must be held.
     pub modifiers: Modifiers,
     /// The key that is pressed.
     pub key: Key,
-    /// The time at which it counts.
+    /// The condition under which it works.
     pub when: When,
 }
 
 impl Keys {
-    /// Returns the words on the keys, such as `Ctrl+Shift+S`.
+    /// Returns the names of the keys, such as `Ctrl+Shift+S`.
     pub fn text(&self) -> String {
         self.held() + name(self.key)
     }
 
-    /// Returns the words on the held keys, such as `Ctrl+Shift+`.
+    /// Returns the names of the modifiers, such as `Ctrl+Shift+`.
     fn held(&self) -> String {
         let held = [
             (self.modifiers.command, "Ctrl+"),
@@ -243,7 +241,7 @@ impl Keys {
         held.iter().filter(|held| held.0).map(|held| held.1).collect()
     }
 
-    /// Takes the presses of it, and returns their number.
+    /// Consumes the presses of the key and returns their number.
     fn take(self, ctx: &Context) -> usize {
         let mut count = 0;
         ctx.input_mut(|input| {
@@ -258,7 +256,7 @@ impl Keys {
     }
 
     fn is_held(self, now: Modifiers) -> bool {
-        // A sign's place on the keyboard differs: some need Shift or AltGr to be typed at all.
+        // Signs may need Shift or AltGr, depending on the keyboard.
         let mut letters = name(self.key).chars();
         let is_sign =
             letters.next().is_some_and(|c| !c.is_alphabetic()) && letters.next().is_none();
@@ -288,8 +286,8 @@ fn name(key: Key) -> &'static str {
     }
 }
 
-/// The actions of the keys that were pressed, as often as they were; `counts` says which keys count
-/// now. Of two that are the same key, the one that stands first in the table gets it.
+/// Returns the actions of the keys that were pressed, once per press; `counts` says which conditions hold now.
+/// If two commands share a key, the first one in the table gets it.
 pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Action)> {
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     if !ctx.input(|input| input.events.iter().any(is_key)) {

@@ -1,10 +1,10 @@
-//! Finding commands by what is typed. A few hundred short names need no index and no crate. Pure.
+//! Searches commands by typed words. A few hundred short names need no index.
 
 use std::cmp::Reverse;
 
 use super::{Group, UiCommand};
 
-/// Words that people type, and the word that commands have for it.
+/// Words that users may type, and the words that commands use for them.
 const SYNONYMS: [(&str, &str); 9] = [
     ("ball", "sphere"),
     ("color", "colour"),
@@ -17,12 +17,12 @@ const SYNONYMS: [(&str, &str); 9] = [
     ("wall", "plane"),
 ];
 
-/// The way in which a typed word stands in a command, from the worst to the best.
+/// How well a typed word matches a command, from worst to best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Fit {
-    /// Its letters stand in the title, in order.
+    /// The title contains its letters in order.
     Scattered,
-    /// A word of the title has it inside.
+    /// A word of the title contains it.
     Inside,
     /// A word of the description begins with it.
     Described,
@@ -32,8 +32,8 @@ enum Fit {
     Whole,
 }
 
-/// Returns the commands that fit what was typed, best first: the one whose worst word fits best. All
-/// of them, in their order, if nothing was typed.
+/// Returns the commands that match the typed words, best first, ranked by their worst-matching word. Returns
+/// all commands in order if nothing was typed.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
     let typed = typed.to_lowercase();
     let words: Vec<&str> = typed.split_whitespace().collect();
@@ -50,12 +50,12 @@ pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> 
         Some(((Reverse(fits), is_step, title.chars().count()), command))
     });
     let mut ranked: Vec<_> = ranked.collect();
-    // Stable: equally good ones stay in the table's order.
+    // The sort is stable: equal matches keep the table's order.
     ranked.sort_by(|(a, _), (b, _)| a.cmp(b));
     ranked.into_iter().map(|(_, command)| command).collect()
 }
 
-/// Returns how a word stands in a command, in lower case; `None` if it does not.
+/// Returns how well a word matches a command, all in lower case; `None` if it does not.
 fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     let other = SYNONYMS.iter().find(|(typed, _)| *typed == word).map(|(_, word)| *word);
     let in_words = |word: &str| {
@@ -69,7 +69,7 @@ fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     })
 }
 
-/// Returns how a word stands in a text, at its best place.
+/// Returns how well a word matches a text at its best place.
 fn stands_in(word: &str, text: &str) -> Option<Fit> {
     let matches = text.match_indices(word).map(|(at, _)| {
         let begins = !text[..at].ends_with(char::is_alphanumeric);

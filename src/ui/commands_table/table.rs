@@ -25,7 +25,7 @@ use crate::ui::action::{
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
 
-/// Commands, written as the table that they are.
+/// Builds commands from the rows of a table.
 macro_rules! commands {
     ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
         vec![$(UiCommand {
@@ -38,14 +38,14 @@ macro_rules! commands {
     };
 }
 
-/// An action of the mouse, or of keys that are held: listed, not looked up.
+/// A gesture of the mouse or of held keys, which is listed but not looked up.
 #[derive(Clone, Copy, Debug)]
 pub struct Gesture {
-    /// The heading that it stands under.
+    /// The group that it is listed in.
     pub group: Group,
-    /// The way it is done.
+    /// The gesture.
     pub how: &'static str,
-    /// The effect.
+    /// Its effect.
     pub does: &'static str,
 }
 
@@ -337,7 +337,7 @@ fn destinations() -> Vec<UiCommand> {
     commands
 }
 
-/// A command for each step of a lesson.
+/// Returns a command for each step of a lesson.
 pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let title = title_of(which, lesson);
     let steps = lesson.steps.iter().enumerate().map(|(step, shown)| {
@@ -435,7 +435,7 @@ fn objects_and_drags() -> Vec<UiCommand> {
     ]
 }
 
-/// The strip of the animation that is open.
+/// Commands of the open animation's strip.
 #[rustfmt::skip]
 fn strip() -> Vec<UiCommand> {
     use When::Untyped;

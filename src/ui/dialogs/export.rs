@@ -34,7 +34,7 @@ impl OnScreen {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
 
-    /// Returns a figure of this size: with as many dots per point as leave room for all points.
+    /// Returns the order for a figure of this size, at the largest scale at which all points fit.
     pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
         let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
         let scale = if self.subject == Subject::Derivation { across } else { across.min(down) };
@@ -147,7 +147,7 @@ impl ExportForm {
         ui.horizontal(|ui| {
             for (k, shown) in self.subjects.iter().enumerate() {
                 if ui.radio(self.chosen == k, shown.subject.title()).clicked() && self.chosen != k {
-                    // A name that was not edited follows the subject.
+                    // A file name that was not edited follows the subject.
                     let before = self.subjects[self.chosen].subject.name();
                     let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
                     if let Some(folder) = renamed {
@@ -175,7 +175,7 @@ impl ExportForm {
             }
             subject => {
                 let is_higher = number(ui, "height", "figure height", dots(height));
-                // The pixels of the camera's picture keep their shape.
+                // The camera's figure keeps its aspect, so that its pixels keep their shape.
                 if subject == Subject::Camera && is_wider {
                     *height = follow(*width, down / across);
                 } else if subject == Subject::Camera && is_higher {
@@ -198,7 +198,7 @@ impl ExportForm {
             }
         });
         ui.end_row();
-        // GIF has no half-transparent dots.
+        // GIF has no partial transparency.
         if self.animation.is_none() {
             ui.label("background");
             ui.add(Checkbox::new(&mut self.transparent, "transparent"));

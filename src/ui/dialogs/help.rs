@@ -6,18 +6,18 @@ use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 use crate::ui::dialogs::Dialog;
 
-/// Minimum and maximum size of the text, in points; it is as large as the window has room for.
+/// Minimum and maximum size of the text, in points; the largest that fits is used.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
-/// Width of a column and height of a row, in sizes of the text.
+/// Width of a column and height of a row, relative to the text's size.
 const COLUMN: f32 = 21.0;
 const ROW: f32 = 1.64;
-/// Share of a column's width that the keys get beside their names.
+/// Fraction of a column's width for the keys.
 const KEYS: f32 = 0.44;
-/// Margin between the list and the window, and height of the part above the columns.
+/// Margin between the list and the window's edge, and height of the heading.
 const EDGE: f32 = 16.0;
 const HEAD: f32 = 46.0;
 
-/// A group's heading with its keys and names.
+/// A group with the keys and names of its entries.
 type Entries = (Group, Vec<(String, String)>);
 
 /// Shows the list. Returns true if it stays open.
@@ -68,12 +68,12 @@ fn scroll(ui: &mut Ui, page: f32) {
     }
 }
 
-/// Returns the height in rows; a heading takes about two.
+/// Returns the height in rows; a heading counts as two.
 fn height(groups: &[Entries]) -> usize {
     groups.iter().map(|(_, rows)| rows.len() + 2).sum()
 }
 
-/// Returns the column of a group: the one that its middle would be in if all columns were one.
+/// Returns a group's column: the one that holds the group's middle if one long column is cut into equal parts.
 fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
     let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
     (columns * middle / height(groups).max(1)).min(columns - 1)
@@ -117,7 +117,7 @@ fn group(ui: &mut Ui, (group, entries): &Entries, text: f32) {
     }
 }
 
-/// The conventions of the lecture as the program keeps them.
+/// The lecture's conventions, which the program follows.
 const CONVENTIONS: &str = "\
 The camera's basis is right-handed. 𝐮 points right in the image, 𝐯 up in the image, 𝐰 backwards, away \
 from the viewport: 𝐰 = −view/|view|, 𝐮 = normalize(up × 𝐰), 𝐯 = 𝐰 × 𝐮.

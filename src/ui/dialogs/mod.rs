@@ -24,18 +24,18 @@ pub(crate) enum Dialog {
     Answers(PathField),
     /// Asks for a file to save to.
     SaveAs { field: PathField, then: Option<Leave> },
-    /// Asks for a file or a folder to write the camera to, in another program's format.
+    /// Asks for a file to write the camera to, in another program's format.
     Translate(PathField),
     /// Asks for a figure and a file to write it to.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
     Progress { done: u32, frames: u32 },
-    /// Asks for a decision about unsaved changes before they are left.
+    /// Asks whether to save unsaved changes before leaving them.
     Unsaved { title: String, then: Leave },
-    /// Offers the unsaved changes of a window that ended without being asked.
+    /// Offers the unsaved changes of a window that ended without asking.
     Found { title: String, file: Option<PathBuf>, age: String },
-    /// Asks whose version stays: another program has changed the scene's file. `saves` if it was about to be
-    /// saved.
+    /// Asks which version to keep after another program has changed the scene's file. `saves` is true if the
+    /// file was about to be saved.
     Theirs { title: String, saves: bool, then: Option<Leave> },
     /// A message to read and close.
     Message(Message),
@@ -44,9 +44,9 @@ pub(crate) enum Dialog {
 /// A message to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Message {
-    /// One line.
+    /// The heading.
     title: String,
-    /// The whole story.
+    /// The explanation.
     text: String,
 }
 
@@ -62,7 +62,8 @@ impl Dialog {
         Dialog::Message(Message::new(title, text))
     }
 
-    /// Leaves the question for a file, if it is one, to the desktop's dialog. A figure is described first.
+    /// Lets the desktop's dialog ask for the file, if the dialog asks for one; for a figure, only once its
+    /// button is clicked.
     pub(crate) fn leave_to_desktop(&mut self) {
         let at_once = !matches!(self, Dialog::Export(_));
         if let Some(field) = self.field() {
@@ -83,7 +84,7 @@ impl Dialog {
     }
 }
 
-/// Gives an open question for a file the answer of the desktop's dialog, and closes what it ends.
+/// Passes the desktop dialog's answer to the open dialog, and closes it if it was cancelled.
 pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
     let is_figure = matches!(dialog, Some(Dialog::Export(_)));
     let Some(field) = dialog.as_mut().and_then(Dialog::field) else { return };
@@ -150,8 +151,8 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         close |= answer.is_some();
         actions.extend(answer);
     });
-    // It was put in the middle by the size it had, which may be that of another dialog. Shown there, it
-    // would jump away from under the mouse.
+    // The dialog was centred by its last size, which may be another dialog's, and would move under the pointer
+    // in the next frame.
     if size() != size_before {
         ctx.request_discard("a dialog has another size");
     }

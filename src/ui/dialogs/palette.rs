@@ -93,10 +93,10 @@ fn list(
     let row = row + 2.0 * ui.spacing().button_padding.y;
     let most = ROWS * (row + ui.spacing().item_spacing.y);
     let room = ui.ctx().content_rect().height() - 140.0;
-    // As high with few commands as with many: nothing jumps while somebody types.
+    // The list's height does not depend on the number of commands, so that nothing moves during typing.
     ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink(false).show(ui, |ui| {
         for (k, command) in fitting.iter().enumerate() {
-            // As wide as the palette, with the keys at the right edge.
+            // Each entry is as wide as the palette, with its keys at the right edge.
             let layout = Layout::top_down_justified(Align::Min);
             let entry = entry(command, k == chosen, session, row);
             let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;

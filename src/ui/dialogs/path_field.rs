@@ -1,4 +1,4 @@
-//! The choice of a file: in the window's own list, or in the desktop's dialog where there is one.
+//! The choice of a file, in the window's own list or in the desktop's dialog.
 
 use std::path::{Path, PathBuf};
 
@@ -36,9 +36,9 @@ pub struct FileRequest {
 /// The answer of the desktop's dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileAnswer {
-    /// This file was chosen. About writing over it, the desktop has asked.
+    /// This file was chosen; the desktop has asked about overwriting it.
     Chosen(PathBuf),
-    /// A place was chosen that is in no folder of this computer, by its URI.
+    /// The URI of a place that is not on this computer was chosen.
     Elsewhere(String),
     /// The dialog was closed without a choice.
     Cancelled,
@@ -46,16 +46,16 @@ pub enum FileAnswer {
     Unavailable,
 }
 
-/// The list or dialog by which the file is chosen.
+/// The way in which the file is chosen.
 #[derive(Clone, Debug, PartialEq)]
 enum Chooser {
-    /// The field, with its list.
+    /// The window's field and list.
     Field,
     /// The desktop's dialog, once the button is clicked.
     Desktop,
-    /// The desktop's dialog, which is open.
+    /// The desktop's dialog, while it is open.
     OpenDesktop(FileRequest),
-    /// The desktop's dialog, which was answered.
+    /// The desktop's dialog, after it was answered.
     Answered(PathBuf),
 }
 
@@ -105,7 +105,7 @@ impl PathField {
         field
     }
 
-    /// Leaves the question to the desktop's dialog: at once, or once the button is clicked.
+    /// Lets the desktop's dialog ask, at once or when the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
         self.chooser = Chooser::Desktop;
         if at_once {
@@ -120,7 +120,7 @@ impl PathField {
         self.chooser = Chooser::OpenDesktop(FileRequest { question: self.question, folder, name });
     }
 
-    /// Returns the question, while the desktop's dialog asks it.
+    /// Returns the question while the desktop's dialog is open.
     pub(crate) fn request(&self) -> Option<&FileRequest> {
         match &self.chooser {
             Chooser::OpenDesktop(request) => Some(request),
@@ -133,12 +133,12 @@ impl PathField {
         self.chooser = Chooser::Answered(path);
     }
 
-    /// Takes note that the desktop's dialog was closed.
+    /// Marks the desktop's dialog as closed.
     pub(crate) fn close_desktop(&mut self) {
         self.chooser = Chooser::Desktop;
     }
 
-    /// Asks by the list from now on.
+    /// Uses the window's list from now on.
     pub(crate) fn ask_by_list(&mut self) {
         self.chooser = Chooser::Field;
     }
@@ -165,8 +165,8 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the choice. Returns a path once it is chosen that is no folder; the list has an existing
-    /// file chosen twice that is to be written.
+    /// Shows the field. Returns the path of a file once it is chosen; in the list, an existing file must be
+    /// confirmed before it is overwritten.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = match self.chooser {
             Chooser::Field => self.list_ui(ui, cancel),
@@ -246,7 +246,7 @@ impl PathField {
             self.close_desktop();
         }
         let is_open = self.request().is_some();
-        // A second click finds the same button at the same place.
+        // The button stays in place, so that a second click meets it again.
         let waits = "Choose the file in the dialog of your desktop.";
         ui.label(if is_open { waits } else { self.question.hint });
         ui.add_space(8.0);
@@ -254,7 +254,7 @@ impl PathField {
             let verb = Button::new(format!("{}…", self.question.verb));
             let clicked = ui.add_enabled(!is_open, verb).clicked();
             *cancel |= ui.button("Cancel").clicked();
-            // The desktop's dialog may be on another screen, or never come.
+            // The desktop's dialog may open on another screen, or never.
             (clicked, ui.button("List files here").clicked())
         });
         let (opens, lists) = buttons.inner;
@@ -265,13 +265,13 @@ impl PathField {
             self.ask_by_list();
         }
         if opens || lists || chosen.is_some() {
-            // What was drawn is over.
+            // The buttons drawn in this pass are out of date.
             ui.ctx().request_repaint();
         }
         chosen
     }
 
-    /// Returns the path with its ending, once it is clear that it may be written.
+    /// Returns the path with its extension once it may be written.
     fn check_overwriting(
         &mut self,
         ui: &mut Ui,
@@ -300,8 +300,8 @@ impl PathField {
     }
 }
 
-/// Height of the list of files: as high as it needs to be, less where the window is low. Never what an
-/// area has left over, which is known only after some frames.
+/// Returns the height of the list of files, which depends on the window alone: an area's remaining height is
+/// known only after several frames.
 fn list_height(ctx: &Context) -> f32 {
     (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
 }

@@ -17,7 +17,7 @@ struct TextRun {
     is_vector: bool,
 }
 
-/// Shows the text, wrapped. Screen readers and tests get it without its marks.
+/// Shows the text, wrapped. Screen readers and tests receive it without marks.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
     ui.add(Label::new(job).wrap()).spoken(plain(text));
@@ -40,7 +40,7 @@ fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
         let format = TextFormat {
             font_id: FontId::new(size, family),
             color: own.unwrap_or(color),
-            // The fonts of the letters have different line heights.
+            // The two fonts have different line heights.
             line_height: Some(row_height(ui, size)),
             ..TextFormat::default()
         };

@@ -22,11 +22,11 @@ pub(crate) trait Spoken: Sized {
     /// Sets the name.
     fn named(self, name: impl Into<String>) -> Self;
 
-    /// Sets the value: of a text, what is read in its place.
+    /// Sets the value, which is read instead of a text.
     fn spoken(self, value: impl Into<String>) -> Self;
 
-    /// Sets the description: what a picture shows, or where a handle is. Of those, screen readers get no
-    /// value but a number (AT-SPI).
+    /// Sets the description, such as what a picture shows or where a handle is: for such widgets AT-SPI passes
+    /// on numeric values only.
     fn described(self, text: impl Into<String>) -> Self;
 
     /// Sets the kind of widget.
@@ -82,7 +82,7 @@ pub(crate) fn fault_text(ui: &Ui, message: impl Display) -> RichText {
     RichText::new(typeset_message(message)).color(error_color(ui))
 }
 
-/// Shows, in place of a picture, the reason why there is none.
+/// Shows the reason why there is no picture in the picture's place.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let inside = rect.shrink(16.0);
@@ -94,7 +94,7 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
     });
 }
 
-/// Shows a tick or a cross, as high as the text beside it.
+/// Shows a tick or a cross as high as the text next to it.
 pub(crate) fn sign(ui: &mut Ui, is_right: bool) -> Response {
     let side = 14.0;
     let line = ui.text_style_height(&egui::TextStyle::Body).max(20.0);
@@ -135,7 +135,7 @@ pub(crate) struct ViewTexture {
 impl ViewTexture {
     /// Returns the texture that holds `image`.
     pub(crate) fn upload(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
-        // Nearest: one texel is one physical pixel, and a picture's pixels keep sharp edges.
+        // One texel is one physical pixel, so nearest-neighbour filtering keeps pixel edges sharp.
         let options = TextureOptions::NEAREST;
         if self.uploaded.as_ref().is_none_or(|uploaded| !Arc::ptr_eq(uploaded, image)) {
             self.uploaded = Some(Arc::clone(image));

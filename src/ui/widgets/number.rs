@@ -22,7 +22,7 @@ const LEAST_DIGITS: usize = 2;
 /// A field that edits one number.
 pub(crate) struct NumberField<'a> {
     name: &'a str,
-    /// The name before the number that is shown while the mouse rests on it.
+    /// The name before the number in the tooltip.
     hint: &'a str,
     value: &'a mut f64,
     suffix: &'a str,
@@ -55,20 +55,19 @@ impl<'a> NumberField<'a> {
         self
     }
 
-    /// Sets the name that is shown before the number while the mouse rests on it.
+    /// Sets the name before the number in the tooltip.
     pub(crate) fn hint(mut self, hint: &'a str) -> Self {
         self.hint = hint;
         self
     }
 
-    /// Limits the number to a range: a drag stops at its ends, and typed numbers beyond them are
-    /// refused.
+    /// Limits the number to a range: a drag stops at its ends, and typed numbers outside it are rejected.
     pub(crate) fn within(mut self, range: RangeInclusive<f64>) -> Self {
         self.range = range;
         self
     }
 
-    /// Takes whole numbers alone.
+    /// Accepts whole numbers only.
     pub(crate) fn whole(mut self) -> Self {
         self.is_whole = true;
         self
@@ -80,8 +79,8 @@ impl<'a> NumberField<'a> {
         self
     }
 
-    /// Shows the field over a number that is painted elsewhere, in `rect`: nothing is to be seen of it
-    /// but a tint under the mouse, until something is typed into it. `id` is its own in every pass.
+    /// Shows the field in `rect`, over a number that is painted elsewhere. The field is invisible but for a
+    /// tint under the pointer until it is typed into. `id` must be unique and the same in every pass.
     pub(crate) fn show_over(self, ui: &mut Ui, id: Id, rect: Rect, size: f32) -> Response {
         let known = ui.data(|data| data.get_temp::<Id>(id));
         let is_typed = known.is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
@@ -116,7 +115,7 @@ impl<'a> NumberField<'a> {
         response
     }
 
-    /// Shows the field; the response tells whether the number changed.
+    /// Shows the field. The response says whether the number changed.
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
@@ -137,7 +136,7 @@ impl<'a> NumberField<'a> {
             .suffix(if typing { "" } else { self.suffix })
             .clip_text(true)
             .max_decimals_opt(self.is_whole.then_some(0))
-            // While `0.5` is typed, the value does not become `0`.
+            // Typing `0.5` must not set the value to `0` on the way.
             .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
             .custom_formatter(|value, _| match typing {
@@ -183,12 +182,12 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// Formats the number with as many digits as the settings say and fit into `room`, in points: a field
-/// that grew with its number would push the views aside during a drag in them.
+/// Formats the number with the settings' digits, or as many as fit into `room`, in points. A field that grew
+/// with its number would move the views during a drag in them.
 fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
     let fits = |text: &String| {
         let whole = format!("{text}{suffix}");
-        // Most texts are short: no letter is wider than the font's height.
+        // Short texts need no layout: no letter is wider than the font's height.
         let is_short = whole.chars().count() as f32 * font.size <= room;
         let laid_out = |fonts: &mut egui::epaint::FontsView<'_>| {
             fonts.layout_no_wrap(whole.clone(), font.clone(), Color32::WHITE).size().x
@@ -200,7 +199,7 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
-/// The typing into a field, from one pass to the next.
+/// The state of typing into a field, kept from one pass to the next.
 #[derive(Clone, Copy, Default, PartialEq)]
 enum Typing {
     #[default]
@@ -208,8 +207,8 @@ enum Typing {
     GivenUp,
 }
 
-/// Returns true if Escape ended the typing into a field: what was typed is not taken over. egui would
-/// do so in the pass after that, in which Escape is no longer pressed.
+/// Returns true if Escape ended the typing into a field, so that the typed text must be discarded. egui would
+/// accept it in the next pass, in which Escape is no longer pressed.
 fn is_given_up(ui: &Ui, id: Id) -> bool {
     let key = id.with("typing");
     let before = ui.data_mut(|data| data.remove_temp::<Typing>(key));
@@ -238,8 +237,8 @@ fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f
     }
 }
 
-/// Starts typing with the whole exact number selected; egui would select only as many characters as
-/// the rounded form has.
+/// Selects the whole exact number when typing starts; egui would select only as many characters as the rounded
+/// number has.
 fn select_all(ui: &Ui, response: &Response, exact: &str) {
     let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
     let end = CCursor::new(exact.chars().count());
@@ -270,8 +269,8 @@ fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     }
 }
 
-/// Returns the speed of a drag, about a hundredth of the number's size per point. It is fixed when
-/// the drag begins, because a speed that grew with the value would run away.
+/// Returns the speed of a drag, about a hundredth of the number's magnitude per point. It is fixed when the
+/// drag begins; a speed that grew with the value would run away.
 fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     let key = id.with("speed");
     let held = ui.ctx().is_being_dragged(id);
