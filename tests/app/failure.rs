@@ -16,7 +16,7 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use super::harness::{assert_says, copied_text, says, texts_with, type_into, unfolded};
 use crate::support::{self, whole_window};
 
-const HEADING: &str = "Pinhole met a fault of its own";
+const HEADING: &str = "Pinhole ran into an internal error";
 
 /// A window in which the next frame that asks for another one panics, once it is told to.
 fn window(store: &Store, panics: &Arc<AtomicBool>) -> Harness<'static, App> {

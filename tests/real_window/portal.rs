@@ -335,7 +335,7 @@ pub(crate) fn is_open_once_and_may_be_closed() {
     assert!(!lists_files(&heard));
     portal.asked(Reply::ChooseUri("sftp://host/scene.toml"), || key("ctrl+o"));
     heard.wait_for_text(
-        "sftp://host/scene.toml is in no folder of this computer. Choose one that is.",
+        "sftp://host/scene.toml is not on this computer. Choose a file in a local folder.",
     );
     heard.click(BUTTON, "Close");
     heard.wait("the window alone", |nodes| {

@@ -190,7 +190,7 @@ impl App {
         }
         let dialog = self.take_theirs(ctx);
         if dialog.is_none() {
-            let title = format!("{file} was changed by another program, and read again");
+            let title = format!("{file} was changed by another program and has been read again");
             self.say(title, Vec::new());
         }
         dialog
@@ -206,7 +206,7 @@ impl App {
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         if let Err(error) = self.scene.reload() {
-            return Some(Dialog::message("The scene was changed, and cannot be read", error));
+            return Some(Dialog::message("The changed scene cannot be read", error));
         }
         self.history.settle_as(ctx, &self.scene.open.document, Some(RELOAD));
         None

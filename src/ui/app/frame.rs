@@ -415,8 +415,8 @@ impl App {
         self.history.settle(&ctx, &self.scene.open.document);
         let mut stays = true;
         CentralPanel::default().show(ui, |ui| {
-            ui.heading("Pinhole met a fault of its own");
-            ui.label("The scene is kept, and unsaved changes are written aside.");
+            ui.heading("Pinhole ran into an internal error");
+            ui.label("Your scene is kept, and unsaved changes are in a recovery file.");
             ui.add_space(8.0);
             ui.label(RichText::new(&failure).monospace());
             ui.add_space(8.0);

@@ -107,7 +107,7 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) ->
     commands.extend(recent.iter().map(|path| {
         let name = format!("open {}", path.display());
         let open = Leave::Open(SceneSource::File(path.to_owned()));
-        commands_table::command(Group::File, name, "Opens it again.", open)
+        commands_table::command(Group::File, name, "Opens this recent file.", open)
     }));
     let document = &scene.open.document;
     let count = document.object_count().min(LISTED_OBJECTS);

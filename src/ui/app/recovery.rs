@@ -45,7 +45,7 @@ impl Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
         if let Some(fault) = fault {
-            complain(&format!("unsaved changes may not be written aside, or offered: {fault}"));
+            complain(&format!("unsaved changes may not be recoverable: {fault}"));
         }
         Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
@@ -121,7 +121,7 @@ impl Recovery {
         self.finish_writing();
         self.writing = Some(std::thread::spawn(move || {
             if let Err(reason) = unsaved.write(&slot) {
-                complain(&format!("the unsaved changes could not be written aside: {reason}"));
+                complain(&format!("the recovery file could not be written: {reason}"));
             }
         }));
     }

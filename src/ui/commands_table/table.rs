@@ -56,7 +56,7 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Views, how: "Wheel in the world view", does: "Zoom" },
     Gesture { group: Group::Views, how: "Click", does: "Select the pixel there" },
     Gesture { group: Group::Hand, how: "Drag a handle", does: "Move it parallel to the screen" },
-    Gesture { group: Group::Hand, how: "Click a handle", does: "Reach the next one there" },
+    Gesture { group: Group::Hand, how: "Click a handle", does: "Reach the next handle there" },
     Gesture { group: Group::Hand, how: "Ctrl", does: "In fixed steps" },
     Gesture { group: Group::Hand, how: "Alt", does: "Eye orbits at, or travels" },
     Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move it by one step" },
@@ -111,13 +111,13 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL, Key::S)], FileAction::Save;
         File, "Check answers…", "Asks which file of a student's answers to grade.",
             [], AnswersAction::Ask;
-        File, "Export a figure…", "Asks which figure to write to which file.",
+        File, "Export a figure…", "Asks which figure to export, and where.",
             [key(Anywhere, CTRL, Key::E)], FigureAction::Ask;
-        File, "Copy the figure", "Puts what is shown, as a picture, on the clipboard.",
+        File, "Copy the figure", "Copies a picture of what is shown to the clipboard.",
             [], FigureAction::Copy;
-        File, "Copy the derivation as LaTeX", "Puts the derivation on the clipboard as LaTeX.",
+        File, "Copy the derivation as LaTeX", "Copies the derivation to the clipboard as LaTeX.",
             [], FigureAction::CopyDerivation(Markup::Latex);
-        File, "Copy the derivation as Markdown", "Puts the derivation on the clipboard as Markdown.",
+        File, "Copy the derivation as Markdown", "Copies the derivation to the clipboard as Markdown.",
             [], FigureAction::CopyDerivation(Markup::Markdown);
         File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
             [], ExchangeAction::AskSave;
@@ -125,22 +125,22 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL, Key::Q)], Leave::Quit;
         Edit, "Undo", "Undoes the last change to the scene.",
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
-        Edit, "Redo", "Makes the change again that was undone last.",
+        Edit, "Redo", "Redoes the change that was undone last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard.",
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
-        Lesson, "Show all of the step", "Shows the answer, and the derivation's lines that are still to come.",
+        Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
             [plain(LessonUntyped, Key::End)], LessonAction::ShowAll;
         Lesson, "Previous step", "Goes to the lesson's previous step.",
             [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], LessonAction::Previous;
-        Lesson, "Back to the step", "Sets everything as the lesson's step says.",
+        Lesson, "Back to the step", "Resets everything to the lesson's step.",
             [plain(LessonUntyped, Key::R)], Leave::BackToStep;
         Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], LessonAction::Close;
-        Views, "Frame all", "Puts the observer where everything can be seen.",
+        Views, "Frame all", "Moves the observer until everything is in view.",
             [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
-        Program, "Side panel", "Shows or hides the panel beside the views.",
+        Program, "Side panel", "Shows or hides the panel with camera and objects.",
             [key(Anywhere, CTRL, Key::B)], LookAction::Toggle(Switch::Panel);
         Program, "Command palette", "Finds a command by a few of its letters.",
             [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
@@ -164,7 +164,7 @@ fn presenting() -> Vec<UiCommand> {
     use When::*;
     commands![
         Presenting, "Present",
-            "Fills the screen, without panels and with large text and lines; again: the window as it was.",
+            "Fills the screen with the views, in large text and thick lines; again to end.",
             [plain(Anywhere, Key::F5)], LookAction::Present;
         Presenting, "Maximise the derivation", "Fills the window with the derivation.",
             [plain(Presenting, Key::Num1)], LookAction::Fill(ViewLayout::DerivationAlone);
@@ -176,7 +176,7 @@ fn presenting() -> Vec<UiCommand> {
             [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
         Presenting, "Numbers", "Shows or hides the numbers below the views.",
             [plain(Presenting, Key::N)], LookAction::Toggle(Switch::PresentedNumbers);
-        Presenting, "Pen", "Draws over the views; Escape wipes it off.",
+        Presenting, "Pen", "Draws over the views; Escape erases the strokes.",
             [plain(Presenting, Key::P)], LookAction::Toggle(Switch::Pen);
         Presenting, "Spotlight", "Dims everything but what is around the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
@@ -187,13 +187,13 @@ fn presenting() -> Vec<UiCommand> {
 fn playing() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Play, "Roll", "Turns up around view: the camera rolls, and looks along the same line.",
+        Play, "Roll", "Turns up around view: the camera rolls and keeps its view direction.",
             [], PlayAction::Open(Kind::SwingUp);
-        Play, "Orbit", "Takes the camera once around what it looks at.", [], PlayAction::Open(Kind::Orbit);
+        Play, "Orbit", "Moves the camera once around what it looks at.", [], PlayAction::Open(Kind::Orbit);
         Play, "Tilt past up", "Tilts the camera until view meets up, and past it: the picture flips.",
             [], PlayAction::Open(Kind::OverTheTop);
-        Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], PlayAction::Open(Kind::Walk);
-        Play, "Scan the pixels", "Sends out the rays row by row, as a renderer does.",
+        Play, "Walk along the ray", "Moves t from the eye to the ray's hit.", [], PlayAction::Open(Kind::Walk);
+        Play, "Scan the pixels", "Traces the rays row by row, as a renderer does.",
             [], PlayAction::Open(Kind::Scan);
         Play, "Play or pause", "Runs or pauses the open animation.",
             [plain(View, Key::Space)], PlayAction::Toggle;
@@ -201,11 +201,11 @@ fn playing() -> Vec<UiCommand> {
             [plain(Untyped, Key::Period)], PlayAction::Step(1);
         Play, "Step back", "Moves the open animation one step back.",
             [plain(Untyped, Key::Comma)], PlayAction::Step(-1);
-        Play, "Freeze the camera as a ghost", "Keeps the camera as it is now as a ghost, to compare with.",
+        Play, "Freeze the camera as a ghost", "Keeps a copy of the camera, the ghost, to compare with.",
             [plain(Untyped, Key::G)], GhostAction::Freeze;
-        Play, "Remove the ghost", "Takes the ghost away.",
+        Play, "Remove the ghost", "Removes the ghost.",
             [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
-        Play, "Swap camera and ghost", "Lets camera and ghost change places.",
+        Play, "Swap camera and ghost", "Exchanges the camera and the ghost.",
             [], GhostAction::Swap;
     ]
 }
@@ -277,10 +277,10 @@ fn switches() -> Vec<UiCommand> {
             [], LookAction::Toggle(Switch::ExactForms);
         Numbers, "Count from 1", "Counts rows and columns from 1, or from 0.",
             [], LookAction::Toggle(Switch::CountFromOne);
-        Colours, "Reduced motion", "Lets nothing move by itself: no transitions.",
+        Colours, "Reduced motion", "Turns off transitions.",
             [], LookAction::Toggle(Switch::ReducedMotion);
         Numbers, "More digits", "Shows one digit more.", [], LookAction::DigitsBy(1);
-        Numbers, "Fewer digits", "Shows one digit less.", [], LookAction::DigitsBy(-1);
+        Numbers, "Fewer digits", "Shows one digit fewer.", [], LookAction::DigitsBy(-1);
     ]);
     commands
 }
@@ -328,7 +328,7 @@ fn destinations() -> Vec<UiCommand> {
             LookAction::Exercise(exercise),
         ));
     }
-    let about = "Vote: a wrong picture, and four mistakes, one of which made it.";
+    let about = "Vote: a wrong picture, and four mistakes, one of which caused it.";
     commands.push(command(Group::Mistake, "Guess which", about, LookAction::Vote));
     for &mistake in Mistake::GALLERY {
         let action = LookAction::Mistake(mistake);
@@ -368,9 +368,9 @@ fn steering() -> Vec<UiCommand> {
             [key(CameraView, CTRL, Key::ArrowLeft)], Steer::Orbit(-1, 0);
         Hand, "Orbit to the right", "Takes the eye to its right around what it looks at.",
             [key(CameraView, CTRL, Key::ArrowRight)], Steer::Orbit(1, 0);
-        Hand, "Narrow the field of view", "Makes the viewport smaller, and what is seen larger.",
+        Hand, "Narrow the field of view", "Makes the viewport smaller and the picture's contents larger.",
             [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
-        Hand, "Widen the field of view", "Makes the viewport larger, and what is seen smaller.",
+        Hand, "Widen the field of view", "Makes the viewport larger and the picture's contents smaller.",
             [plain(CameraView, Key::Minus)], Steer::Zoom(-1);
         Hand, "Dolly forwards", "Takes the eye along w, towards what it looks at.",
             [key(CameraView, CTRL_SHIFT, Key::ArrowUp)], Steer::Dolly(1);
@@ -383,7 +383,7 @@ fn steering() -> Vec<UiCommand> {
 fn observing() -> Vec<UiCommand> {
     use When::{View, WorldView};
     commands![
-        Views, "Frame the camera", "Puts the observer where eye and viewport fill the world view.",
+        Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Observer upwards", "Takes the observer up around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowUp)], Observe::Orbit(0, 1);
@@ -393,13 +393,13 @@ fn observing() -> Vec<UiCommand> {
             [key(WorldView, CTRL, Key::ArrowLeft)], Observe::Orbit(-1, 0);
         Views, "Observer to the right", "Takes the observer to the right around what it looks at.",
             [key(WorldView, CTRL, Key::ArrowRight)], Observe::Orbit(1, 0);
-        Views, "Pan upwards", "Shows what is above the world view.",
+        Views, "Pan upwards", "Moves the world view upwards.",
             [key(WorldView, ALT, Key::ArrowUp)], Observe::Pan(0, 1);
-        Views, "Pan downwards", "Shows what is below the world view.",
+        Views, "Pan downwards", "Moves the world view downwards.",
             [key(WorldView, ALT, Key::ArrowDown)], Observe::Pan(0, -1);
-        Views, "Pan to the left", "Shows what is left of the world view.",
+        Views, "Pan to the left", "Moves the world view to the left.",
             [key(WorldView, ALT, Key::ArrowLeft)], Observe::Pan(-1, 0);
-        Views, "Pan to the right", "Shows what is right of the world view.",
+        Views, "Pan to the right", "Moves the world view to the right.",
             [key(WorldView, ALT, Key::ArrowRight)], Observe::Pan(1, 0);
         Views, "Observer nearer", "Takes the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
@@ -422,15 +422,15 @@ fn objects_and_drags() -> Vec<UiCommand> {
             [], ObjectAction::AddPlane;
         Objects, "Remove the chosen object", "Removes it from the scene.",
             [], ObjectAction::Remove;
-        Hand, "Eye travels", "On: a moved eye keeps its view direction. Off: it orbits at.",
+        Hand, "Eye travels", "On: moving the eye keeps the view direction. Off: the eye orbits at.",
             [], LookAction::Toggle(Switch::EyeTravels);
-        Hand, "Keep the pixels' shape", "Lets width, height and image keep their proportions.",
+        Hand, "Keep the pixels' shape", "Keeps width and height in proportion to the image.",
             [], LookAction::Toggle(Switch::KeepPixelShape);
         Hand, "Keep the picture",
-            "Scales distance, width and height together, so that the picture stays.",
+            "Scales distance, width and height together, so that the picture stays the same.",
             [], LookAction::Toggle(Switch::KeepPicture);
         Hand, "Keep up",
-            "On: up stays as given while eye or at is dragged. Off: it turns with the camera where view comes close.",
+            "On: up stays fixed while eye or at is dragged. Off: up turns with the camera where view comes close to it.",
             [], LookAction::Toggle(Switch::KeepUp);
     ]
 }
@@ -444,13 +444,13 @@ fn strip() -> Vec<UiCommand> {
             [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
         Play, "Slower", "Runs the open animation more slowly.",
             [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
-        Play, "Loop", "Repeats the open animation, or not.",
+        Play, "Loop", "Turns repetition of the open animation on or off.",
             [plain(Untyped, Key::L)], PlayAction::Loop;
-        Play, "Keep", "Closes the animation with everything as it is now.",
+        Play, "Keep", "Closes the animation and keeps the current state.",
             [], PlayAction::Keep;
-        Play, "Stop", "Closes the animation with everything as it was at the start.",
+        Play, "Stop", "Closes the animation and restores the state from before it.",
             [], PlayAction::Close;
-        Play, "Export the animation…", "Asks how to write the open animation to a file.",
+        Play, "Export the animation…", "Asks how to export the open animation.",
             [], FigureAction::AskAnimation;
     ]
 }

@@ -94,7 +94,8 @@ pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
         FileAnswer::Cancelled => *dialog = None,
         FileAnswer::Unavailable => field.ask_by_list(),
         FileAnswer::Elsewhere(uri) => {
-            let problem = format!("{uri} is in no folder of this computer. Choose one that is.");
+            let problem =
+                format!("{uri} is not on this computer. Choose a file in a local folder.");
             *dialog = Some(Dialog::message("This place cannot be reached", problem));
         }
     }
@@ -180,10 +181,10 @@ fn found_ui(
     }
     ui.add_space(8.0);
     let buttons = ui.horizontal(|ui| {
-        let restore = ui.button("Restore").on_hover_text("Opens the scene with them");
+        let restore = ui.button("Restore").on_hover_text("Opens the scene with these changes");
         let beside = ui.button("Open beside");
-        let beside = beside.on_hover_text("Opens them as a scene of their own, in no file");
-        let discard = ui.button("Discard").on_hover_text("Removes them");
+        let beside = beside.on_hover_text("Opens them as a new scene without a file");
+        let discard = ui.button("Discard").on_hover_text("Deletes these changes");
         let later = ui.button("Not now").on_hover_text("Asks again at the next start");
         *close |= later.clicked();
         match (restore.clicked(), beside.clicked(), discard.clicked()) {
@@ -205,16 +206,16 @@ fn theirs_ui(
 ) -> Option<Action> {
     ui.heading(format!("Another program has changed {title}"));
     ui.label(
-        "Your changes are not in the file, and those of the other program are not on the screen.",
+        "Your changes are not in the file, and the other program's changes are not on the screen.",
     );
     ui.add_space(8.0);
     let buttons = ui.horizontal(|ui| {
         let what =
-            if saves { "Saves yours over theirs" } else { "Goes on with what is on the screen" };
+            if saves { "Saves your version over theirs" } else { "Continues with your version" };
         let mine = ui.button("Keep mine").on_hover_text(what);
         let theirs = ui.button("Take theirs");
-        let theirs = theirs.on_hover_text("Reads the file again. Undo brings yours back");
-        let other = ui.button("Save as…").on_hover_text("Saves yours to another file");
+        let theirs = theirs.on_hover_text("Reads the file again. Undo restores your version");
+        let other = ui.button("Save as…").on_hover_text("Saves your version to another file");
         *close |= ui.button("Cancel").clicked();
         let then = || then.clone();
         match (mine.clicked(), theirs.clicked(), other.clicked()) {

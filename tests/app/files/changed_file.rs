@@ -119,7 +119,7 @@ fn a_file_that_cannot_be_read_any_more_leaves_what_is_open() {
     fs::write(&path, "pinhole = ").unwrap();
     look(&mut window);
     assert_eq!(eye_x(&window), 0.0);
-    assert_says(&window, "The scene was changed, and cannot be read");
+    assert_says(&window, "The changed scene cannot be read");
     press(&mut window, "Close");
     assert!(!look(&mut window), "told once");
     fs::write(&path, MINE.replace("eye = [0.0", "eye = [2.5")).unwrap();
