@@ -1,5 +1,5 @@
 //! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures,
-//! every decision exact. It knows no window, no file, no command line and no teaching.
+//! every decision exact. It depends on no window, file, command line or teaching.
 //!
 //! # A picture in ten lines
 //!
@@ -29,7 +29,7 @@
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step of each pixel, and its margin; [`Counts`]: what a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
-//! | other methods | [`methods`]: the known formulas beside it, to compare |
+//! | other methods | [`methods`]: the known formulas, for comparison |
 //! | interaction | [`steering`]: a camera taken in the hand |
 //! | files | by the feature `serde`, off by default: cameras, scenes and what they are made of are written and read; what is read passes the checks that it passes in code |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
@@ -74,8 +74,8 @@
 //! ```
 //!
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
-//! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre.
-//!   It never shares a name with the vectors `u` and `v`.
+//! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre. It
+//!   never shares a name with the vectors `u` and `v`.
 //! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction
 //!   `u*U + v*V - distance*W`, *not* normalized: `t = 1` is the viewport itself. The distance along
 //!   the ray is `t * |direction|` and is always named apart.
@@ -102,9 +102,9 @@
 //!
 //! # By raw numbers
 //!
-//! Whoever has numbers and a question calls one function. Rays and objects are made of anything that
-//! makes a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself, which
-//! `.into()` makes of them. Of `f32`, `f64::from` of each number or glam's `as_dvec3` lose nothing.
+//! One function answers one question about raw numbers. Rays and objects are made of anything that makes a
+//! [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself, which `.into()` makes
+//! of them. Of `f32`, `f64::from` of each number or glam's `as_dvec3` lose nothing.
 //!
 //! ```
 //! use pinhole_core::*;
@@ -205,7 +205,7 @@ mod test_levels;
 #[path = "tests/common/seed.rs"]
 mod test_seed;
 
-/// Arithmetic that derivations in other crates write the parts of, and nobody else's to use.
+/// Arithmetic for the derivations that other crates show; not for general use.
 #[doc(hidden)]
 pub mod arithmetic {
     pub use crate::camera::basis::{is_orthogonal, is_unit};

@@ -1,8 +1,8 @@
 //! Serialization by [serde](https://serde.rs): the feature `serde`.
 //!
 //! Fields and variants have their names in code, variants in small letters; a vector is a list of its
-//! coordinates. What is read passes the check that it passes in code, and is refused with its error.
-//! This file holds what a derive on the type itself cannot do: the checks.
+//! coordinates. Values that are read pass the same checks as values made in code, and are refused with the
+//! same errors. This file holds what a derive on the type itself cannot do: the checks.
 
 use glam::DVec3;
 use serde::de::Error as _;
@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{ImageSize as Size, Orientation};
 
-/// Reads a type by its fields, and makes one of them by the expression, which may refuse them. The
+/// Deserializes a type's fields, and makes the type from them by the expression, which may refuse them. The
 /// struct has the name of the crate's own type, because messages contain it.
 macro_rules! checked {
     ($($name:ident { $($field:ident: $type:ty),* } => $made:expr;)*) => {$(

@@ -52,7 +52,7 @@ pub enum Orientation {
     },
 }
 
-/// Why there is no basis.
+/// Reason why there is no basis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// `at - eye` is 0.
@@ -84,7 +84,7 @@ pub struct Camera {
     pub rows: u32,
 }
 
-/// A camera's view of some objects, prepared for many rays. It can be shared between threads.
+/// A camera's view of some objects, prepared for many rays. Threads can share it.
 #[derive(Debug)]
 pub struct View {
     basis: ScaledBasis,
@@ -166,7 +166,7 @@ pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3],
 }
 
 impl Camera {
-    /// Prepares for many rays what they share.
+    /// Prepares the numbers that many rays share.
     ///
     /// # Errors
     /// Returns an error if there is no basis.
@@ -223,9 +223,9 @@ impl View {
         self.scene.roots(object, &self.of_pixel(row, column))
     }
 
-    /// How far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`, with q the
-    /// way from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`; negative where it
-    /// passes by. `None` of a plane, and of a sphere around the eye.
+    /// Returns how far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`, with q
+    /// the way from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`; negative where the line
+    /// misses the sphere. `None` for a plane, and for a sphere around the eye.
     pub fn grazing_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
         let Direction { field, multiple, .. } = self.of_pixel(row, column);
         self.scene.object(object).grazing(field, &multiple)

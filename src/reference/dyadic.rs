@@ -1,4 +1,4 @@
-//! Exact binary numbers `m * 2^e`, and what has to be rounded of them.
+//! Exact binary numbers `m * 2^e`, and their rounded quotients and roots.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};

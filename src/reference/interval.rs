@@ -77,8 +77,8 @@ impl Interval {
         width.zip(self.low.log2().min(self.high.log2())).is_some_and(|(w, x)| w < x - bits)
     }
 
-    /// The number in it with the fewest bits: where a short number is the true one, as 4 or 0.25 for
-    /// a `t`, it is found to the last bit, although roots were taken on the way.
+    /// Returns the number in the interval with the fewest bits. If the true number is short, such as 4 or
+    /// 0.25 for a `t`, it is found to the last bit even though roots were taken on the way.
     pub(crate) fn shortest(&self) -> Dyadic {
         if self.low == self.high {
             return self.low.clone();

@@ -1,9 +1,9 @@
-//! The true answers to a pinhole camera's questions, and the cases in which they are hard to find.
+//! The true results for a pinhole camera, and the cases in which they are hard to compute.
 //!
-//! The reference is arbitrary-precision arithmetic on the `f64` values as given, by the formulas of
-//! the textbook. It shares no code with what it judges. What it decides is proven: signs and orders
-//! are found by interval arithmetic at rising precision, and where that leaves a doubt, by exact
-//! algebra. What it measures is a [`Real`] of 440 bits.
+//! The reference is arbitrary-precision arithmetic on the `f64` values as given, by the formulas of the
+//! textbook. It shares no code with the program that it checks. Its decisions are proven: signs and orders
+//! are found by interval arithmetic at rising precision and, where that leaves a doubt, by exact algebra.
+//! Its measurements are [`Real`]s of 440 bits.
 //!
 //! ```
 //! use pinhole_reference::*;

@@ -1,4 +1,4 @@
-//! Spheres and planes, what a ray's origin has to do with them, and where a ray meets them.
+//! Spheres and planes, the quantities that a ray's origin shares with them, and where a ray meets them.
 
 use std::cmp::Ordering;
 
@@ -130,8 +130,8 @@ impl ObjectFromEye {
     }
 
     /// `D / (|d|^2 |q|^2)` with q the way from the origin to the centre: the square of the sine of a
-    /// sphere's angular radius, less that of the angle between the direction and its centre. `None`
-    /// of a plane, and where q or the direction is 0.
+    /// sphere's angular radius, less that of the angle between the direction and its centre. `None` for a
+    /// plane, and where q or the direction is 0.
     pub(crate) fn grazing(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
         let ObjectFromEye::Sphere { from_center, c, .. } = self else { return None };
         let (a, b) = (field.dot(direction, direction), Surd::dot(direction, from_center));

@@ -1,4 +1,4 @@
-//! A real number as the reference gives it out, and how far a float is from it.
+//! The real numbers that the reference returns, and the distance of a float from one.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -73,7 +73,7 @@ impl Real {
         Real(value)
     }
 
-    /// The number that an interval leaves no doubt about.
+    /// Returns the number that an interval determines beyond doubt.
     pub(crate) fn within(interval: &Interval) -> Option<Real> {
         interval.is_narrow(BITS).then(|| Real(interval.shortest()))
     }

@@ -161,8 +161,8 @@ impl Basis {
     /// [`ORTHONORMAL_TOLERANCE`], right-handed.
     ///
     /// # Errors
-    /// Which vector is not finite or not of length 1, which two are not orthogonal, or that the
-    /// three are left-handed.
+    /// Returns an error that names the vector that is not finite or not of length 1, or the two that are
+    /// not orthogonal, or that says that the three are left-handed.
     pub fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
         use BasisVector::{U, V, W};
         for (field, value) in [("basis.u", u), ("basis.v", v), ("basis.w", w)] {

@@ -1,5 +1,5 @@
-//! The difference of two cameras: how far its eye is from the other's, how it is turned and rolled
-//! against it, and how its viewport differs.
+//! The difference between two cameras: the distance of their eyes, the turn and roll from one to the other,
+//! and the differences of their viewports.
 
 use glam::DVec3;
 
@@ -11,9 +11,9 @@ use crate::exact::scale::{angle_between, unit};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CameraDifference {
-    /// The way from the other's eye to this one's.
+    /// Vector from the other camera's eye to this one's.
     pub eye: DVec3,
-    /// The way from the other's at to this one's, where both are given by one.
+    /// Vector from the other camera's at to this one's, if both have one.
     pub at: Option<DVec3>,
     /// Between the two ups.
     pub up: f64,
@@ -25,9 +25,9 @@ pub struct CameraDifference {
     /// and is held level by the other's up: as by [`Camera::swung`], in (-180, 180]. `None` where
     /// the other's up is parallel to this view.
     pub roll: Option<f64>,
-    /// This viewport's distance, less the other's.
+    /// This viewport's distance minus the other's.
     pub distance: f64,
-    /// Likewise its width and height.
+    /// Differences of width and height, likewise.
     pub extent: [f64; 2],
 }
 

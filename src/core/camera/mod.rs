@@ -21,7 +21,7 @@ use crate::camera::viewport::{Viewport, ViewportError};
 use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::unit;
 
-/// The way the camera looks and which way is up: one of the three ways to say so.
+/// The direction in which the camera looks and its up, given in one of three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -59,8 +59,7 @@ pub enum OrientationKind {
 
 /// A camera as given. The same type serves the edited camera and the observer of the world view.
 ///
-/// Any values may stand here while they are edited; [`Camera::resolve`] is the door at which they
-/// are checked.
+/// The fields may have any values while they are edited; [`Camera::resolve`] checks them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Camera {
@@ -185,7 +184,7 @@ impl Camera {
         }
     }
 
-    /// The camera with everything that its view rays need.
+    /// Checks the camera and returns it with everything that its view rays need.
     ///
     /// # Errors
     /// Returns an error if it has no basis or its viewport is not a rectangle in front of the eye.
@@ -195,18 +194,19 @@ impl Camera {
         Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
-    /// Returns the camera with its orientation given in another way.
+    /// Returns the same camera with its orientation given in another way.
     ///
     /// The eye does not move and up stays; from a basis, up is v. From `view` or a basis, `at` is
     /// `eye + view` or `eye - w`, and where that sum rounds the direction away (an eye at 1e12) the
     /// nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it: the direction turns by at most
     /// [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by that times the conditioning.
     ///
-    /// A camera without a basis is converted too, and has none afterwards.
+    /// A camera without a basis is converted too, and has no basis afterwards.
     ///
     /// # Errors
-    /// To a basis from a camera that has none. To `at` from an eye so far out that no `f64` beyond
-    /// it keeps the direction: there, eye and at are the same point.
+    /// Returns an error when converting a camera without a basis to a basis, and when converting to `at`
+    /// from an eye so far out that no `f64` beyond it keeps the direction: there, eye and at are the same
+    /// point.
     pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
         let orientation = match (kind, self.orientation) {
             (kind, orientation) if kind == orientation.kind() => orientation,

@@ -16,7 +16,7 @@ use crate::exact::scale::{ldexp, split};
 
 /// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
 ///
-/// Any values may stand here; a ray that does not pass [`Ray::check`] meets nothing.
+/// The fields may have any values; a ray that does not pass [`Ray::check`] meets nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ray {
@@ -114,8 +114,8 @@ impl Ray {
 ///   rounded, neither the basis nor (u, v) nor the direction
 ///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
-/// Both are the same to the intersection code: a direction in double-double with a bound of its
-/// error, and, where that does not suffice, the exact numbers.
+/// The intersection code treats both alike: as a direction in double-double with a bound of its error and,
+/// where that does not suffice, as exact numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRay<'a> {
     origin: DVec3,
@@ -198,7 +198,7 @@ impl<'a> ExactRay<'a> {
         self.origin
     }
 
-    /// The pixel whose view ray this is, if it is one's.
+    /// Returns the pixel whose view ray this is, if it is the ray of a pixel.
     pub fn pixel(&self) -> Option<Pixel> {
         match self.source {
             Source::View(_, ViewportPoint::Pixel(pixel)) => Some(pixel),
@@ -206,8 +206,8 @@ impl<'a> ExactRay<'a> {
         }
     }
 
-    /// The direction of a ray as given; `None` of a view ray.
-    pub(crate) fn given(&self) -> Option<DVec3> {
+    /// Returns the direction if the ray was given as such; `None` for a camera's view ray.
+    pub(crate) fn given_direction(&self) -> Option<DVec3> {
         match self.source {
             Source::Given(direction) => Some(direction),
             Source::View(..) => None,

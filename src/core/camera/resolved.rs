@@ -1,5 +1,4 @@
-//! A camera with its basis found: pixels, (u, v), view rays, and projection, each the inverse of
-//! another.
+//! A checked camera with its basis: pixels, (u, v), view rays and projection, with their inverses.
 
 use glam::{DVec2, DVec3};
 
@@ -176,8 +175,8 @@ impl ResolvedCamera {
     /// The pixel that (u, v) falls into, and whether it lies exactly on an edge between pixels;
     /// `None` outside the image.
     ///
-    /// "Exactly" is to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2
-    /// is no binary fraction, and the reader who typed it means the edge.
+    /// "Exactly" means to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2 is
+    /// not a binary fraction, but a user who types it means the edge.
     pub fn pixel_of_uv(&self, uv: DVec2) -> Option<PixelOfUv> {
         let Viewport { width, height, .. } = self.viewport;
         let (columns, rows) = (self.image.width(), self.image.height());

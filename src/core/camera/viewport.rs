@@ -1,6 +1,6 @@
-//! The image plane: the viewport, the rectangle in front of the eye through which the view rays pass;
-//! the image, the pixels it is divided into; and both together as computer vision writes them, K, the
-//! matrix of focal lengths and principal point.
+//! The image plane. The viewport is the rectangle in front of the eye through which the view rays pass; the
+//! image is the grid of pixels into which it is divided. Computer vision writes both as K, the matrix of
+//! focal lengths and principal point.
 
 use std::fmt;
 
@@ -44,7 +44,7 @@ impl Viewport {
     /// Checks that width, height and distance are positive and finite.
     ///
     /// # Errors
-    /// The first one that is not.
+    /// Returns an error for the first measure that is not.
     pub fn check(&self) -> Result<(), ViewportError> {
         for (field, value) in
             [("width", self.width), ("height", self.height), ("distance", self.distance)]
@@ -222,7 +222,7 @@ pub struct Intrinsics {
 }
 
 impl Intrinsics {
-    /// Computes those of a viewport that is cut into so many pixels.
+    /// Computes the intrinsics of a viewport that is divided into an image of this size.
     pub fn from_viewport(viewport: &Viewport, image: ImageSize) -> Intrinsics {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         Intrinsics {
@@ -233,13 +233,13 @@ impl Intrinsics {
         }
     }
 
-    /// The viewport at `distance` with these focal lengths; the principal point is not regarded.
+    /// The viewport at `distance` with these focal lengths; the principal point is ignored.
     pub fn viewport(&self, image: ImageSize, distance: f64) -> Viewport {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         Viewport { width: distance * w / self.fx, height: distance * h / self.fy, distance }
     }
 
-    /// Returns how far right and down of the image's middle the principal point is, in pixels.
+    /// Returns how far the principal point lies to the right of and below the image's middle, in pixels.
     pub fn off_centre(&self, image: ImageSize) -> [f64; 2] {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         [self.cx - 0.5 * w, self.cy - 0.5 * h]

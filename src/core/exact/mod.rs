@@ -1,5 +1,5 @@
-//! Numbers that decisions can rest on: rounding errors that are known, numbers with bounds of their
-//! error, and exact ones. No object and no camera; vectors and numbers alone.
+//! Numbers on which decisions can rest: known rounding errors, numbers with error bounds, and exact
+//! numbers. This folder has no objects and no cameras, only vectors and numbers.
 //!
 //! From the ground up: [`error_free`] sums and products, in one number or several side by side
 //! ([`lanes`]); [`double_double`]; [`quadratic`], a ray and a sphere with a bound of the error;

@@ -9,8 +9,8 @@ use crate::exact::scale::ldexp;
 /// The largest relative error of a [`Precise`]: just below 2^-93, which is 2^-40 of an ulp of `f64`.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
-/// Returns whether `t d + term` is so small against `term`, with which `t d` cancels, that every
-/// digit of it may come from the error of t: it is 0 as far as anyone knows.
+/// Returns whether `t d + term` is so small compared with `term`, with which `t d` cancels, that all of its
+/// digits may come from the error of t. It then counts as 0.
 pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
@@ -87,8 +87,8 @@ impl Precise {
         (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 
-    /// `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` where one
-    /// is so much the larger that the other is nothing beside it.
+    /// `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` if one is so
+    /// much larger that the other is negligible.
     pub(crate) fn difference(self, other: Precise) -> Option<(f64, f64, f64)> {
         let k = other.scale - self.scale;
         if k.abs() > 2000 {

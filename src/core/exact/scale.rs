@@ -84,10 +84,10 @@ pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// The shortest decimal that reads back to the same `f64`: `1`, `0.1`, `1e300`.
+/// Returns the shortest decimal that reads back to the same `f64`: `1`, `0.1`, `1e300`.
 ///
-/// Unlike `{}` it never prints hundreds of zeros, unlike `{:?}` it prints no trailing `.0`, and
-/// negative zero, which no reader needs to know of, is `0`.
+/// Unlike `{}` it never prints hundreds of zeros, unlike `{:?}` it prints no trailing `.0`, and it prints
+/// negative zero as `0`.
 pub fn shortest(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();

@@ -3,20 +3,20 @@
 use std::cmp::Ordering;
 use std::ops::Add;
 
-/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly. Of
-/// `t`, which is counted apart, how many each step found.
+/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly; or, counted
+/// separately, the number of `t` that each step found.
 ///
-/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
-/// knows a bound of its own error and hands over what lies within it to the next.
+/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has a
+/// bound of its own error, and passes the decisions within it on to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Steps {
     /// Decided in `f64`.
     pub f64: u64,
-    /// Decisions in doubt there, made in double-double.
+    /// Decisions in doubt in `f64`, made in double-double.
     pub double_double: u64,
-    /// Decisions in doubt there too, made in exact arithmetic.
+    /// Decisions in doubt in double-double too, made in exact arithmetic.
     pub exact: u64,
 }
 
@@ -33,7 +33,7 @@ pub enum Step {
 }
 
 impl Steps {
-    /// One more decision.
+    /// Counts one more decision.
     pub(crate) fn count(&mut self, step: Step) {
         match step {
             Step::F64 => self.f64 += 1,

@@ -25,8 +25,8 @@ pub(crate) trait Intersect: Send + Sync + 'static {
     /// Computes what the rays from `origin` share of the sphere.
     fn new(sphere: &RoundedSphere<Self::Real>, origin: Vector<Self::Real>) -> Self;
 
-    /// The smallest t > 0 at which the method finds the sphere. No hit is anything else: infinite,
-    /// NaN, zero or negative; [`is_hit`] tells.
+    /// The smallest t > 0 at which the method finds the sphere. Any other value means no hit: infinite,
+    /// NaN, zero or negative; see [`is_hit`].
     fn first_hit(&self, direction: Vector<Self::Real>) -> Self::Real;
 }
 

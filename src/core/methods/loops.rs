@@ -1,7 +1,7 @@
 //! Whole frames and lists of rays by one [method](crate::methods), each loop compiled for it alone.
 //!
-//! These pictures show what a method does wrong. So every pixel asks every object: no bounds are
-//! computed, and nothing is left out.
+//! These pictures show the errors of a method, so every pixel's ray is intersected with every object: no
+//! bounds are computed, and nothing is left out.
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::methods::formulas::{Intersect, PlaneByTextbook, is_hit};
@@ -65,7 +65,7 @@ pub(crate) struct FrameBy<M: Intersect> {
     planes: Vec<PlaneByTextbook<M::Real>>,
 }
 
-/// One row's directions, and what is nearest so far.
+/// One row's directions, and the nearest hits so far.
 pub(crate) struct Row<R> {
     directions: [Vec<R>; 3],
     pub(crate) t: Vec<R>,
@@ -73,8 +73,8 @@ pub(crate) struct Row<R> {
 }
 
 impl<R: Real> Row<R> {
-    /// Asks one object for every pixel. Objects come in ascending order, so "nearer than what is
-    /// there" keeps the first of equals; NaN is not nearer than anything.
+    /// Intersects every pixel's ray with one object. Objects come in ascending order, so that requiring a
+    /// nearer hit keeps the first of equals; NaN is nearer than nothing.
     #[inline(always)]
     fn ask(&mut self, object: u32, first_hit: impl Fn(Vector<R>) -> R) {
         let [x, y, z] = &self.directions;

@@ -1,6 +1,6 @@
-//! The known ways to intersect rays with spheres, side by side: named, sourced, each in `f32` and
-//! `f64`. They serve comparison and teaching; pictures are made by [`Method::Ladder`] unless somebody
-//! asks for another one to see what it does wrong.
+//! The known ways to intersect rays with spheres, side by side: named, sourced, each in `f32` and `f64`.
+//! They serve comparison and teaching; pictures are made by [`Method::Ladder`] unless the caller chooses
+//! another method to show its errors.
 //!
 //! [`Formula`] has each formula with its source and where it fails; [`Method`] is the choice among
 //! them and the ladder at run time. The loops over pixels and rays are compiled for each of them.
@@ -170,7 +170,7 @@ impl Method {
         self.facts()[1]
     }
 
-    /// Returns what it does and where it fails, in one sentence.
+    /// Returns a sentence that describes the method and where it fails.
     pub fn about(self) -> &'static str {
         self.facts()[2]
     }

@@ -401,7 +401,7 @@ impl Depth for f64 {
     }
 }
 
-/// A step that is taken with the rows of a band when they are traced: rows, `t`, objects.
+/// A callback for the rows of a band as soon as they are traced: rows, `t`, objects.
 pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
 
 pub(crate) mod sealed {

@@ -86,9 +86,9 @@ pub fn trace_as<T: Depth>(
     trace_at_level(Level::new(), scene, camera, raster, outputs, |_| ())
 }
 
-/// [`trace_as`] with the instructions of a given SIMD level, all of which give the same bits, for those
-/// who want to tell how far it is: `done` is called, from any thread, with the number of rows that were
-/// just finished.
+/// [`trace_as`] with the instructions of a given SIMD level, all of which give the same bits, for callers
+/// that report progress: `done` is called, from any thread, with the number of rows that were just
+/// finished.
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,

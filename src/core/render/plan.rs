@@ -31,12 +31,12 @@ pub(crate) struct Plan<'a> {
     pub(crate) spans: Vec<Span>,
     /// The others: for each run of spheres, for each slice of rows, those that it can see.
     others: Vec<Vec<Vec<(u32, Extent)>>>,
-    /// The part of an index over the spheres that is seen; of few there is none.
+    /// The visible part of the index over the spheres; `None` if there are few.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
     pub(crate) counts: Counts,
-    /// True if spheres are so few that pixels are not cleared before them.
+    /// True if there are so few spheres that pixels are not cleared before they are drawn.
     pub(crate) is_written_once: bool,
-    /// True if the frame is done before another thread would have begun.
+    /// True if the frame is finished before another thread would have started.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
@@ -163,7 +163,7 @@ pub(crate) struct Classified {
     pub(crate) counts: Counts,
 }
 
-/// The parts of a frame that it takes to classify spheres.
+/// The parts of a frame that are needed to classify spheres.
 pub(crate) struct Classifier<'a> {
     pub(crate) level: Level,
     /// `None` where all spheres are asked pixel by pixel.

@@ -57,7 +57,7 @@ impl<'a> AlongRay<'a> {
     /// The function of one object along one ray.
     ///
     /// # Errors
-    /// Returns an error if the object is none, see [`Object::check`].
+    /// Returns an error if the object is invalid, see [`Object::check`].
     pub fn new(object: &Object, ray: ExactRay<'a>) -> Result<AlongRay<'a>, ObjectError> {
         object.check()?;
         Ok(AlongRay { seen: ObjectFromOrigin::new(object, ray.origin()), ray })

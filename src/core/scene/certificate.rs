@@ -240,8 +240,8 @@ pub(crate) fn certificate_among(
     all
 }
 
-/// Returns whether `f64` alone knows that the ray misses the sphere, and as surely as this at least:
-/// what most spheres are to most rays, for a tenth of what the rest costs.
+/// Returns whether `f64` alone decides that the ray misses the sphere, with at least this certainty. This
+/// settles most spheres for most rays, at a tenth of the cost of the rest.
 fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     let Some(parts) = SphereFromOrigin::rough_terms(sphere, ray.origin()) else { return false };
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } =

@@ -1,4 +1,4 @@
-//! The errors of spheres and planes that are none.
+//! The errors of invalid spheres and planes.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! A scene: spheres, then planes, and what a ray meets of them.
+//! A scene: spheres, then planes, and the roots and hits of rays with them.
 
 pub(crate) mod along_ray;
 pub(crate) mod big_roots;
@@ -37,8 +37,8 @@ use crate::scene::sphere_predicates::RootSide;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 ///
-/// Of many spheres, the first frame makes an index, which is kept. Clones share spheres and index: a
-/// clone costs no more than its planes.
+/// The first frame of a scene with many spheres makes an index, which is kept. Clones share the spheres and
+/// the index, so that a clone copies only the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     spheres: Arc<Spheres>,
@@ -70,13 +70,13 @@ impl Scene {
 
     /// Puts another sphere in place of the one with this index.
     ///
-    /// This costs about a microsecond, and no more for many spheres: an index that was made of them
-    /// is kept and updated. But where clones of this scene are alive, all its spheres and their
-    /// index are copied first (80 bytes a sphere), so that the clones stay what they are.
+    /// This costs about a microsecond, and no more for many spheres: an index that was made of them is kept
+    /// and updated. But if clones of this scene are alive, all spheres and their index are copied first (80
+    /// bytes a sphere), so that the clones do not change.
     ///
     /// # Errors
-    /// Returns an error if the new one is no sphere, or the index is no sphere's; nothing has
-    /// changed then.
+    /// Returns an error if the new sphere is invalid, or the index is not that of a sphere; the scene is
+    /// then unchanged.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -101,8 +101,8 @@ impl Scene {
     /// it. This costs nothing.
     ///
     /// # Errors
-    /// Returns an error if the new one is no plane, or the index is no plane's; nothing has changed
-    /// then.
+    /// Returns an error if the new plane is invalid, or the index is not that of a plane; the scene is then
+    /// unchanged.
     pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
         let index = index as usize;
         let k = index.checked_sub(self.spheres().len());
@@ -126,8 +126,8 @@ impl Scene {
         self.spheres.index()
     }
 
-    /// The spheres that a point lies strictly inside of, ascending; decided exactly. Of many spheres,
-    /// only those near the point are looked at.
+    /// Returns the spheres that strictly contain a point, in ascending order, decided exactly. Of many
+    /// spheres, only those near the point are examined.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
         let position = point.to_array();
         // Rounding keeps order: a rounded difference above `half` is of a true one above it.
@@ -138,8 +138,9 @@ impl Scene {
         around
     }
 
-    /// The spheres that the ray's line comes near, ascending, and few others: nearer than `share` times
-    /// the sum of the coordinates of the ray's origin, of the way to the sphere, and of its radius.
+    /// Returns the spheres that the ray's line comes near, in ascending order, and few others: nearer than
+    /// `share` times the sum of the coordinates of the ray's origin, of the way to the sphere, and of its
+    /// radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
         let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {
@@ -254,8 +255,8 @@ impl Scene {
         Some((index, object.rounded_t_counting(ray, root, steps_of_t)))
     }
 
-    /// The spheres of which `may` says so, each given by the middle and the half extents of its box;
-    /// ascending. What it says of a sphere it has to say of any box around it.
+    /// Returns the spheres for which `may` is true, each given by the middle and the half extents of its
+    /// box, in ascending order. If `may` is true of a sphere, it must be true of any box around it.
     fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         if let Some(index) = self.index() {
             return index.spheres_where(may);

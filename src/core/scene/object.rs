@@ -24,7 +24,7 @@ pub enum Object {
 pub struct Root {
     /// The object's index in the scene.
     pub object: u32,
-    /// Place on the ray, in units of the direction's length; may be negative or 0.
+    /// Position on the ray, in units of the direction's length; may be negative or 0.
     pub t: f64,
     /// The point of the world.
     pub point: DVec3,
@@ -59,7 +59,7 @@ pub struct LineRoots {
 }
 
 impl Object {
-    /// Checks what [`Scene::new`](crate::Scene::new) checks.
+    /// Checks the object as [`Scene::new`](crate::Scene::new) does.
     ///
     /// # Errors
     /// Returns an error if the object is invalid.

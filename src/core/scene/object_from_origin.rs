@@ -1,4 +1,4 @@
-//! Objects as the rays of one origin see them, and which of them a ray meets first.
+//! Objects as the rays of one origin see them, and the order in which a ray meets them.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -195,7 +195,7 @@ impl ObjectFromOrigin {
 fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
     let coordinate = |i: usize| {
         // A given coordinate has its own scale, in which it loses no digit.
-        let (d, k) = match ray.given() {
+        let (d, k) = match ray.given_direction() {
             Some(direction) if direction[i] != 0.0 => {
                 let k = exponent(direction[i]);
                 (DoubleDouble::from(ldexp(direction[i], -k)), k)
@@ -328,7 +328,7 @@ impl Object {
     /// The roots of the ray's line with the object, which is given `index` in them; decided exactly.
     ///
     /// # Errors
-    /// Returns an error if the object is none, see [`Object::check`].
+    /// Returns an error if the object is invalid, see [`Object::check`].
     pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
         self.check()?;
         let (seen, steps) = (ObjectFromOrigin::new(self, ray.origin()), &mut Steps::default());

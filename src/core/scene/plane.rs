@@ -24,7 +24,7 @@ pub struct PlaneTerms {
 }
 
 impl PlaneTerms {
-    /// The parts of a plane that is none.
+    /// The parts of an invalid plane.
     pub(crate) const NONE: PlaneTerms = PlaneTerms { rate: f64::NAN, offset: f64::NAN };
 }
 

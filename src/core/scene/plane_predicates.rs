@@ -271,7 +271,7 @@ impl Plane {
 /// ```
 ///
 /// and s and s' the signs of o and o', which are those of n.d and n'.d at a hit. e is exact and then
-/// rounded, so that planes that nearly coincide are told apart as surely as others.
+/// rounded, so that planes that nearly coincide are distinguished as surely as others.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaneOrder {
     /// e, its largest coordinate near 1.

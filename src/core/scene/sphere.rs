@@ -36,7 +36,7 @@ pub struct SphereQuadratic {
 }
 
 impl SphereQuadratic {
-    /// The parts of a sphere that is none.
+    /// The parts of an invalid sphere.
     pub(crate) const NONE: SphereQuadratic =
         SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN };
 }

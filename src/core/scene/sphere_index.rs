@@ -115,8 +115,8 @@ impl SphereIndex {
         block * BLOCK..(block + 1) * BLOCK
     }
 
-    /// The spheres of which `may` says so of group, block and themselves, each given by the middle and
-    /// the half extents of its box; ascending.
+    /// Returns the spheres for which `may` is true of their group, their block and themselves, each given
+    /// by the middle and the half extents of its box, in ascending order.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
         let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
@@ -225,11 +225,11 @@ fn middle_and_half((low, high): (f64, f64)) -> (f64, f64) {
     (middle, (high - middle).max(middle - low).next_up())
 }
 
-/// Number of spheres from which on there is an index over them: a look at each of fewer is as fast.
+/// Number of spheres from which there is an index over them: for fewer, examining each is as fast.
 pub(crate) const INDEX_FROM: usize = 256;
 
-/// Checked spheres, with an index that is made at the first demand and kept; it says nothing that
-/// the spheres do not.
+/// Checked spheres, with an index that is made when first needed and kept. The index adds no information to
+/// the spheres.
 #[derive(Clone, Default)]
 pub(crate) struct Spheres {
     list: Vec<Sphere>,
@@ -250,8 +250,8 @@ impl Spheres {
         if self.list.len() < INDEX_FROM {
             return None;
         }
-        // Made before the cell is entered: who waited for a cell while its index is made by the same
-        // threads that wait could wait for ever. At worst two are made, and one is used.
+        // The index is made before the cell is entered: a thread that waits for the cell while the waiting
+        // threads make the index could wait for ever. At worst two are made, and one is used.
         if self.index.get().is_none() {
             let _ = self.index.set(SphereIndex::new(&self.list));
         }

@@ -46,7 +46,7 @@ pub(crate) struct SphereFromOrigin {
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
-    /// The step that decided so.
+    /// The step that decided it.
     pub(crate) side_step: Step,
 }
 
@@ -101,9 +101,8 @@ impl SphereFromOrigin {
         })
     }
 
-    /// Returns whether `f64` alone knows that the ray misses the sphere, or hits it after
-    /// `nearest`: what most spheres of a scene are to most rays, for a tenth of what the rest
-    /// costs.
+    /// Returns whether `f64` alone decides that the ray misses the sphere, or hits it after `nearest`. This
+    /// settles most spheres of a scene for most rays, at a tenth of the cost of the rest.
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// `t` that is off by less is compared as it is.
         const SHARE: f64 = 1e-6;
@@ -355,7 +354,7 @@ pub(crate) struct PointPower {
     /// All digits of a value that is too small for sums and products of it to keep them.
     pub(crate) tiny: Option<Precise>,
     pub(crate) sign: Ordering,
-    /// The step that knew the sign.
+    /// The step that decided the sign.
     pub(crate) step: Step,
 }
 

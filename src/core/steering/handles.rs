@@ -16,9 +16,9 @@ use crate::steering::{CONE, SteerError, Steered, Turn, orthonormal, steady};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Keep {
-    /// The point it looks at, the [pivot](Camera::pivot): the view turns.
+    /// The point that the camera looks at, its [pivot](Camera::pivot): the view turns.
     At,
-    /// The view direction: at moves along, the camera travels.
+    /// The view direction: `at` moves with the eye.
     View,
 }
 
@@ -34,13 +34,14 @@ impl Keep {
 }
 
 impl Camera {
-    /// The camera with its eye at a point of the world.
+    /// Returns the camera with its eye moved to a point of the world.
     ///
-    /// With [`Keep::At`] the pivot stays and the view turns, the short way; by view, its length becomes
-    /// that from the eye to the pivot; a basis set by hand turns by the least turn that aims it at the
-    /// pivot. With [`Keep::View`] the basis stays, and `at` keeps its position before the eye.
+    /// With [`Keep::At`] the pivot stays and the view turns the short way. If the camera is given by view,
+    /// the length of `view` becomes the distance from the eye to the pivot; a basis set by hand makes the
+    /// smallest turn that aims it at the pivot. With [`Keep::View`] the basis stays, and `at` keeps its
+    /// position relative to the eye.
     ///
-    /// A camera without a basis is led out of that: its fields are set and nothing else.
+    /// For a camera without a basis only the fields are set, which may give it one.
     ///
     /// # Errors
     /// Returns an error if there is no basis afterwards (the eye is put to the pivot), or rounding
@@ -64,10 +65,11 @@ impl Camera {
         }
     }
 
-    /// The camera that looks at a point of the world from where it stands: `at`, or by view
-    /// `view = point - eye`; a basis set by hand turns by the least turn that aims it there.
+    /// Returns the camera aimed at a point of the world, with its eye in place. It sets `at`, or
+    /// `view = point - eye` for a camera given by view; a basis set by hand makes the smallest turn that
+    /// aims it there.
     ///
-    /// A camera without a basis is led out of that: its fields are set and nothing else.
+    /// For a camera without a basis only the fields are set, which may give it one.
     ///
     /// # Errors
     /// Returns an error if the point is the eye, or there is no basis.
@@ -86,7 +88,7 @@ impl Camera {
         self.led_to(Camera { orientation, ..*self })
     }
 
-    /// Eye and at moved together.
+    /// Returns the camera with eye and at moved together.
     fn travelled_to(&self, eye: DVec3) -> Result<Steered, SteerError> {
         let orientation = match self.orientation {
             Orientation::At { at, up } if eye != self.eye => {
@@ -102,8 +104,8 @@ impl Camera {
         Ok(Steered { camera, up_went_along: false })
     }
 
-    /// The camera after eye, at or view have been set by hand, up as it was: it goes along where the
-    /// view comes near it.
+    /// Returns the camera after eye, at or view have been set. Up turns with the view where the view comes
+    /// near it, and otherwise stays.
     fn led_to(&self, moved: Camera) -> Result<Steered, SteerError> {
         let stays = |camera: Camera| Steered { camera, up_went_along: false };
         let (aim, up) = match moved.orientation {
@@ -134,7 +136,7 @@ impl Camera {
         Ok(Steered { camera, up_went_along: true })
     }
 
-    /// The camera with a basis set by hand turned to look along `view`.
+    /// Returns the camera with its basis, set by hand, turned to look along `view`.
     fn frame_led_to(
         &self,
         moved: Camera,
@@ -163,11 +165,11 @@ fn check_point(field: &'static str, value: DVec3) -> Result<(), SteerError> {
     }
 }
 
-/// A camera this little outside the cone is on it: rounding may have put it there.
+/// Tolerance within which a camera outside the cone counts as on it, because of rounding.
 const SLACK: f64 = 1e-9;
 
-/// A view that is led from one direction to another, along the great circle between them: that is how
-/// the direction turns when eye or at move straight ahead. All directions are of length 1.
+/// The path of a view from one direction to another along the great circle between them, as the view turns
+/// when eye or at moves on a straight line. All directions are of length 1.
 struct Way {
     from: DVec3,
     /// The great circle's axis.
@@ -195,14 +197,14 @@ impl Way {
     }
 }
 
-/// A frame that looks along `to`, carried there in parallel: by the least turn.
+/// Returns the basis transported in parallel, by the smallest turn, to look along `to`.
 pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
     let way = Way::new(-frame.w, to, frame.v);
     Basis { w: -to, ..Turn::about(way.axis, way.turn).turned_frame(frame) }
 }
 
-/// Returns up, of length 1, and v, where the view of a camera with this basis is led to another
-/// direction and takes up along; `None` where up stays. `angle` is that between up and the view.
+/// Returns up, of length 1, and v after the view of a camera with this basis has turned to another
+/// direction, if up turns with it; `None` if up stays. `angle` is that between up and the view.
 ///
 /// On its way the view meets up to three stretches:
 ///

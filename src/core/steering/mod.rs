@@ -1,5 +1,5 @@
-//! The camera taken in the hand: what a drag, a turn of the wheel or a key does to it, as functions
-//! from one camera to the next. How the camera is given (by at, by view, by hand) stays.
+//! Steers a camera: functions from one camera to the next for a drag, a turn of the wheel, or a key. The
+//! way in which the camera is given (by at, by view, by hand) stays.
 //!
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u;
 //!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
@@ -22,11 +22,11 @@
 //! Poincaré 1885, L. E. J. Brouwer 1912: the hairy ball). So:
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.
-//! - Handles, which may be dragged anywhere, push up before them: within [`CONE`] of up or -up, up
-//!   goes along, so that v turns exactly as the view does (is transported in parallel); outside, up
-//!   stays to the bit and v turns by at most `1 / sin(CONE)`, 11.5, times as much. So a small drag
-//!   is a small change, from any camera; and of two drags from the same camera that end side by
-//!   side, the v of one may differ if its way touched the cone and the other's passed beside it.
+//! - Handles, which may be dragged anywhere, push up ahead of the view: within [`CONE`] of up or -up, up
+//!   turns with the view, so that v turns exactly as the view does (it is transported in parallel);
+//!   outside, up stays to the bit and v turns by at most `1 / sin(CONE)`, 11.5, times as much. So a small
+//!   drag is a small change, from any camera; and two drags from the same camera that end close together
+//!   may give different v if the path of one touched the cone and the path of the other did not.
 //!
 //! Rounding of the result may turn the basis further by [`ROUNDING_TURN`] at most, and for cameras of
 //! everyday sizes by 1e-12; where it would be more (eye and at are much closer to each other than to the
@@ -54,17 +54,16 @@ mod pointer;
 /// [`Camera::looked_round`] go to, in radians: 1 degree.
 pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
 
-/// The angle to up, or to -up, within which a handle that is dragged takes up along, in radians:
-/// 5 degrees.
+/// The angle to up, or to -up, within which dragging a handle also turns up, in radians: 5 degrees.
 pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// The most that rounding may turn u, v and w besides what the hand did, in radians.
+/// The most that rounding may turn u, v and w in addition to the intended turn, in radians.
 pub const ROUNDING_TURN: f64 = 1e-6;
 
 /// A camera after the drag of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steered {
-    /// The camera after it.
+    /// The camera after the drag.
     pub camera: Camera,
     /// True if up was changed, because the view came within [`CONE`] of it.
     pub up_went_along: bool,
@@ -74,7 +73,7 @@ pub struct Steered {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SteerError {
-    /// There would be no camera, or there was none before.
+    /// The camera is invalid before or after the change.
     Camera(CameraError),
     /// A number that is NaN or infinite.
     NotFinite {
@@ -181,7 +180,7 @@ fn check_positive(field: &'static str, value: f64) -> Result<(), SteerError> {
     if is_positive { Ok(()) } else { Err(SteerError::NotPositive { field, value }) }
 }
 
-/// A turn about an axis of length 1, right-handed: `x cos + (k x x) sin + k (k . x) (1 - cos)` (O.
+/// A right-handed rotation about an axis of length 1: `x cos + (k x x) sin + k (k . x) (1 - cos)` (O.
 /// Rodrigues 1840), written so that a small angle keeps its digits.
 #[derive(Clone, Copy, Debug)]
 struct Turn {
@@ -206,7 +205,8 @@ impl Turn {
     }
 }
 
-/// The nearest basis with this w: unit and orthogonal but for one rounding of each coordinate.
+/// Returns the nearest basis with this w: its vectors are unit and orthogonal but for one rounding of each
+/// coordinate.
 fn orthonormal(basis: &Basis) -> Basis {
     let w = unit(basis.w);
     let u = unit(basis.v.cross(w));
@@ -214,7 +214,7 @@ fn orthonormal(basis: &Basis) -> Basis {
     Basis { u: u + DVec3::ZERO, v: w.cross(u) + DVec3::ZERO, w: w + DVec3::ZERO }
 }
 
-/// The camera, if its basis is this one but for rounding.
+/// Returns the camera if its basis equals `meant` but for rounding.
 fn steady(camera: Camera, meant: &Basis) -> Result<Camera, SteerError> {
     let found = camera.basis()?;
     let turn = angle_between(found.v, meant.v).max(angle_between(found.w, meant.w));

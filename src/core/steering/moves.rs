@@ -15,16 +15,17 @@ use crate::steering::{
 };
 
 impl Camera {
-    /// The eye moved along w: forwards, towards what the camera looks at, by so many lengths of the way
-    /// to its [pivot](Camera::pivot); negative: backwards. The basis stays.
+    /// Returns the camera with its eye moved along w. `forward` counts lengths of the way from the eye to
+    /// the [pivot](Camera::pivot): positive moves towards the pivot, negative away from it. The basis
+    /// stays.
     ///
     /// ```text
     /// by at:            eye' = at + e^(-forward) (eye - at)       at stays and is never reached
     /// by view, by hand: eye' = eye - forward |pivot - eye| w      the pivot moves along
     /// ```
     ///
-    /// A small step is the same in all three. Steps add up: forward by a and by b is forward by a + b,
-    /// and there and back again is where it began, but for rounding.
+    /// A small step is the same in all three. Steps add up: moving forward by a and then by b moves by a +
+    /// b, and moving there and back returns to the start, but for rounding.
     ///
     /// # Errors
     /// Returns an error if `forward` is not finite, there is no basis, the eye overflows or has
@@ -49,13 +50,13 @@ impl Camera {
         steady(Camera { eye, ..*self }, &basis)
     }
 
-    /// The viewport's width and height times a factor at the same distance: the field of view opens
-    /// (factor above 1) or closes, and neither eye nor basis change. Zoomed by f and by 1/f, the
-    /// viewport is as before but for rounding.
+    /// Returns the camera with its viewport's width and height multiplied by a factor, at the same
+    /// distance: the field of view opens (factor above 1) or closes, and eye and basis stay. Zooming by f
+    /// and then by 1/f restores the viewport but for rounding.
     ///
     /// # Errors
-    /// Returns an error if the factor is not positive and finite, or the viewport is none, before
-    /// or after.
+    /// Returns an error if the factor is not positive and finite, or the viewport is invalid before or
+    /// after.
     pub fn zoomed(&self, factor: f64) -> Result<Camera, SteerError> {
         check_positive("factor", factor)?;
         let Viewport { width, height, distance } = self.viewport;
@@ -67,11 +68,12 @@ impl Camera {
 }
 
 impl Camera {
-    /// The point that [`Camera::orbited`] turns round: `at`; by view `eye + view`; by hand the middle
-    /// of the viewport, `eye - distance*w`.
+    /// Returns the point round which [`Camera::orbited`] turns: `at`; for a camera given by view,
+    /// `eye + view`; for a basis set by hand, the middle of the viewport, `eye - distance*w`.
     ///
     /// # Errors
-    /// Returns an error if the camera has no basis, by hand also where it has no viewport.
+    /// Returns an error if the camera has no basis, or if its basis is set by hand and its viewport is
+    /// invalid.
     pub fn pivot(&self) -> Result<DVec3, SteerError> {
         let w = self.basis()?.w;
         let (field, value) = match self.orientation {
@@ -86,19 +88,20 @@ impl Camera {
         }
     }
 
-    /// The camera orbiting round its [pivot](Camera::pivot), in radians: the basis turns as in
-    /// [`Camera::looked_round`], and the eye with it, so that the pivot stays where it is in the
-    /// picture. A positive yaw takes the eye to the camera's right, a positive pitch takes it down.
+    /// Returns the camera after it has orbited round its [pivot](Camera::pivot), by angles in radians. The
+    /// basis turns as in [`Camera::looked_round`], and the eye moves with it, so that the pivot stays where
+    /// it is in the picture. A positive yaw takes the eye to the camera's right, a positive pitch takes it
+    /// down.
     ///
     /// ```text
     /// eye' = pivot + |eye - pivot| w'
     /// ```
     ///
-    /// `at` stays to the bit, and so do up and the length of `view`. The distance from eye to pivot
-    /// stays within 4 ulps, besides half an ulp in each of the eye's coordinates.
+    /// `at` stays to the bit, and so do up and the length of `view`. The distance from eye to pivot stays
+    /// within 4 ulps, in addition to half an ulp in each of the eye's coordinates.
     ///
     /// # Errors
-    /// As [`Camera::looked_round`], and where the eye's coordinates overflow.
+    /// Returns the errors of [`Camera::looked_round`], and an error if the eye's coordinates overflow.
     pub fn orbited(&self, yaw: f64, pitch: f64) -> Result<Camera, SteerError> {
         let Some(turned) = self.turned(yaw, pitch)? else {
             return Ok(*self);
@@ -117,23 +120,22 @@ impl Camera {
         steady(Camera { eye, orientation, ..*self }, &turned)
     }
 
-    /// The camera looking round from where it stands, in radians: turned about up by yaw (positive:
-    /// to the left, counter-clockwise as seen from the tip of up), and about u by pitch (positive:
-    /// upwards).
+    /// Returns the camera turned on the spot, by angles in radians: about up by yaw (positive: to the left,
+    /// counter-clockwise as seen from the tip of up), and about u by pitch (positive: upwards).
     ///
     /// ```text
     /// (u', v', w') = R(up, yaw) R(u, pitch) (u, v, w)
     /// ```
     ///
     /// Eye and up stay to the bit, so the camera stays level; `at` keeps its distance, and `view` its
-    /// length. The pitch stops [`POLE_GAP`] short of up and of -up; a camera that is nearer already may
-    /// stay there or go away, but not nearer. v turns by at most `|yaw| + |pitch|`.
+    /// length. The pitch stops [`POLE_GAP`] short of up and of -up; a camera that is already nearer may
+    /// stay there or move away, but not come nearer. v turns by at most `|yaw| + |pitch|`.
     ///
-    /// A basis set by hand knows no level and no pole: it is turned as a frame, about the one axis
+    /// A basis set by hand has no level and no pole: it is turned as a whole about the axis
     /// `pitch*u + yaw*v`, by `sqrt(pitch^2 + yaw^2)`, and made orthonormal.
     ///
-    /// Turned there and back, by `(yaw, pitch)` and `(-yaw, -pitch)`, the camera is as before but for
-    /// rounding, unless the pitch was stopped.
+    /// Turning by `(yaw, pitch)` and then by `(-yaw, -pitch)` restores the camera but for rounding, unless
+    /// the pitch was stopped.
     ///
     /// # Errors
     /// Returns an error if an angle is not finite, there is no basis, or rounding would turn it
@@ -151,7 +153,7 @@ impl Camera {
         steady(Camera { orientation, ..*self }, &turned)
     }
 
-    /// Distance of the pivot from the eye.
+    /// Returns the distance of the pivot from the eye.
     pub(super) fn reach(&self) -> Result<f64, SteerError> {
         let (field, value, reach) = match self.orientation {
             Orientation::At { at, .. } => {
@@ -171,7 +173,7 @@ impl Camera {
         }
     }
 
-    /// u, v, w after yaw and pitch; `None` where nothing turns.
+    /// Returns u, v, w after yaw and pitch; `None` if nothing turns.
     fn turned(&self, yaw: f64, pitch: f64) -> Result<Option<Basis>, SteerError> {
         check_finite("yaw", yaw)?;
         check_finite("pitch", pitch)?;
@@ -194,8 +196,8 @@ impl Camera {
         Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).turned_frame(&pitched))))
     }
 
-    /// Returns as much of the pitch as leads no nearer to a pole than [`POLE_GAP`], or than the
-    /// camera is.
+    /// Returns the pitch, limited so that the view comes no nearer to a pole than [`POLE_GAP`], or than it
+    /// already is.
     fn pitch_short_of_poles(&self, pitch: f64) -> Result<f64, SteerError> {
         let angle = self.up_angle()?.angle;
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));
@@ -204,23 +206,23 @@ impl Camera {
 }
 
 impl Viewport {
-    /// Yaw and pitch by which [`Camera::looked_round`] takes the picture along when it is dragged from
+    /// Returns the yaw and pitch with which [`Camera::looked_round`] makes the picture follow a drag from
     /// one (u, v) to another:
     ///
     /// ```text
     /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)
     /// ```
     ///
-    /// What is taken stays under the pointer exactly on the picture's middle lines (of a camera that is
-    /// level), and nearly elsewhere. Not finite where the viewport is none.
+    /// The dragged point stays under the pointer exactly on the picture's middle lines (if the camera is
+    /// level), and nearly so elsewhere. The angles are not finite if the viewport is invalid.
     pub fn look_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
         let angle = |x: f64| x.atan2(self.distance);
         (angle(to.x) - angle(from.x), angle(from.y) - angle(to.y))
     }
 
-    /// Yaw and pitch by which [`Camera::orbited`] follows a drag from one (u, v) to another: half a
-    /// turn for the viewport's height, so that the near side of what is orbited goes with the hand. Not
-    /// finite where the viewport is none.
+    /// Returns the yaw and pitch with which [`Camera::orbited`] follows a drag from one (u, v) to another:
+    /// half a turn for the viewport's height, so that the near side of the orbited objects follows the
+    /// pointer. The angles are not finite if the viewport is invalid.
     pub fn orbit_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
         let share = (to - from) / self.height;
         (-PI * share.x, PI * share.y)
@@ -228,8 +230,8 @@ impl Viewport {
 }
 
 impl Camera {
-    /// The camera rolled by an angle: up (by hand: u and v) turned about the view axis,
-    /// counter-clockwise as the camera sees it, so that the picture turns clockwise.
+    /// Returns the camera rolled by an angle: up (or, for a basis set by hand, u and v) turns about the
+    /// view axis, counter-clockwise as the camera sees it, so that the picture turns clockwise.
     ///
     /// ```text
     /// up = s V + k W     becomes     s (cos V - sin U) + k W
@@ -259,18 +261,18 @@ impl Camera {
         })
     }
 
-    /// The camera with up turned towards the view, or away from it, until the angle between the two
-    /// is this: up moves in the plane of both and keeps its length, so that u, v and w stay but for
-    /// rounding, which turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
+    /// Returns the camera with up turned towards the view, or away from it, until they form this angle. Up
+    /// moves in the plane of both and keeps its length, so that u, v and w stay but for rounding, which
+    /// turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
     ///
     /// ```text
     /// up = |up| (sin(angle) V - cos(angle) W)
     /// ```
     ///
     /// # Errors
-    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be
-    /// parallel to the view at either), or so close to these that up is parallel once it is
-    /// rounded; where there is no basis before, or one set by hand.
+    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be parallel
+    /// to the view at either), or so close to these that up is parallel once it is rounded; or if there is
+    /// no basis before, or the basis is set by hand.
     pub fn up_tilted(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let Basis { v, w, .. } = self.basis()?;
@@ -281,11 +283,11 @@ impl Camera {
         self.with_up(|up| up.length() * (sin * v - cos * w))
     }
 
-    /// The camera with its viewport at another distance, and width and height scaled with it: the
-    /// same picture, but every t is divided by what distance is multiplied by.
+    /// Returns the camera with its viewport at another distance, and width and height scaled with it. The
+    /// picture stays the same, but every t is divided by the factor that multiplies the distance.
     ///
     /// # Errors
-    /// Returns an error if the viewport is none, before or after.
+    /// Returns an error if the viewport is invalid before or after.
     pub fn scaled_picture(&self, distance: f64) -> Result<Camera, ViewportError> {
         let old = self.viewport;
         old.check()?;
@@ -299,12 +301,12 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// The camera with its picture scaled so that the measure of its viewport that is not the same in
-    /// `edited` and `before` becomes the edited one; see [`Camera::scaled_picture`]. Of several, it is
-    /// the distance, or else the width.
+    /// Returns the camera with its picture scaled so that its viewport takes over the measure in which
+    /// `edited` differs from `before`; see [`Camera::scaled_picture`]. If several measures differ, the
+    /// distance counts first, then the width.
     ///
     /// # Errors
-    /// Returns an error if the viewport is none, before or after.
+    /// Returns an error if the viewport is invalid before or after.
     pub fn picture_scaled_as(
         &self,
         before: &Viewport,
@@ -320,7 +322,8 @@ impl Camera {
         })
     }
 
-    /// The camera with up changed; the change is made at about length 1, so that nothing overflows.
+    /// Returns the camera with up changed. The change is made at a length of about 1, so that nothing
+    /// overflows.
     fn with_up(&self, change: impl Fn(DVec3) -> DVec3) -> Result<Camera, SteerError> {
         let changed = |up: DVec3| {
             let (up, k) = split(up);

@@ -8,8 +8,8 @@ use crate::camera::resolved::ResolvedCamera;
 use crate::exact::scale::unit;
 use crate::steering::{SteerError, check_finite, check_positive};
 
-/// An axis nearer than this to the line of sight, or a plane nearer to containing it, is not dragged
-/// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.
+/// The smallest angle between the line of sight and the axis or plane of a drag: nearer to it, a pixel
+/// would be more than ten times as long as it is wide. In radians, 5 degrees.
 pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 /// Maximum depth of a drag, as a multiple of the depth that it began at: beyond it, at the
@@ -31,9 +31,9 @@ impl ResolvedCamera {
     /// Returns the point of the world to which the pointer drags an anchor in this observer's picture,
     /// from `begun_at` to `uv` in its viewport. Observer and anchor have stayed since it began.
     ///
-    /// The pointer keeps its distance from the anchor, in the picture: taken 3 pixels beside its middle,
-    /// a handle stays 3 pixels beside the pointer. Dragged to where it began, the anchor is as it was to
-    /// the bit.
+    /// The pointer keeps its distance from the anchor in the picture: a handle grabbed 3 pixels from its
+    /// middle stays 3 pixels from the pointer. A drag back to where it began restores the anchor to the
+    /// bit.
     ///
     /// With the anchor at `(x, y, -z)` in the observer's coordinates, its image at
     /// `p = (x, y) distance / z`, the pointer's way `m = uv - begun_at`, and the ray
@@ -174,8 +174,8 @@ fn finite(field: &'static str, value: DVec3) -> Result<DVec3, SteerError> {
     if value.is_finite() { Ok(value) } else { Err(BasisError::NotFinite { field, value }.into()) }
 }
 
-/// The multiple of `step` nearest to a value. Of a decimal step such as 0.05 it is the decimal itself
-/// (0.15, not 0.15000000000000002).
+/// Returns the multiple of `step` nearest to a value. For a decimal step such as 0.05 it is the decimal
+/// itself (0.15, not 0.15000000000000002).
 ///
 /// ```
 /// use pinhole_core::steering::snapped;
@@ -201,8 +201,8 @@ pub fn snapped(value: f64, step: f64) -> Result<f64, SteerError> {
     Ok(if is_part { count / parts } else { count * step } + 0.0)
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not less than `at_least`: a step to snap to,
-/// where `at_least` is so many pixels in the world.
+/// Returns the smallest of 1, 2, 5 times a power of ten that is not less than `at_least`: a step for
+/// snapping, where `at_least` is the size of some pixels in the world.
 ///
 /// ```
 /// use pinhole_core::steering::nice_step;
@@ -225,8 +225,8 @@ pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
         .ok_or(SteerError::NotPositive { field: "step", value: f64::INFINITY })
 }
 
-/// The decimal with the fewest digits that is within a tenth of a pixel of a value, and of those the
-/// nearest: `pixel` is what a pixel measures in the world there.
+/// Returns the decimal with the fewest digits that is within a tenth of a pixel of a value, and the nearest
+/// of those. `pixel` is the size of a pixel in the world there.
 ///
 /// ```
 /// use pinhole_core::steering::rounded_to;
@@ -244,12 +244,12 @@ pub fn rounded_to(value: f64, pixel: f64) -> Result<f64, SteerError> {
     if value.abs() <= near {
         return Ok(0.0);
     }
-    // 17 digits tell every f64 apart.
+    // 17 digits distinguish all f64.
     let rounded = (0..17).map(|digits| decimal(&format!("{value:.digits$e}")));
     Ok(rounded.into_iter().find(|x| (x - value).abs() <= near).unwrap_or(value))
 }
 
-/// A decimal as the nearest `f64`; written by `format!`, it is always one.
+/// Parses a decimal as the nearest `f64`. `format!` made it, so that parsing cannot fail.
 fn decimal(text: &str) -> f64 {
     text.parse().unwrap_or(f64::NAN)
 }

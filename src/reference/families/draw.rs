@@ -1,12 +1,12 @@
-//! Random numbers for the families: the same ones on every machine, for ever.
+//! Random numbers for the families, the same on every machine and in every version.
 //!
 //! Only `+ - * /` and `sqrt` are used, which IEEE 754 fixes to the last bit.
 
 use crate::camera::Orientation;
 
 /// Numbers drawn from a seed by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number
-/// generators*, 2014). A generator of our own, because recorded results rest on its numbers: those of
-/// a library may change with its version.
+/// generators*, 2014). The generator is our own because recorded results depend on its numbers; those of a
+/// library may change with its version.
 pub struct Draw {
     state: u64,
     /// True if all numbers of the case are to be exact in `f32`.

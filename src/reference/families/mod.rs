@@ -43,8 +43,8 @@ pub enum Make {
 
 /// Cases that are hard for one reason, and a knob for how hard.
 ///
-/// A case is made from the seed, the family's name, the knob and the case's number: the same on every
-/// machine, and the first cases of many are those of few.
+/// A case is made from the seed, the family's name, the knob and the case's number. It is the same on every
+/// machine, and a longer list of cases begins with the shorter one.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     /// Its name, in kebab-case.

@@ -21,7 +21,7 @@ pub(crate) struct Occlusion {
 }
 
 impl Occlusion {
-    /// Begins with a band in which nothing is hit, or something may be.
+    /// Starts with a band in which nothing is hit, or in which something may be hit.
     pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Occlusion {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);
@@ -29,7 +29,7 @@ impl Occlusion {
         Occlusion { farthest, is_stale, across, width, height }
     }
 
-    /// Tells that pixels in these rows and columns of the band may have come nearer.
+    /// Marks the rectangles of these rows and columns of the band as drawn into since.
     #[inline(always)]
     pub(crate) fn touch(&mut self, rows: &Range<usize>, columns: &Range<usize>) {
         for row in rows.start / ROWS..rows.end.div_ceil(ROWS) {

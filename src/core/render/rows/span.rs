@@ -495,10 +495,10 @@ impl<S: Simd> SpanLanes<S> {
     /// and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3
     /// u of itself, and the sum of both by u: in all `(4.5 S + 4 |b - b_pivot|) u`. `Kinds::new` in
     /// `render/outline` chooses this kernel only where that is at most 0.42 u of the denominator. The error
-    /// of `S^2` itself, which `Outlines::find` keeps below `2^-28` of b, adds u / 16: together less than
-    /// 0.49 u, which leaves room for terms of second order below half an ulp of t. With the last rounding,
-    /// t is within an ulp. The sum with `b_pivot` keeps its rest, and the quotient is corrected by it and
-    /// by its own residual.
+    /// of `S^2` itself moves S by at most `2^-28` of b, as `Outlines::find` derives, which adds u / 16:
+    /// together less than 0.49 u, which leaves room for terms of second order below half an ulp of t. With
+    /// the last rounding, t is within an ulp; `tests/ladder.rs` checks it against the reference. The sum
+    /// with `b_pivot` keeps its rest, and the quotient is corrected by it and by its own residual.
     #[inline(always)]
     pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
