@@ -5,7 +5,6 @@ mod frames;
 mod planes;
 mod spheres;
 mod ties;
-mod touching_frames;
 
 pub use draw::Draw;
 
