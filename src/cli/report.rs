@@ -140,10 +140,10 @@ fn is_scene(path: &Path) -> bool {
 
 /// Returns the format of a plot's file, from its extension.
 fn format_of(plot: &Path) -> Result<FigureFormat, CommandError> {
-    let is = |format: &FigureFormat| {
-        plot.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(format.ending()))
-    };
-    [FigureFormat::Svg, FigureFormat::Png].into_iter().find(is).ok_or_else(|| {
+    let is = |ending: &str| plot.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
+    let formats = [("svg", FigureFormat::Svg), ("png", FigureFormat::Png)];
+    let format = formats.into_iter().find_map(|(ending, format)| is(ending).then_some(format));
+    format.ok_or_else(|| {
         let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
         CommandError::Arguments(format!(
             "--plot writes SVG or PNG: not {} but {} or {}",

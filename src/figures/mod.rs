@@ -19,7 +19,7 @@ use crate::view::typesetting::theme;
 
 pub use crate::figures::animation::{Animation, Frames, Recorder, check_animation_path};
 pub use crate::figures::order::{Content, MARGIN, Order, Subject, derivation_of, scale_of};
-#[cfg(feature = "figures")]
+
 mod animation;
 mod order;
 #[cfg(feature = "figures")]
@@ -36,27 +36,13 @@ pub enum FigureFormat {
     Png,
 }
 
-impl FigureFormat {
-    /// All formats.
-    pub const ALL: [FigureFormat; 3] = [FigureFormat::Svg, FigureFormat::Pdf, FigureFormat::Png];
-
-    /// Returns the file name extension.
-    pub fn ending(self) -> &'static str {
-        match self {
-            FigureFormat::Svg => "svg",
-            FigureFormat::Pdf => "pdf",
-            FigureFormat::Png => "png",
-        }
-    }
-}
-
 /// A figure to export.
 #[derive(Debug)]
 pub struct Figure {
     /// The title, which describes the figure.
-    title: String,
+    pub title: String,
     /// Width and height in dots.
-    size: [usize; 2],
+    pub size: [usize; 2],
     /// The background colour; `None` if the background is transparent.
     ground: Option<Color32>,
     /// The picture behind everything else, as large as the figure.
@@ -76,11 +62,6 @@ impl Figure {
         let drawn = UiPass::draw(&ctx, size, scale, |ui| draw(ui.painter()));
         let (title, ground) = (title.to_owned(), Some(Color32::WHITE));
         Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
-    }
-
-    /// Returns width and height in dots.
-    pub fn size(&self) -> [usize; 2] {
-        self.size
     }
 
     /// Paints the figure as the window is painted. Returns the premultiplied pixels, row by row from

@@ -71,30 +71,33 @@ pub enum Content {
     Text(Markup),
 }
 
+/// The content of a file by its extension: figures, then the formats of the derivation alone.
+const CONTENTS: [(&str, Content); 5] = [
+    ("svg", Content::Figure(FigureFormat::Svg)),
+    ("pdf", Content::Figure(FigureFormat::Pdf)),
+    ("png", Content::Figure(FigureFormat::Png)),
+    ("tex", Content::Text(Markup::Latex)),
+    ("md", Content::Text(Markup::Markdown)),
+];
+
 impl Content {
     /// Chooses the content of a file by its extension.
     ///
     /// # Errors
     /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
     pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
-        let mut known: Vec<(&str, Content)> =
-            FigureFormat::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
-        let mut formats = "SVG, PDF or PNG";
-        if subject == Subject::Derivation {
-            known.extend([
-                ("tex", Content::Text(Markup::Latex)),
-                ("md", Content::Text(Markup::Markdown)),
-            ]);
-            formats = "SVG, PDF, PNG, LaTeX or Markdown";
-        }
+        let (contents, formats) = match subject {
+            Subject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
+            _ => (&CONTENTS[..3], "SVG, PDF or PNG"),
+        };
         let is =
             |ending: &str| path.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
-        if let Some((_, content)) = known.iter().find(|(ending, _)| is(ending)) {
+        if let Some((_, content)) = contents.iter().find(|(ending, _)| is(ending)) {
             return Ok(*content);
         }
         let named =
             |(ending, _): &(&str, Content)| path.with_extension(ending).display().to_string();
-        let mut named: Vec<String> = known.iter().map(named).collect();
+        let mut named: Vec<String> = contents.iter().map(named).collect();
         let last = named.pop().unwrap_or_default();
         Err(format!("writes {formats}: not {} but {} or {last}", path.display(), named.join(", ")))
     }

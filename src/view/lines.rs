@@ -166,7 +166,7 @@ pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
         }
         Meeting::TooFar { ray_hits } => {
             let side = if ray_hits { "ahead of p" } else { "behind p" };
-            format!("They meet {side}, too far away for a number.")
+            format!("They meet {side}, too far away to compute.")
         }
     }
 }

@@ -212,7 +212,7 @@ impl Curve {
                     zero(1)
                 ),
                 SphereMeeting::FromSurface => format!(
-                    "f = 0 at t = 0, which is no hit; the hit is t = {}",
+                    "f = 0 at t = 0, which is no hit; the hit is at t = {}",
                     zero(usize::from(sphere.first == Some(1)))
                 ),
                 SphereMeeting::Behind => {

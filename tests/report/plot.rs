@@ -255,7 +255,7 @@ fn pixels_show_what_the_svg_says() {
     // A summary, the scene, and the family.
     let [_, _, figure] = pages.as_slice() else { panic!("{} pages", pages.len()) };
     let pixels = figure.to_pixels();
-    assert_eq!((figure.size(), pixels.len()), ([1920, 1080], 1920 * 1080));
+    assert_eq!((figure.size, pixels.len()), ([1920, 1080], 1920 * 1080));
     let count =
         |[r, g, b]: [u8; 3]| pixels.iter().filter(|p| p.to_array() == [r, g, b, 255]).count();
     assert!(count([0xff; 3]) > pixels.len() / 2);

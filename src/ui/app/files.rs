@@ -188,7 +188,7 @@ impl ScreenContents<'_> {
         let order = shown.order(shown.dots(), self.style(), false);
         match self.figure(&order) {
             Ok(figure) => {
-                self.ctx.copy_image(ColorImage::new(figure.size(), figure.to_pixels()));
+                self.ctx.copy_image(ColorImage::new(figure.size, figure.to_pixels()));
                 None
             }
             Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
