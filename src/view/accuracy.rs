@@ -1,4 +1,4 @@
-//! Error maps: another method's picture compared with the ladder's, pixel by pixel, and in colours.
+//! Error maps: another method's picture compared with the ladder's pixel by pixel, as colours.
 //! This module is pure.
 
 use egui::Color32;
@@ -85,7 +85,7 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [253, 231, 37],
 ];
 
-/// Returns the colour of an error: the darkest up to one ulp, the brightest if no digit is right.
+/// Returns the colour of an error: the darkest for up to one ulp, the brightest if no digit is right.
 pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     let share = (ulps.max(1.0).log10() / DECADES).clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let index = (share as usize).min(VIRIDIS.len() - 2);
@@ -107,7 +107,7 @@ pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     comparison.errors.iter().map(color).collect()
 }
 
-/// Least size of a mark, in points: visible from the back row even if a pixel is one dot.
+/// Least size of a mark, in points, so that it is visible from the back row even if a pixel is one dot.
 const MARK: f32 = 5.0;
 
 /// Marks the wrong pixels in a buffer of `width` dots a row that shows the whole raster. The marks
@@ -124,7 +124,7 @@ pub(crate) fn mark_wrong(
     mark(&wrong, raster, (width, scale), dots);
 }
 
-/// Marks these pixels of the raster, each in its colour, as [`mark_wrong`] says.
+/// Marks these pixels of the raster in the same way as [`mark_wrong`], each in its own colour.
 pub(crate) fn mark(
     pixels: &[(usize, Color32)],
     raster: &Raster,

@@ -1,6 +1,6 @@
-//! Adaptive resolution: while something is dragged in a scene too heavy for one frame, pictures are
-//! traced with fewer pixels; as soon as the drag rests, they are traced with all of them, unless that
-//! would keep the window from answering.
+//! Adaptive resolution: while something is dragged in a scene that is too slow to trace in one frame,
+//! pictures are traced with fewer pixels. As soon as the drag rests, they are traced with all pixels,
+//! unless the window would stop responding.
 
 use std::time::Duration;
 
@@ -29,7 +29,7 @@ impl Subsampling {
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
     }
 
-    /// `every 3rd row and column`
+    /// Returns the step in words: `every 3rd row and column`.
     fn words(self) -> String {
         let Subsampling(step) = self;
         let ending = match step {
@@ -41,17 +41,17 @@ impl Subsampling {
     }
 }
 
-/// Longest time for tracing a picture that leaves time for the rest of a frame at 60 Hz.
+/// Longest time for tracing a picture during a drag: it leaves time for the rest of a frame at 60 Hz.
 const BUDGET: Duration = Duration::from_millis(8);
 
 /// Greatest share of the budget that a finer picture may take. A share near 1 would make the next
 /// frame coarser again.
 const COMFORT: f64 = 0.6;
 
-/// Longest time for tracing a picture at rest, during which the window does not answer.
+/// Longest time for tracing a picture at rest, during which the window does not respond.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Number of objects from which on all pixels may take longer than [`LONGEST`].
+/// Least number of objects with which tracing all pixels may take longer than [`LONGEST`].
 const MANY: usize = 200;
 
 /// Seconds without a move after which a drag counts as resting.
@@ -107,7 +107,7 @@ impl AdaptiveResolution {
         if self.is_followed(time) { self.moving } else { self.resting }
     }
 
-    /// Returns true if a picture with this subsampling is made finer as soon as the hand rests.
+    /// Returns true if a picture with this subsampling is refined as soon as the drag rests.
     pub(crate) fn is_made_finer(&self, shown: Subsampling) -> bool {
         shown > self.resting
     }
@@ -129,7 +129,7 @@ impl AdaptiveResolution {
         time - self.moved_at < REST
     }
 
-    /// Takes note of the time in which new pictures were traced.
+    /// Records the time in which new pictures were traced.
     pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
         let step = f64::from(subsampling.0);
         // The time is at most proportional to the number of pixels, and so to 1 / step^2.

@@ -1,5 +1,5 @@
-//! The effect of a drag: from the pointer to a point of the world, and from there to the values that
-//! the handle changes.
+//! The effect of a handle's drag: converts the pointer's position to a point of the world, and that to
+//! the values that the handle changes.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use crate::model::interaction::{STEP_DEGREES, STEP_POINTS};
 use crate::model::session::Settings;
 use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
-/// A handle's drag, with its observer and the settings that say what stays.
+/// A handle's drag, with the observer and the settings that determine what stays fixed.
 #[derive(Clone, Copy, Debug)]
 pub struct HandleDrag<'a> {
     /// The handle.
@@ -41,7 +41,7 @@ pub struct Dragged {
     pub values: HandleValues,
     /// Unit vector from a sphere's centre to the held point of its surface.
     pub toward: DVec3,
-    /// True if up was turned, too, because the view came near it.
+    /// True if up was turned as well, because the view came near it.
     pub up_went_along: bool,
 }
 
@@ -70,8 +70,7 @@ impl HandleDrag<'_> {
         self.put(self.observer.dragged(at, begun_at, uv, self.along()?)?)
     }
 
-    /// Returns the result of moving the handle to a point of the world, or as near to it as it can
-    /// be.
+    /// Returns the result of moving the handle to a point of the world, or as near to it as possible.
     ///
     /// # Errors
     /// Returns an error if it cannot be there.
@@ -126,8 +125,8 @@ impl HandleDrag<'_> {
         })
     }
 
-    /// Rounds a number to the digits that a hand can set, or snaps it; `per` is its change per
-    /// world unit.
+    /// Rounds a number to the precision of the pointer, or snaps it; `per` is its change per world
+    /// unit.
     fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
         match (self.snaps, self.handle) {
             (false, _) => rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?),
@@ -136,7 +135,7 @@ impl HandleDrag<'_> {
         }
     }
 
-    /// Rounds or snaps a number, unless the drag did not change it: then it stays the same to the bit.
+    /// Rounds or snaps a number if the drag changed it; otherwise it stays the same to the bit.
     fn changed(&self, from: f64, to: f64, per: f64) -> Result<f64, SteerError> {
         if from == to { Ok(to) } else { self.number(to, per) }
     }
@@ -168,8 +167,8 @@ impl HandleDrag<'_> {
         self.aimed(Camera { orientation, ..camera }, camera.with_at(point))
     }
 
-    /// Returns the steered camera. A camera without a basis is replaced by `set`, whose fields then show
-    /// the fault; with up kept, it is `set` in any case.
+    /// Returns the steered camera. If it has no basis, returns `set` instead, whose fields then show the
+    /// fault; if up is kept, always returns `set`.
     fn aimed(
         &self,
         set: Camera,
@@ -183,8 +182,8 @@ impl HandleDrag<'_> {
         steered
     }
 
-    /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields
-    /// then show the fault.
+    /// Returns the camera with the dragged up, even if it is parallel to the view: the fields then show
+    /// the fault.
     fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
         let (camera, length) = (self.drag.before.camera, self.drag.length);
         let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
@@ -256,7 +255,7 @@ impl HandleDrag<'_> {
         let camera = self.drag.before.camera;
         let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        // An invalid distance is reported as it is without the lock.
+        // An invalid distance is set as it is, without the lock, so that the fields show the fault.
         let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
         Ok(scaled.flatten().unwrap_or(set))
     }
@@ -270,7 +269,7 @@ impl HandleDrag<'_> {
         Ok(position.map_or(selection, |position| Selection::Pixel(position.pixel)))
     }
 
-    /// Moves or changes a sphere or a plane.
+    /// Returns the result of moving or changing a sphere or a plane.
     fn object(&self, point: DVec3, mut dragged: Dragged) -> Result<Dragged, SteerError> {
         let Drag { at, length, .. } = *self.drag;
         match (&mut dragged.values.object, self.handle) {

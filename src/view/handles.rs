@@ -1,11 +1,11 @@
 //! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
 //! planes. This module is pure; pointer input is handled in `ui::scene::dragging`.
 //!
-//! This module has their positions on the screen, the hit test, their names and values, and the marks
-//! that the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates what a drag changes.
+//! It has the handles' positions on the screen, the hit test, their names and values, and the marks that
+//! the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates the effect of a drag.
 //!
-//! No gizmo crate is used: those for egui edit one transform at a time, where a viewport has corners
-//! and a sphere a radius, and paint past the overlay, whose marks go into figures.
+//! No gizmo crate is used: those for egui edit one transform at a time, but a viewport has corners and a
+//! sphere has a radius. They also do not draw through the overlay, whose marks go into figures.
 
 use pinhole_core::{Basis, DVec2, DVec3, Object, Orientation, Plane, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
@@ -20,7 +20,7 @@ use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 /// Distance from an arrow's tip to its handle, in points.
 const BEYOND: f64 = 10.0;
 
-/// Distance up to which handles lie together, as a share of the reach of the pointer.
+/// Greatest distance of two handles that count as overlapping, as a share of the pointer's reach.
 const TOGETHER: f64 = 0.4;
 
 /// The document and the observer for which handles are placed.
@@ -56,7 +56,7 @@ pub struct PlacedHandle {
 }
 
 impl PlacedHandle {
-    /// Returns the drag that begins with this handle, taken at `begun_at` in the observer's viewport.
+    /// Returns the drag that begins when this handle is grabbed at `begun_at` in the observer's viewport.
     pub fn taken(&self, document: &Document, selection: Selection, begun_at: DVec2) -> Drag {
         let PlacedHandle { handle, at, length, toward, .. } = *self;
         let before = HandleValues::read(document, selection, handle.object());
@@ -64,7 +64,7 @@ impl PlacedHandle {
     }
 }
 
-/// Returns all handles that the observer sees, drawn or not. If several are at the same position, the
+/// Returns all handles in the observer's picture, drawn or not. Of several at the same position, the
 /// first one is preferred.
 pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     if !stage.items.shows(Item::Handles) {
@@ -79,7 +79,7 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
             [Handle::Point(k), Handle::Normal(k)]
         }
     };
-    // Who has chosen an object wants to move it, even where at is its centre.
+    // The user who has chosen an object wants to move it, even if at is its centre.
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
     let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
@@ -100,9 +100,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     placed.collect()
 }
 
-/// Returns the handle nearest to a position, at most `reach` away, all in dots. Among handles that
-/// lie together with it, the first one is returned, or the one after the handle that was clicked
-/// last.
+/// Returns the handle nearest to a position, at most `reach` away, all in dots. If others overlap it,
+/// returns the first of them, or the one after the handle that was clicked last.
 pub fn hit(
     placed: &[PlacedHandle],
     at: DVec2,
@@ -136,8 +135,8 @@ impl Stage<'_> {
         overlay::length_of_points(self.observer, base, BEYOND, self.scale)
     }
 
-    /// Returns the length in the world at which an arrow of length 1 is drawn whose tip this handle
-    /// is, 1 for other handles; `None` if the arrow is not seen.
+    /// Returns the world length of an arrow of length 1, if this handle is an arrow's tip, and 1 for other
+    /// handles; `None` if the arrow is not visible.
     fn length(&self, handle: Handle) -> Option<f64> {
         let per_length = |drawn: f64, vector: DVec3| {
             let length = vector.length();
@@ -304,8 +303,8 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
 /// Length of the lines along which a handle moves, to either side, in points.
 const GUIDE_POINTS: f64 = 46.0;
 
-/// Returns what the overlay draws for the handles: eye, at and the tip of up, and of the others those
-/// that are needed, which belong to what is under the hand, chosen, or `spoken` of.
+/// Returns the marks that the overlay draws for the handles: eye, at and the tip of up always, and the
+/// others if they are hovered, held or chosen, or change one of the concepts in `spoken`.
 pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());
@@ -344,8 +343,8 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
     }
 }
 
-/// Returns true for the handles of what a camera is given by, and for those of the objects that are
-/// chosen or pointed at: others have none.
+/// Returns true for the handles of the camera's inputs and of objects: only objects that are chosen or
+/// hovered have handles.
 fn is_always_drawn(handle: Handle) -> bool {
     matches!(handle, Handle::Eye | Handle::At | Handle::Up) || handle.object().is_some()
 }
@@ -356,7 +355,7 @@ fn belong_together(handle: Handle, other: Handle) -> bool {
     handle == other || (is_of_viewport(handle) && is_of_viewport(other))
 }
 
-/// Returns true if a handle changes what the concept names.
+/// Returns true if the handle changes the value that the concept names.
 fn is_about(handle: Handle, concept: Concept) -> bool {
     match handle {
         Handle::Roll => concept == Concept::V,

@@ -14,7 +14,7 @@ use crate::view::derive::memo::Memo;
 use crate::view::derive::{Derived, Inputs};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
-/// Decimals of the derivation's numbers while presenting: what can be read from the back row.
+/// Decimals of the derivation's numbers while presenting: few enough to be read from the back row.
 const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
@@ -76,7 +76,7 @@ pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that curves were made, which distinguishes some from the next.
+    /// Number of times that curves were made; it identifies the current ones.
     made: u64,
 }
 

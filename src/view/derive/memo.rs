@@ -46,7 +46,7 @@ impl<K, V> Memo<K, V> {
     }
 }
 
-/// The subsampling of a picture of something: a coarser picture never replaces a finer one.
+/// The subsampling of the last picture. It ensures that a coarser picture never replaces a finer one.
 #[derive(Debug)]
 pub(super) struct Fineness<K>(Option<(K, Subsampling)>);
 
@@ -57,7 +57,7 @@ impl<K> Default for Fineness<K> {
 }
 
 impl<K: PartialEq> Fineness<K> {
-    /// Returns the subsampling to use: the wanted one, or a finer one if there already was one.
+    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let known = self.0.as_ref().filter(|(known, _)| *known == key);
         let subsampling = known.map_or(wanted, |(_, known)| wanted.min(*known));
@@ -66,16 +66,16 @@ impl<K: PartialEq> Fineness<K> {
     }
 }
 
-/// Most pictures of a view that are in use at a time: one is painted while the window still shows
-/// the last, and its texture may be on the way.
+/// Largest number of a view's pictures in use at a time: one is being painted, the window still shows
+/// the last one, and the texture of a third may be uploading.
 const MOST: usize = 3;
 
-/// The last pictures of a view, of which those that nobody shows any more lend their memory.
+/// The last pictures of a view. A new picture takes the memory of one that is no longer shown.
 #[derive(Debug, Default)]
 pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
 
 impl SpareImages {
-    /// Returns pixels for a picture; all of them are still to be painted.
+    /// Returns memory for a picture; the caller must paint every pixel of it.
     pub(super) fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
         let size_in_dots = size.map(|n| n as usize);
         let is_free =
@@ -87,7 +87,7 @@ impl SpareImages {
         }
     }
 
-    /// Returns a view of `size` pixels, and remembers its memory.
+    /// Returns a finished view of `size` pixels, and keeps its memory for later pictures.
     pub(super) fn shown(
         &mut self,
         size: [u32; 2],

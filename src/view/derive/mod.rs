@@ -33,7 +33,7 @@ mod picture;
 mod second_picture;
 mod views;
 
-/// Computes [`Derived`] values, each from its arguments alone; its caches only save work.
+/// Computes [`Derived`] values. The result depends on the arguments alone; the caches only save work.
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Objects,
@@ -43,7 +43,7 @@ pub struct Deriver {
     derivations: Derivations,
     plots: Plots,
     second: SecondPictures,
-    /// The camera's picture from before the document got a fault.
+    /// The camera's last picture without a fault in the document.
     last_good: Option<GoodPicture>,
 }
 
@@ -55,8 +55,8 @@ impl Deriver {
 
     /// Derives everything to show of a document.
     ///
-    /// A caller who keeps the last [`Derived::scene`] keeps it unchanged, at the cost of a copy
-    /// when an object changes.
+    /// A caller may keep [`Derived::scene`], which never changes; but then the next edit of an object
+    /// copies the scene.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
         self.derive_watched(document, session, sizes, &|_| ())
     }
@@ -70,8 +70,8 @@ impl Deriver {
         watch: OnWork<'_>,
     ) -> Derived {
         let inputs = Inputs { document, session, sizes, watch };
-        // Runs on one of rayon's threads from the start: on another thread, each parallel step
-        // would have to wake them and wait.
+        // Starts on one of rayon's threads: from another thread, each parallel step would have to wake
+        // them and wait.
         rayon::join(|| self.derived(inputs), || ()).0
     }
 
@@ -114,7 +114,7 @@ impl Deriver {
         derived
     }
 
-    /// Derives the views, the derivation and the plot, side by side: none reads another.
+    /// Derives the views, the derivation and the plot in parallel: none depends on another.
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
         let good = self.last_good.as_ref();
@@ -182,7 +182,7 @@ pub struct ViewSizes {
     pub purpose: Purpose,
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
-    /// True if something is being dragged: slow work that can wait is put off.
+    /// True if something is being dragged: slow work is then postponed if possible.
     pub under_hand: bool,
 }
 
@@ -206,8 +206,8 @@ impl Purpose {
     }
 }
 
-/// Everything that one frame shows. Panels, views and readouts read it and cannot write to it, so
-/// all of them show the same frame.
+/// Everything that one frame shows. Panels, views and readouts only read it, so all of them show the
+/// same frame.
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
     /// The camera with its basis.

@@ -1,4 +1,4 @@
-//! The scene of the document's objects, which is kept and changed while they are edited.
+//! The scene made of the document's objects. It is kept, and changed in place while they are edited.
 
 use std::sync::Arc;
 
@@ -24,9 +24,8 @@ pub(super) type Enclosing = Arc<Vec<u32>>;
 
 /// The scene of the last document that had no fault.
 ///
-/// A sphere that is dragged among a million is replaced in place. That needs the only reference to
-/// the scene: views must drop theirs before the next [`Objects::update`], or all spheres are
-/// copied.
+/// If one sphere of a million is dragged, only that sphere is replaced. This requires that no view still
+/// holds a reference to the scene at the next [`Objects::update`]; otherwise all spheres are copied.
 #[derive(Debug, Default)]
 pub(super) struct Objects {
     good: Option<GoodWorld>,
@@ -38,7 +37,7 @@ pub(super) struct Objects {
     observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
-/// Maximum number of changed objects that are replaced; if there are more, the scene is made again.
+/// Maximum number of changed objects that are replaced; with more, the scene is built again.
 const FEW: usize = 64;
 
 impl Objects {
@@ -47,8 +46,8 @@ impl Objects {
         self.good.as_ref()
     }
 
-    /// Updates the scene to the document. The cost is proportional to the number of hand-made
-    /// objects, unless objects were added or removed.
+    /// Updates the scene from the document. The cost is proportional to the number of objects made by
+    /// hand, unless objects were added or removed.
     ///
     /// # Errors
     /// Returns the first invalid object; the good world then stays as it was.
@@ -100,7 +99,7 @@ impl Objects {
         self.observed.as_ref().map(|(_, observed)| Arc::clone(observed))
     }
 
-    /// Returns the objects whose shape changed; `None` if the scene has to be made again.
+    /// Returns the objects whose shape changed; `None` if the scene must be built again.
     fn changed(&self, good: &GoodWorld, document: &Document) -> Option<Vec<(u32, Object)>> {
         let GoodWorld { scene, .. } = good;
         let is_same_kind = scene.spheres().len() == document.sphere_count()

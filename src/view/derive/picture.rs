@@ -1,6 +1,6 @@
 //! The camera's picture: by the ladder, by another method that the user compares with it, and their
-//! difference. Tracing reports its work to a [`OnWork`]: the caller measures the time, and there is no
-//! clock here.
+//! difference. Tracing reports its work to an [`OnWork`] callback, so the caller measures the time and
+//! this module needs no clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -126,11 +126,11 @@ pub(super) struct Pictures {
     truth: Memo<TraceKey, Arc<Frame>>,
     /// Frames that can be recoloured without a trace: objects, and `t` if the shading reads it.
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
-    /// Frames by the picture's method, and by the map's method if it differs.
+    /// Frames traced by the picture's method, and by the map's method if it differs.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, MadePicture>,
-    /// The last two pictures: a frame in new memory takes twice as long, and the one before the last
-    /// lends its own.
+    /// The last two pictures. Tracing into new memory takes twice as long, so the next picture reuses
+    /// the memory of the one before the last.
     shown: Vec<Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
@@ -141,7 +141,7 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    /// Returns the camera's picture; no more of it is traced than the screen shows.
+    /// Returns the camera's picture, traced only at the pixels that the screen shows.
     pub(super) fn get(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
@@ -156,7 +156,7 @@ impl Pictures {
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
         let seen = (resolved, world.generation, subsampling.raster(resolved.image(), size));
         let settings = &session.settings;
-        // A method that is too slow for the full picture is not used during a drag, either.
+        // If a method is too slow for the full picture, it is not used during a drag either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
         let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
@@ -273,7 +273,7 @@ impl Pictures {
     }
 }
 
-/// Returns the pixels of a picture that nobody shows any more.
+/// Takes the pixels of a picture that is no longer shown.
 fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
@@ -288,7 +288,7 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
     Arc::new(Picture { raster, image, pixels })
 }
 
-/// Returns the pixels under the loupe, by the method that draws the picture.
+/// Returns the pixels under the loupe, drawn by the same method as the picture.
 fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
     let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
     let mut frame = trace_truth(&world.scene, resolved, raster, watch);
@@ -330,14 +330,14 @@ pub enum WorkKind {
     Rest,
 }
 
-/// A callback for work that was just done.
+/// A callback that is told the kind of the work just done.
 pub type OnWork<'a> = &'a (dyn Fn(WorkKind) + Sync);
 
 /// A picture's frame and its opaque pixels.
 pub(super) type PaintedFrame = (Frame<f32>, Vec<egui::Color32>);
 
-/// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture; both in the
-/// memory of a `spare` one, if that is as large.
+/// Traces a frame with the `outputs` and returns it with the opaque pixels of the picture. Both reuse
+/// the memory of `spare` if it has the same size.
 pub(super) fn trace_picture(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -391,7 +391,7 @@ pub(super) fn trace_truth(
     Arc::new(frame)
 }
 
-/// Does some work and reports it.
+/// Runs `run` and reports it as `work`.
 pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -> R) -> R {
     watch(WorkKind::Rest);
     let done = run();

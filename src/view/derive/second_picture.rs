@@ -47,7 +47,7 @@ pub enum SecondPicture {
 /// A second picture with the data behind it.
 #[derive(Clone, Debug)]
 pub struct Second {
-    /// The data, which also says why there is no picture.
+    /// The data, or the reason why there is no picture.
     pub data: SecondData,
     /// The picture.
     pub view: Option<Shown>,
@@ -73,7 +73,7 @@ pub struct AgainstGhost {
     pub ghost: ResolvedCamera,
     /// The difference from the ghost to the edited camera.
     pub difference: CameraDifference,
-    /// Number of shown pixels, and of those among them that see another object.
+    /// Number of shown pixels, and number of those that see another object.
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
@@ -112,8 +112,8 @@ impl Derived {
         }
     }
 
-    /// Returns the grade of a student's answers; `None` if there are no answers, or nothing to grade
-    /// them by.
+    /// Returns the grade of a student's answers; `None` if there are no answers, or no valid scene to
+    /// grade them against.
     pub fn grading(&self) -> Option<&Grading> {
         match &self.second.as_ref()?.data {
             SecondData::Answers(grading) => Some(grading),
@@ -135,14 +135,14 @@ enum SecondKey {
 /// differ. The map of answers is made for the size of the view, and so has a cache of its own.
 type SecondMade = (SecondData, Vec<Arc<Picture>>);
 
-/// A cache of the second pictures: the last one of each kind, and the view of the one that is shown.
+/// A cache of the second pictures: the last one of each kind, and the view of the current one.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
     made: [Memo<SecondKey, Option<(u64, SecondMade)>>; 4],
     view: Memo<CameraView, Shown>,
     answers_map: Memo<(u64, [u32; 2]), Option<Arc<Picture>>>,
     marks: Memo<(u64, Selection), Arc<[AnswerMark]>>,
-    /// Number of pictures made so far, which distinguishes one from the next.
+    /// Number of pictures made so far; it identifies the current one.
     pub(super) count: u64,
 }
 
@@ -227,7 +227,7 @@ impl SecondPictures {
         })
     }
 
-    /// Returns the answers and rays to draw in the world view beside the right ones.
+    /// Returns the answers and rays that the world view draws next to the right ones.
     fn marks(
         &mut self,
         number: u64,
@@ -239,7 +239,7 @@ impl SecondPictures {
         let selection = session.shown_selection();
         let camera = match data {
             SecondData::Answers(Ok(_)) => None,
-            // A mark would give away what is to be guessed.
+            // A mark would give away the answer.
             SecondData::WrongCamera(wrong) if session.mistakes_view.is_revealed() => {
                 wrong.camera.as_ref().ok()
             }
@@ -389,7 +389,7 @@ fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
         (true, false) => Color32::from_gray(0xc4),
-        // An object where the ghost sees none, none where it sees one, and one instead of another.
+        // The ghost sees nothing here; only the ghost sees an object; the two see different objects.
         (false, _) if *ghost == NO_OBJECT => Color32::from_rgb(0xc8, 0x10, 0x58),
         (false, true) => Color32::from_rgb(0x00, 0x4a, 0x86),
         (false, false) => Color32::from_rgb(0x3a, 0x18, 0x40),
@@ -409,8 +409,8 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
 }
 
-/// Returns the map of the answers with as many pixels as are shown. A pixel that stands for several is
-/// wrong if one of them is.
+/// Returns the map of the answers with as many pixels as the screen shows. If one of them stands for
+/// several answers, it is wrong as soon as one of these is.
 fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image = graded.image;
@@ -433,7 +433,7 @@ pub(super) fn ghost_camera(
     derived: &Derived,
 ) -> Option<GhostCamera> {
     if session.settings.layout == ViewLayout::Mistakes {
-        // It would give away what the class is asked for.
+        // It would give away the answer to the class.
         let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
         let wrong = derived.wrong_camera().filter(|_| !is_secret && derived.fault.is_none())?;
         return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
@@ -453,8 +453,8 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
     vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
 }
 
-/// Returns the student's answer for the selected pixel where it is wrong. Where the file has none for
-/// it, returns the worst answer with the right one beside it.
+/// Returns the student's answer for the selected pixel if it is wrong. If the file has no answer for
+/// that pixel, returns the worst answer together with the right one.
 fn of_answers(
     graded: &Graded,
     camera: &ResolvedCamera,
@@ -497,7 +497,7 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
     (0..count).find(|index| graded.pixel(*index) == Some(pixel))
 }
 
-/// Returns an answer's own ray or hit. A hit of which only t is given lies on the right ray.
+/// Returns an answer's own ray or hit. If only t of a hit is given, the hit lies on the right ray.
 fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {

@@ -14,7 +14,7 @@ use crate::model::overlay_items::Item;
 /// A shape in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A chain of straight lines; closed if it ends where it began.
+    /// A chain of straight lines; closed if its last point equals its first.
     Line {
         /// The corners.
         points: Vec<[f32; 2]>,
@@ -46,15 +46,15 @@ pub struct Mark {
     pub shape: Shape,
     /// The colour.
     pub color: Color32,
-    /// A casing around it, so that it stands out from what it crosses.
+    /// The colour of a casing around it, which sets it off from the lines it crosses.
     pub halo: Option<Color32>,
-    /// True if it lies behind something or belongs to the ghost; the line is then dashed.
+    /// True if something hides it or it belongs to the ghost; the line is then dashed.
     pub hidden: bool,
-    /// Dash and gap, in points, that distinguish this line where colours do not.
+    /// Dash and gap, in points, which distinguish this line if its colour does not.
     pub pattern: Option<[f32; 2]>,
 }
 
-/// Text in the picture, drawn by the caller, who has the fonts.
+/// A text in the picture. The caller draws it, because the caller has the fonts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// The overlay item that it belongs to.
@@ -176,7 +176,7 @@ pub(super) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }
 
-/// Width of a mark's casing on each side, in points; and its greatest share of a line's width.
+/// Width of a mark's casing on each side, in points, and its maximum as a share of a line's width.
 const HALO_WIDTH: f32 = 1.25;
 const HALO_SHARE: f32 = 0.5;
 
@@ -220,9 +220,9 @@ pub enum Ink {
     Fill,
     /// A stroke with round joins.
     Stroke {
-        /// The pen's width.
+        /// The width.
         width: f32,
-        /// True if the ends are round; otherwise they are cut off.
+        /// True if the ends are round; otherwise they are flat.
         round: bool,
         /// Dash and gap, if the stroke is dashed.
         dash: Option<[f32; 2]>,
@@ -230,7 +230,7 @@ pub enum Ink {
 }
 
 impl PathOutline<'_> {
-    /// Returns the outline as the rasteriser and PDF take it; `None` if there is nothing of it.
+    /// Returns the outline in tiny-skia's form, which PDF files use too; `None` if it is empty.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
             PathOutline::Circle { center: [x, y], radius } => {
@@ -252,7 +252,7 @@ impl PathOutline<'_> {
 }
 
 impl Path<'_> {
-    /// Returns the path with every length multiplied, dashes and pens too.
+    /// Returns the path with every length multiplied by `scale`, also of dashes and strokes.
     pub fn scaled(&self, scale: f32) -> Path<'static> {
         let outline = match &self.outline {
             PathOutline::Chain { points, closed } => PathOutline::Chain {

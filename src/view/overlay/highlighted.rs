@@ -1,8 +1,9 @@
 //! Highlighting of a concept: it is drawn again, thicker and on top, even if its overlay item is
-//! switched off. Where it is spoken of, and not only pointed at, everything else is dimmed.
+//! switched off. If the derivation or a lesson speaks of it, everything else is dimmed; if the pointer
+//! only hovers it, nothing is.
 //!
-//! This module has what both views share, and the world view; `camera_view::highlighted` has the camera
-//! view.
+//! This module has the parts that both views share, and the world view; the camera view is in
+//! `camera_view::highlighted`.
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Sphere};
@@ -18,7 +19,7 @@ use crate::view::overlay::sketch::{Head, LineStyle, Request, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 
-/// The highlighted concept, and what is needed to draw it.
+/// The highlighted concept, and the inputs for drawing it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Highlighted {
     /// The concept.
@@ -49,7 +50,7 @@ impl Highlighted {
     }
 }
 
-/// Maximum number of significant digits of a label: it must not cover what it is about.
+/// Maximum number of significant digits of a label: a longer one would cover what it names.
 const LABEL_DIGITS: usize = 4;
 
 /// Opacity of the other marks.
@@ -59,11 +60,12 @@ const DIMMED: f32 = 0.42;
 pub(super) const ALONG: [(Concept, &str); 3] =
     [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
-/// Widths of highlighted lines and of those beside them, in points.
+/// Widths of highlighted lines and of the lines that go with them, in points.
 pub(super) const STRONG: f32 = 5.0;
 pub(super) const BESIDE: f32 = 3.0;
 
-/// Removes the concept's own marks and labels, which are drawn again, and dims the others if it does.
+/// Removes the concept's own marks and labels, which are drawn again, and dims the others if
+/// `highlighted` asks for it.
 pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
     let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
@@ -88,8 +90,8 @@ pub(super) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Requ
     own.into_iter().chain(others).collect()
 }
 
-/// Returns a pen's casing and the pen. A chain of short lines needs one casing as a whole, below
-/// all of it.
+/// Returns the style of the casing and that of the line. A chain of short lines needs one casing as a
+/// whole, below all of it.
 pub(super) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
     [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
@@ -162,7 +164,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights what the camera is given by; it exists without a basis, too.
+    /// Highlights the inputs of the camera, which exist even if it has no basis.
     fn highlight_given(&mut self, highlighted: Highlighted) {
         let view = self.view;
         let eye = view.camera.eye;
@@ -222,8 +224,8 @@ impl Sketch<'_> {
     }
 
     /// Draws both factors, the parallelogram between them, and the product with its length
-    /// `|first| sin(angle)`, the second factor having length 1. A first factor too short or too
-    /// long to be drawn beside the second is drawn with length 1, too.
+    /// `|first| sin(angle)`; the second factor has length 1. If the first factor is too short or too
+    /// long to be drawn next to the second, it is drawn with length 1 as well.
     fn highlight_cross(
         &mut self,
         eye: DVec3,
@@ -268,7 +270,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights what needs the basis: its vectors, the viewport and its distance.
+    /// Highlights the parts that need the basis: its vectors, the viewport and its distance.
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let eye = resolved.eye();
         let arrow = self.arrow_length(eye);
@@ -294,7 +296,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights what belongs to the selected ray.
+    /// Highlights the parts of the selected ray.
     fn highlight_selected(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let view = self.view;
         let Some(inspection) = &view.inspection else { return };

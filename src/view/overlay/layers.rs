@@ -12,7 +12,7 @@ use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
 use crate::view::overlay::paint::Picture;
 use crate::view::overlay::screen::PixelRays;
 
-/// All flat layers of one world view, and the t-buffer that they are compared with.
+/// All flat layers of one world view, and the traced t with which they are compared.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
@@ -23,8 +23,8 @@ pub(crate) struct Layers<'a> {
     pub(crate) bowls: Vec<Bowl>,
 }
 
-/// A sphere around the camera, cut away: of its surface, what a ray leaves it by is painted, and the
-/// half towards the observer is not.
+/// A sphere around the camera, cut away: only the far side of its surface is painted, where the
+/// observer's rays leave the sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bowl {
     pub(crate) sphere: Sphere,
@@ -90,12 +90,12 @@ pub(crate) struct PlanePatch {
     pub(crate) grid: Grid,
 }
 
-/// Relative margin by which something must be nearer to hide a point, so that a surface does not
-/// hide its own points.
+/// Relative margin by which something must be nearer to hide a point. Without it a surface would hide
+/// its own points.
 const TOLERANCE: f64 = 1e-3;
 
-/// Relative margin for layers over the traced picture, which do not touch it: the rounding of
-/// `f32`.
+/// Relative margin for painting layers over the traced picture: they do not touch it, so it only covers
+/// the rounding of `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
 /// (u / width, v / height) of the viewport's edges.
@@ -104,7 +104,7 @@ const HALF_VIEWPORT: f64 = 0.5;
 /// Rows of dots that are painted at a time.
 const BAND: usize = 32;
 
-/// Opacity up to which a patch hides no lines.
+/// Greatest opacity at which a patch does not hide lines.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl<'a> PictureLookup<'a> {
@@ -224,9 +224,9 @@ impl<'a> Layers<'a> {
         });
     }
 
-    /// Paints all layers, where the viewport is, over the `traced` picture, in a band of rows from
-    /// `top` on. Everywhere else the dots must already show the result of [`Layers::paint`] without
-    /// the viewport.
+    /// Paints all layers over the `traced` picture at the dots of the viewport, in a band of rows from
+    /// `top` on. All other dots must already show the result of [`Layers::paint`] without the
+    /// viewport.
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
@@ -390,9 +390,9 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns black on a light colour and white on a very dark one (luma of ITU-R BT.601), and greys
-/// between the two in between: over a shaded surface, a line in these colours has no seam. A
-/// transparent colour counts as the colour `behind` it.
+/// Returns black for a light colour, white for a very dark one (luma of ITU-R BT.601), and a grey for
+/// those in between, so that a line across a shaded surface has no seam. A transparent colour counts as
+/// the colour `behind` it.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
     const FROM: u32 = 40_000;
     const TO: u32 = 95_000;

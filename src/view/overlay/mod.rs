@@ -1,10 +1,10 @@
 //! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene
 //! and the selected ray.
 //!
-//! Pure functions build a [`Drawing`] from the values to be shown: marks and labels in dots
-//! (physical pixels). [`world`] and [`camera`] also paint the marks on the CPU, straight into the
-//! picture; text is left to the caller, who has the fonts. The window and exported figures use the
-//! same drawing; vector formats take it apart from the picture.
+//! Pure functions build a [`Drawing`]: marks and labels in dots (physical pixels). [`world`] and
+//! [`camera`] also paint the marks on the CPU, straight into the picture; the caller draws the text,
+//! because it has the fonts. The window and exported figures use the same drawing; in vector formats
+//! it stays separate from the picture.
 //!
 //! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: a concept drawn on
 //!   top of everything else.

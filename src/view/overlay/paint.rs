@@ -10,7 +10,7 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDas
 
 use crate::view::overlay::drawing::{Drawing, Ink, Path};
 
-/// Rows of dots that are painted at a time: what a band is painted with stays in the cache.
+/// Number of rows that are painted at a time, so that their dots stay in the cache.
 const BAND: usize = 32;
 
 /// Paths prepared for painting: outlines to fill, each with its colour.
@@ -35,8 +35,8 @@ impl Fills {
         Fills(filled.collect())
     }
 
-    /// Paints a picture of `width` dots a row in bands of rows, in parallel: each first by `before`,
-    /// which gets the band's first row, and then by the paths.
+    /// Paints a picture of `width` dots a row in parallel bands of rows. In each band, calls `before`
+    /// with the band's first row, and then paints the paths.
     pub(super) fn paint_after(
         &self,
         width: usize,
@@ -79,7 +79,7 @@ pub fn paint_paths<'a>(
     Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
 }
 
-/// Returns the outline to fill: a path's own, or that of its stroke.
+/// Returns the outline to fill: that of the path, or that of its stroke.
 fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     let outline = path.outline.to_path()?;
     let Ink::Stroke { width, round, dash } = path.ink else { return Some(outline) };

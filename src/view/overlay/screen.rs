@@ -45,12 +45,12 @@ const NEAR: f64 = 1e-7;
 /// products of smaller ones are far from overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Share of the picture beyond its border at which lines are cut, so that their ends are out of
-/// sight.
+/// Distance beyond the picture's border at which lines are cut, as a share of the picture's size: their
+/// ends are then out of sight.
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// Creates a screen; `unit` is a length of about the size of what is seen.
+    /// Creates a screen; `unit` is a length of about the size of the visible scene.
     pub(crate) fn new(observer: &ResolvedCamera, unit: f64) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
@@ -152,28 +152,28 @@ impl Screen {
         (spot.at - 0.5 * self.size).abs().cmple(reach).all() && spot.inverse_t.is_finite()
     }
 
-    /// Returns the number of dots that a world unit at this point covers; `None` where it is not
-    /// seen.
+    /// Returns the number of dots that a world unit at this point covers; `None` if the point is not
+    /// visible.
     pub(crate) fn dots_per_unit(&self, point: DVec3) -> Option<f64> {
         let q = self.view(point)?;
         let dots = self.focal.min_element() / (q.z.max(NEAR) * self.unit);
         dots.is_finite().then_some(dots)
     }
 
-    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
-    /// points on the screen; 0 where the point is not seen. A point is `scale` dots.
+    /// Returns the world length that covers as many points on the screen as one world unit does, but at
+    /// least `least` and at most `most`; 0 if `at` is not visible. A point is `scale` dots.
     pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64), scale: f64) -> f64 {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
         let points = dots / scale;
         points.clamp(least, most) / points
     }
 
-    /// Returns the length of the basis arrows at a point, likewise.
+    /// Returns the world length of the basis arrows at a point; 0 if the point is not visible.
     pub(crate) fn arrow_length(&self, at: DVec3, scale: f64) -> f64 {
         self.length_of_points(at, self.view_size(scale).arrow_points(), scale)
     }
 
-    /// Returns the length of a normal at a point, likewise.
+    /// Returns the world length of a normal at a point; 0 if the point is not visible.
     pub(crate) fn normal_length(&self, at: DVec3, scale: f64) -> f64 {
         let (points, _) = self.view_size(scale).arrow_points();
         self.length_of_points(at, (points, points), scale)

@@ -25,7 +25,7 @@ pub(crate) struct LineStyle {
     /// Width in points.
     pub(crate) width: f32,
     pub(crate) halo: bool,
-    /// True if it is drawn on the viewport's rectangle, which then does not hide it.
+    /// True if it lies on the viewport's rectangle, which then does not hide it.
     pub(crate) on_viewport: bool,
     /// True if nothing hides it.
     pub(crate) on_top: bool,
@@ -58,15 +58,16 @@ pub(crate) struct Sketch<'a> {
     pub(crate) requests: Vec<Request>,
 }
 
-/// Distance, in dots, between two occlusion tests along a line; where they differ, the spot between them
-/// is sought by halving, to a quarter of a dot.
+/// Distance, in dots, between two occlusion tests along a line. If two neighbours differ, bisection
+/// finds the change between them to a quarter of a dot.
 const SAMPLE_SPACING: f64 = 3.0;
 const HALVINGS: u32 = 3;
 
 /// Length, in points, below which a run is drawn like its neighbour.
 const SHORTEST_RUN: f64 = 3.0;
 
-/// A part of a line that is visible, or hidden, as a whole; in shares of its length on the screen.
+/// A part of a line that is either visible or hidden throughout. Its ends are shares of the line's
+/// length on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LinePart {
     from: f64,
@@ -107,7 +108,7 @@ impl LineStyle {
         LineStyle { on_viewport: true, ..self }
     }
 
-    /// Returns the mark of a visible shape, in a casing of the colour `halo` if the pen has one.
+    /// Returns the mark of a visible shape, in a casing of the colour `halo` if the style has one.
     pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
         Mark {
             item: self.item,
@@ -135,7 +136,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow whose head keeps its size on the screen; returns its tip, if that is visible.
+    /// Draws an arrow whose head has a fixed size on the screen. Returns its tip if it is in the picture.
     pub(crate) fn arrow(
         &mut self,
         from: DVec3,
@@ -155,7 +156,7 @@ impl Sketch<'_> {
         let length = along.length();
         let full = self.scale() * (4.0 + 3.0 * f64::from(pen.width));
         let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
-            // It points at the observer, or away: only its end is seen.
+            // It points towards the observer or away: only its end is visible.
             self.disc(to, pen.width + 1.5, pen);
             return Some(Tip { spot: to, direction: DVec2::ZERO });
         };
@@ -205,8 +206,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point of the world as a disc of `radius` points; returns its spot, if that is
-    /// visible.
+    /// Draws a point of the world as a disc of `radius` points. Returns its spot if it is in the
+    /// picture.
     pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> Option<Spot> {
         if !self.items.shows(pen.item) {
             return None;
@@ -248,7 +249,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws what is in the picture of a flat convex polygon, if one of its corners is not hidden.
+    /// Draws the part of a flat convex polygon that lies in the picture, unless all of its corners are
+    /// hidden.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: LineStyle) {
         if !self.items.shows(pen.item) {
             return;
@@ -356,7 +358,7 @@ pub(crate) struct Tip {
 /// A label to be placed.
 #[derive(Clone, Debug)]
 pub(crate) struct Request {
-    /// The label; its position is still open.
+    /// The label, not yet with a position.
     pub(crate) label: Label,
     pub(crate) concept: Option<Concept>,
     /// The point it names, in dots.
@@ -368,7 +370,7 @@ pub(crate) struct Request {
 }
 
 impl Request {
-    /// Creates the request for a pen's label with a colour, a size in points, and boldness.
+    /// Creates the request for a label in a style's item, with a colour, a size in points, and boldness.
     pub(crate) fn new(
         pen: LineStyle,
         text: String,
@@ -444,7 +446,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
     }
 }
 
-/// Returns the line from an anchor to the label that names it, if that stands off.
+/// Returns the leader line from an anchor to its label, if the label is far from it.
 fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[DVec2; 2]> {
     let end = request.anchor.clamp(center - half, center + half);
     let from = request.anchor.move_towards(end, 0.5 * GAP * f64::from(scale));

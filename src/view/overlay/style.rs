@@ -13,8 +13,8 @@ pub(super) const VECTOR_TEXT: f32 = 21.0;
 pub(super) const POINT_TEXT: f32 = 17.0;
 pub(super) const MARK_TEXT: f32 = 14.0;
 
-/// Colours for a light or a dark window, with their name on the command line: a pair of each
-/// [`Scheme`], in its order.
+/// The colours for a light or a dark window: one light and one dark style for each [`Scheme`], in its
+/// order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Style {
     /// Dark lines on a light background.
@@ -37,14 +37,14 @@ pub enum Style {
 pub struct Colors {
     /// Colour where the observer sees nothing.
     pub background: Color32,
-    /// Casing of lines and text, so that they stand out from what they cross.
+    /// Casing of lines and text, which sets them off from what they cross.
     pub halo: Color32,
     /// Eye, frustum, viewport outline.
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
-    /// Dash and gap of these arrows, in points, where greys alone would not distinguish them well
-    /// enough.
+    /// Dash and gap of these arrows, in points, in styles whose greys alone would not distinguish them
+    /// well enough.
     pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],

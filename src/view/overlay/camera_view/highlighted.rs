@@ -22,8 +22,8 @@ use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;
 
-/// Distance between two strokes of a plane's hatching, and the step at which its border is
-/// followed, in points.
+/// Distance between two strokes of a plane's hatching, and the step at which strokes are tested against
+/// the plane's border, in points.
 const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
@@ -202,7 +202,7 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws w towards the observer, with the other factor and the product beside it.
+    /// Draws w towards the observer, with the other factor and the product in the image.
     fn highlight_cross(
         &mut self,
         highlighted: Highlighted,
@@ -315,8 +315,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
-    /// picture, and what lies on it must still be seen and hovered.
+    /// Hatches the pixels that show a plane, below everything else: the plane may fill the picture, and
+    /// the marks on it must stay visible and hoverable.
     fn highlight_plane(&mut self, scene: &Scene, index: u32) {
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));

@@ -1,5 +1,5 @@
-//! The loupe of the camera view: the pixels around the selected (u, v), so large that one sees
-//! whether it is in the middle of a pixel, on an edge or on a corner.
+//! The loupe of the camera view: the pixels around the selected (u, v), enlarged enough to show whether
+//! it lies in the middle of a pixel, on an edge or on a corner.
 
 use std::ops::Range;
 
@@ -34,8 +34,8 @@ pub struct Loupe {
     pub count_from_one: bool,
 }
 
-/// Returns the rows and columns under the loupe, cut to the image. The selected position is in
-/// their middle, or in the middle one.
+/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in
+/// the middle one, or on the edge between the two in the middle.
 pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, own: u32, count: u32| {
         let half = pixels / 2;
@@ -62,7 +62,7 @@ struct Inset {
 }
 
 impl Inset {
-    /// Returns the open loupe, and places it for the selected position.
+    /// Returns the loupe if it is open, with the selected position, and places it.
     fn open(view: &CameraView) -> Option<(&Loupe, PixelOfUv, DVec2, Inset)> {
         let loupe = view.loupe.as_deref().filter(|loupe| loupe.picture.is_whole())?;
         let inspection = view.inspection.as_ref().filter(|_| view.items.shows(Item::Loupe))?;
@@ -193,7 +193,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
             size: TEXT,
             bold: false,
         };
-        // A small loupe is narrower than its text, and stands at the view's edge.
+        // A small loupe is narrower than its text, and lies at the view's edge.
         let [half, _] = label.half_extent(view.scale);
         label.position[0] = label.position[0].min(width - half).max(half);
         label
@@ -206,7 +206,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
     rows.dedup();
     let name = |row: &u32| {
-        // Two names need more room than two small pixels have.
+        // Two names may need more room than two small pixels give.
         let least = 0.64 * f64::from(TEXT) * scale;
         let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
@@ -216,7 +216,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     rows.iter().map(name).collect()
 }
 
-/// Returns the touched columns' numbers, above them, and the word for them.
+/// Returns the touched columns' numbers, above them, and the word `column`.
 fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
     let scale = f64::from(scale);
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();

@@ -248,7 +248,7 @@ impl CameraSketch<'_> {
     }
 
     /// Draws the pixels that the selected ray touches, and a cross where it does not pass through
-    /// the centre of one. If pixels are too small to be told apart, draws only a frame around the
+    /// the centre of one. If pixels are too small to be distinguished, draws only a frame around the
     /// position.
     fn selected(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };

@@ -132,7 +132,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the camera's body where its viewport is too small to be seen: a box of fixed size on the
+    /// Draws the camera's body if its viewport is too small to be seen: a box of fixed size on the
     /// screen, with the eye as the hole in its front.
     ///
     /// The box stands behind the eye, where no viewport can be. Frustum, viewport, picture and ray are
@@ -240,7 +240,7 @@ impl Sketch<'_> {
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
         let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
-        // Where it has no name it would only be one arrow more.
+        // Without its name it would only be one more arrow.
         if self.view.names_all {
             let length = self.normal_length(hit.point);
             let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
@@ -252,7 +252,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the point p + t d with its t, and a line to it where the ray is not drawn that far.
+    /// Draws the point p + t d with its t, and a line to it if the ray is not drawn that far.
     fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
@@ -283,7 +283,7 @@ impl Sketch<'_> {
         self.sides(corners, pen.without_halo());
     }
 
-    /// Draws view and up as they are given; a basis given by hand has neither.
+    /// Draws the given view and up; a camera given by its basis has neither.
     fn given(&mut self, arrow: f64) {
         let view = self.view;
         let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
@@ -353,9 +353,9 @@ pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
-/// Radius of a patch, as a share of the observer's distance to the target plus the target's to the
-/// plane; and the greatest distance of the plane from the target, as a multiple of the observer's
-/// distance to it.
+/// Radius of a patch, as a share of the distances from the observer to the target and from the target
+/// to the plane together; and the greatest distance from the target to the plane, as a multiple of the
+/// distance from the observer to the target.
 const PATCH_RADIUS: f64 = 0.5;
 const PATCH_REACH: f64 = 3.0;
 
@@ -423,8 +423,8 @@ fn grid_step(distance: f64) -> f64 {
 }
 
 impl Sketch<'_> {
-    /// Draws the rim of a sphere that is cut away, and three circles on what is left of it, orthogonal
-    /// to x, y and z.
+    /// Draws the rim of a sphere that is cut away, and on the rest of it three circles orthogonal to x, y
+    /// and z.
     pub(crate) fn cut_away(
         &mut self,
         index: u32,

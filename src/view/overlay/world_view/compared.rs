@@ -15,7 +15,7 @@ use crate::view::overlay::world_view::camera_in_space::corners;
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;
 
-/// Greatest length of a basis vector that is drawn as long as it is; a wrong one may have any.
+/// Greatest length at which a basis vector is drawn to scale; a wrong one may have any length.
 const LONGEST: f64 = 2.0;
 
 /// A camera to compare with: a frozen one, or the one that a mistake makes.
@@ -26,9 +26,9 @@ pub struct GhostCamera {
     basis: [Option<DVec3>; 3],
     /// From the eye to the viewport's corners, from that of pixel (0, 0) clockwise in the image.
     corners: [DVec3; 4],
-    /// True if it is a camera of its own, with another eye; a mistake's has the right one.
+    /// True if it is a separate camera with its own eye; a mistake's camera has the right eye.
     is_frozen: bool,
-    /// True if another corner than the right camera's is that of pixel (0, 0).
+    /// True if pixel (0, 0) lies at another corner than the right camera's.
     is_turned: bool,
 }
 
@@ -45,7 +45,7 @@ impl GhostCamera {
         }
     }
 
-    /// Returns a mistake's camera as a ghost: of its basis only what is wrong.
+    /// Returns a mistake's camera as a ghost, with only the wrong vectors of its basis.
     pub fn of_mistake(wrong: &WrongCamera) -> GhostCamera {
         let right = wrong.right_camera();
         let [u, v, w] = wrong.wrong_vectors();
@@ -99,16 +99,16 @@ impl Sketch<'_> {
     }
 }
 
-/// Length, in unit vectors, between which an answer is drawn as long as it is.
+/// Lengths, in unit vectors, between which an answer is drawn to scale.
 const LENGTHS: (f64, f64) = (0.3, 1.5);
 
-/// The pens of answers. They are switched by no checkbox, because they are what the page is about.
+/// The item of all answers. No checkbox switches them off, because the page is about them.
 const ITEM: Item = Item::Eye;
 
 impl Sketch<'_> {
-    /// Draws the answers, on top of what belongs to the camera.
+    /// Draws the answers, on top of the camera's marks.
     pub(crate) fn answer_marks(&mut self) {
-        // The right ones first: a student's lies over them.
+        // The right ones come first, so that a student's lies over them.
         let mut marks: Vec<&AnswerMark> = self.view.answer_marks.iter().collect();
         marks.sort_by_key(|mark| mark.is_dashed);
         for mark in marks {
@@ -165,7 +165,7 @@ impl Sketch<'_> {
         self.label_tip(pen, mark.label.as_str(), tip, (pen.color, text_size, true));
     }
 
-    /// Draws a ray up to its t, or to what it hits, and names it where it passes the viewport.
+    /// Draws a ray up to its t, or to its first hit, and labels it at the viewport.
     fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: LineStyle) {
         let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {

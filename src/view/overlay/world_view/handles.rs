@@ -87,15 +87,15 @@ pub enum Guide {
     },
 }
 
-/// Distance from the middle of a handle to its edge, in points: plain ones, and others.
+/// Distance from the middle of a handle to its edge, in points: of plain ones, and of the others.
 const PLAIN: f64 = 6.0;
 const LARGE: f64 = 10.0;
 
 /// Distance from the edge to the empty middle, in points.
 const RIM: f64 = 2.4;
 
-/// Returns the world length that covers `points` points on the screen at a point; 0 where it is not
-/// seen.
+/// Returns the world length that covers `points` points on the screen at a point; 0 if the point is not
+/// visible.
 pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     screen_at(observer, at).length_of_points(at, (points, points), scale.into())
 }
@@ -134,8 +134,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the handles that cover no other one, those under the hand first: of two that lie
-    /// together, the second comes when it is reached for.
+    /// Returns the handles that do not overlap, hovered and held ones first. If two overlap, the second
+    /// appears only while it is hovered or held.
     fn apart<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
         let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
             marks.iter().partition(|mark| mark.state == KnobState::Plain);

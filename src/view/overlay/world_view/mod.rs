@@ -66,15 +66,15 @@ pub struct WorldView {
     pub handles: Handles,
     /// True if the picture is transparent where the observer sees nothing.
     pub is_clear: bool,
-    /// True if everything drawn has its name, as in lessons and figures; else only the camera's parts
-    /// and the highlighted concept are named.
+    /// True if everything is named, as in lessons and figures; otherwise only the camera's parts and the
+    /// highlighted concept are.
     pub names_all: bool,
     /// True if the marks are not painted into the picture: a figure draws them itself.
     pub is_apart: bool,
 }
 
-/// The picture behind the camera and its marks: the observer's picture with the spheres around the
-/// camera, cut away, and the planes' patches painted over it. It stays the same while only the camera moves.
+/// The layers painted over the observer's picture behind the camera and its marks: the cut-away spheres
+/// around the camera, and the planes' patches. They stay the same while only the camera moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
     patches: Vec<PlanePatch>,
@@ -108,7 +108,7 @@ impl Backdrop {
 pub struct Below<'a> {
     /// The observer's picture.
     pub traced: &'a [Color32],
-    /// The same with the backdrop painted over it.
+    /// The observer's picture with the backdrop painted over it.
     pub painted: &'a [Color32],
 }
 
@@ -127,7 +127,7 @@ pub fn world(
     drawing
 }
 
-/// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` beside the
+/// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` outside the
 /// viewport and where an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
@@ -174,8 +174,8 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
-/// Least distance between drawn pixel edges, in points; nearer ones are thinned out to every
-/// second, fifth, tenth...
+/// Least distance between drawn pixel edges, in points. If they would be closer, only every second,
+/// fifth, tenth... edge is drawn.
 const GRID_SPACING: f64 = 7.0;
 
 impl WorldView {
@@ -255,7 +255,7 @@ impl WorldView {
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space();
         sketch.answer_marks();
-        // The ghost's labels come after the camera's, where there is no room for both.
+        // The ghost's labels come last, so that the camera's get the room if there is not enough for both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
             sketch.highlight(highlighted);
@@ -267,7 +267,7 @@ impl WorldView {
     }
 }
 
-/// Returns the densest grid of pixel edges that can be told apart on the screen, and its opacity.
+/// Returns the densest grid of pixel edges that can be distinguished on the screen, and its opacity.
 fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<(Grid, f32)> {
     let center = resolved.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (resolved.basis(), resolved.viewport(), resolved.image());
