@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use egui::{Context, ThemePreference, ViewportCommand};
+use pinhole_core::Selection;
 use pinhole_exchange::scenes::SceneSource;
 
 use crate::figures::derivation_of;
@@ -178,7 +179,7 @@ impl App {
         let problem = |reason| Message::new("The unsaved changes cannot be restored", reason);
         let (open, slot) = found.restore(as_new).map_err(problem)?;
         self.recovery.go_on_in(slot);
-        Ok(self.scene.restore(open))
+        Ok(self.scene.replace(open, Selection::default()))
     }
 
     /// Reads the scene's files again if another program has changed them; asks first if there are unsaved

@@ -94,12 +94,8 @@ impl OpenScene {
         Ok(())
     }
 
-    /// Opens a document with unsaved changes.
-    pub(super) fn restore(&mut self, open: OpenDocument) -> Opened {
-        self.replace(open, Selection::default())
-    }
-
-    fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
+    /// Opens another document with this selection, and closes the lesson.
+    pub(super) fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
         self.close_lesson();
         self.open = open;
         self.session.observer = None;

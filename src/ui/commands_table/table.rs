@@ -86,7 +86,6 @@ pub(super) fn table() -> Vec<UiCommand> {
     let mut commands = program();
     commands.extend(presenting());
     commands.extend(playing());
-    commands.extend(strip());
     commands.extend(pixel_steps());
     commands.extend(steering());
     commands.extend(observing());
@@ -207,6 +206,18 @@ fn playing() -> Vec<UiCommand> {
             [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
         Play, "Swap camera and ghost", "Exchanges the camera and the ghost.",
             [], GhostAction::Swap;
+        Play, "Faster", "Runs the open animation faster.",
+            [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
+        Play, "Slower", "Runs the open animation more slowly.",
+            [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
+        Play, "Loop", "Turns repetition of the open animation on or off.",
+            [plain(Untyped, Key::L)], PlayAction::Loop;
+        Play, "Keep", "Closes the animation and keeps the current state.",
+            [], PlayAction::Keep;
+        Play, "Stop", "Closes the animation and restores the state from before it.",
+            [], PlayAction::Close;
+        Play, "Export the animation…", "Asks how to export the open animation.",
+            [], FigureAction::AskAnimation;
     ]
 }
 
@@ -432,25 +443,5 @@ fn objects_and_drags() -> Vec<UiCommand> {
         Hand, "Keep up",
             "On: up stays fixed while eye or at is dragged. Off: up turns with the camera where view comes close to it.",
             [], LookAction::Toggle(Switch::KeepUp);
-    ]
-}
-
-/// Commands of the open animation's strip.
-#[rustfmt::skip]
-fn strip() -> Vec<UiCommand> {
-    use When::Untyped;
-    commands![
-        Play, "Faster", "Runs the open animation faster.",
-            [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
-        Play, "Slower", "Runs the open animation more slowly.",
-            [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
-        Play, "Loop", "Turns repetition of the open animation on or off.",
-            [plain(Untyped, Key::L)], PlayAction::Loop;
-        Play, "Keep", "Closes the animation and keeps the current state.",
-            [], PlayAction::Keep;
-        Play, "Stop", "Closes the animation and restores the state from before it.",
-            [], PlayAction::Close;
-        Play, "Export the animation…", "Asks how to export the open animation.",
-            [], FigureAction::AskAnimation;
     ]
 }

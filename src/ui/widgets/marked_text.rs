@@ -12,7 +12,7 @@ use crate::view::typesetting::theme;
 
 /// A run of letters with the same style.
 #[derive(Clone, Debug, PartialEq)]
-struct TextRun {
+struct StyledRun {
     text: String,
     is_vector: bool,
 }
@@ -59,8 +59,8 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-fn runs(text: &str) -> Vec<TextRun> {
-    let mut runs: Vec<TextRun> = Vec::new();
+fn runs(text: &str) -> Vec<StyledRun> {
+    let mut runs: Vec<StyledRun> = Vec::new();
     let (mut is_vector, mut is_scalar) = (false, false);
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
@@ -76,7 +76,7 @@ fn runs(text: &str) -> Vec<TextRun> {
         let letter = if is_scalar { letters::italic(letter) } else { letter };
         match runs.last_mut().filter(|run| run.is_vector == is_vector) {
             Some(run) => run.text.push(letter),
-            None => runs.push(TextRun { text: letter.to_string(), is_vector }),
+            None => runs.push(StyledRun { text: letter.to_string(), is_vector }),
         }
     }
     runs
@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn vectors_and_scalars_are_told_apart() {
         let text = "*u***u** + *v***v**";
-        let run = |text: &str, is_vector| TextRun { text: text.to_owned(), is_vector };
+        let run = |text: &str, is_vector| StyledRun { text: text.to_owned(), is_vector };
         assert_eq!(
             runs(text),
             [run("𝑢", false), run("u", true), run(" + 𝑣", false), run("v", true)]
