@@ -39,7 +39,7 @@ pub(crate) struct DerivationPanel {
     revealed: Option<usize>,
 }
 
-/// The line-independent inputs of a frame, and its outputs.
+/// The inputs that all lines of a pass share, and its outputs.
 struct DerivationPass<'a> {
     givens: Givens<'a>,
     inks: Inks,
@@ -119,8 +119,8 @@ impl DerivationPanel {
         self.lines(ui, derivation, document, session, Some(actions));
     }
 
-    /// Shows the derivation without what is above it. Without a list for the actions, the given numbers
-    /// cannot be changed.
+    /// Shows the derivation without the title and options above it. The given numbers can be changed only
+    /// if there is a list for the actions.
     pub(crate) fn lines(
         &mut self,
         ui: &mut Ui,
@@ -251,7 +251,7 @@ impl DerivationPanel {
             let number = frame.line;
             frame.line += 1;
             if is_hidden(number) {
-                // Its space is kept: the lines above stay where they are.
+                // The space is kept, so that the lines above stay in place.
                 ui.allocate_space(vec2(ui.available_width(), laid.height));
                 continue;
             }
@@ -377,7 +377,7 @@ fn field(
     if let Some(range) = givens.whole_range(given) {
         field = field.whole().within(range);
     }
-    // One digit alone is too narrow for a hand.
+    // A single digit is too narrow to grab.
     let rect = rect.expand2(vec2((0.5 * (size - rect.width())).max(0.0), 1.0));
     let response = field.show_over(ui, id_of(given), rect, size);
     if response.changed() {

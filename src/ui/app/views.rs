@@ -114,14 +114,14 @@ impl Views {
             views::speak(ui, views::CAMERA, &spoken);
         }
         // At most one of the two labels is shown at a time.
-        let is_steered = dragging.has_word(session, ui.input(|i| i.time));
+        let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
             let style = NumberStyle::new(&session.settings);
-            views::tell_pointed(ui, session, derived, document, style);
+            views::show_pointed(ui, session, derived, document, style);
         }
-        let mark = accuracy::drawn_by(derived, session.settings.method);
+        let mark = accuracy::method_label(derived, session.settings.method);
         if let (Some(rect), Some(text)) = (rects.camera.or(rects.world), mark) {
-            views::drawn_by(ui, rect, &text);
+            views::method_badge(ui, rect, &text);
         }
         if let (Some(rect), Some(fault)) = (rects.camera.or(rects.world), derived.fault) {
             views::reason(ui, rect, &typeset_message(fault));
@@ -135,7 +135,7 @@ impl Views {
                 views::coarse(ui, rect, &text);
             }
         }
-        dragging.tell(ui, rects, (document, session), derived);
+        dragging.show_text(ui, rects, (document, session), derived);
     }
 }
 

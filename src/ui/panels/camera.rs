@@ -15,9 +15,8 @@ use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 
-/// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
-/// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
-/// distance : width : height.
+/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, the ratio of width : height
+/// to W : H, and `keep_picture` locks distance : width : height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -146,8 +145,8 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     field_of_view(ui, camera, !settings.keep_picture);
 }
 
-/// Keeps, after an edit of the viewport or the image, what the settings say that is kept: the picture,
-/// or the pixels' shape.
+/// Restores the picture or the pixels' shape after an edit of the viewport or the image, if the settings
+/// lock it.
 pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
     if settings.keep_picture && camera.viewport != before.viewport {
         teaching::keep_picture(ctx, before, camera);
@@ -181,7 +180,7 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
         response.changed().then(|| degrees.to_radians())
     };
     ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
-    // Of a distance of 1e308 there is no wide viewport.
+    // At a distance of 1e308, a wide viewport is beyond the range of numbers.
     let take = |seen: Viewport| if seen.check().is_ok() { seen } else { viewport };
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
         camera.viewport = take(viewport.with_horizontal_fov(fov));

@@ -72,8 +72,8 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
 }
 
-/// Shows the titles of the lesson and the step. In a lesson of which not every step has room for both,
-/// `reserved` points kept free, the lesson has only its number.
+/// Shows the titles of the lesson and the step, and keeps `reserved` points free. If both titles do not
+/// fit at every step of the lesson, the lesson's title is only its number.
 fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
     let gap = 10.0;
     ui.spacing_mut().item_spacing.x = gap;
@@ -141,7 +141,7 @@ const COLUMNS: usize = 3;
 /// Width of a column, in points.
 const COLUMN: f32 = 330.0;
 
-/// Shows all lessons with their steps, a teacher's own lesson above the built-in ones.
+/// Shows all lessons with their steps, with a teacher's lesson above the built-in ones.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
     let width = COLUMNS as f32 * COLUMN;
     // The default limit of a menu is too small for all lessons.

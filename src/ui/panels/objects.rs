@@ -66,15 +66,15 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Returns a message that tells where a sphere of a CSV file is edited.
+/// Returns the message that a sphere of a CSV file is edited in that file.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
     let row = index - document.spheres.len() + 1;
     format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
-/// The quarters of the picture, as shares of the viewport, and how far apart spheres lie behind each
-/// other, in viewport distances.
+/// The centres of the picture's quarters, as shares of the viewport, and the distance between spheres
+/// behind each other, in viewport distances.
 const QUARTERS: [[f64; 2]; 4] = [[0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25], [0.25, -0.25]];
 const BEHIND: f64 = 1.5;
 
@@ -91,7 +91,7 @@ fn new_sphere(document: &Document) -> Sphere {
             // A diameter of a fifth of the picture's height.
             Sphere::new(ray.at(far), far * 0.1 * viewport.height).ok()
         });
-        // A viewport of 1e308 has no room for it in the range of numbers.
+        // For a viewport of 1e308, the sphere is beyond the range of numbers.
         seen.unwrap_or(Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 })
     };
     let is_free = |new: &Sphere| {
@@ -156,8 +156,8 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     }
 }
 
-/// Edits an object. It is stored only if it was edited: the list is shared with the steps of the
-/// history, and copied when it is written to. Returns true if it was removed.
+/// Edits an object. The object is written only if it has changed, because the list is shared with the
+/// history and is copied on a write. Returns true if the object was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,
@@ -178,7 +178,7 @@ fn edit<S: Clone + PartialEq>(
 }
 
 /// Shows the name, the colour and the remove button. Returns true if the button was clicked. The
-/// object's own colour can be edited if it is the one in the views.
+/// object's colour can be edited unless the colour scheme replaces it.
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     ui.horizontal(|ui| {
         let mut color = own;

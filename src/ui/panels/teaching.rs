@@ -17,7 +17,7 @@ use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::NumberField;
 use crate::view::typesetting::theme::error_color;
 
-/// Shows the teaching part, folded unless the settings say otherwise.
+/// Shows the experiments, folded unless the settings say otherwise.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     let header = CollapsingHeader::new("Experiments").open(Some(settings.teaching));
     let response = header.show(ui, |ui| {
@@ -68,8 +68,8 @@ struct Kept {
 }
 
 impl Kept {
-    /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
-    /// false for the camera that the control made last.
+    /// Returns the state from which `now` was made, or a new state that starts at `now` if `is_now` is false
+    /// for the camera that the control made last.
     fn resume(
         ctx: &Context,
         name: &'static str,
@@ -141,7 +141,7 @@ const SMALLEST: f64 = 1e-9;
 const SLIDER: f32 = 110.0;
 const FIELD: f32 = 70.0;
 
-/// Shows a name and its controls, disabled if there is nothing to turn.
+/// Shows a name and its controls, which are disabled if the camera is invalid.
 fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = SLIDER;

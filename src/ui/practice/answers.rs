@@ -1,4 +1,4 @@
-//! A student's answers: the error map beside the camera's picture; below, the number of right
+//! A student's answers: the error map next to the camera's picture, and below them the number of right
 //! answers, the worst answer, and the mistake that explains the errors.
 
 use egui::{
@@ -22,8 +22,8 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// Widths of the map, in points, below which its title is only the file's name, and its legend
-/// leaves out answers that are missing.
+/// Widths of the map, in points, below which its title is only the file's name, and below which its
+/// legend omits missing answers.
 const NARROW: f32 = 440.0;
 const NARROWEST: f32 = 330.0;
 
@@ -61,8 +61,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, h
     });
 }
 
-/// Shows the legend of the map's colours, from the right; with little room only those of given
-/// answers.
+/// Shows the legend of the map's colours, from the right; in a narrow map only those of given answers.
 fn legend(ui: &mut Ui, whole: bool) {
     let cells =
         [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];

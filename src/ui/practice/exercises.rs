@@ -32,8 +32,8 @@ use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Sizes of the text, in points. While presenting everything is enlarged: the largest at which all
-/// answer fields are seen at once.
+/// Sizes of the text, in points. While presenting, when everything is enlarged, the text has the largest
+/// size at which all answer fields are visible at once.
 const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
 
 /// Height of a row of fields with the space below it, in points.
@@ -48,7 +48,7 @@ fn text_size(ui: &Ui) -> f32 {
     ui.style().override_font_id.as_ref().map_or(SIZES[0], |font| font.size)
 }
 
-/// Returns the size of the text at which the question, its fields and the hint have room in the column.
+/// Returns the largest text size at which the question, its fields and the hint fit into the column.
 fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
     let question = exercises.question();
     let has_room = |size: &f32| {
@@ -81,7 +81,7 @@ const BAR: f32 = 4.6;
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
 
-/// Space beside the text in a field, in points.
+/// Space on each side of the text in a field, in points.
 const MARGIN: f32 = 4.0;
 
 /// The coordinates of a vector: for screen readers, and as symbols.
@@ -115,7 +115,7 @@ pub(crate) fn ui(
             ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
         });
     }
-    // The buttons stay where they are, whatever is said above them.
+    // The buttons stay in place, however long the text above them is.
     let (above, bar) =
         column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR * text_size(ui));
     let mut wants_check = false;
@@ -198,7 +198,7 @@ fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
     wants_check
 }
 
-/// Shows the choice between the lecture's own question and one from a seed.
+/// Shows the choice between the lecture's question and one from a seed.
 fn source(ui: &mut Ui, exercises: &mut Exercises) {
     let exercise = exercises.question().exercise;
     let seed = exercises.seed();
@@ -230,7 +230,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal(|ui| {
-        // A field's own ground hardly stands out from a light page, nor from a black one.
+        // Without a frame, a field hardly stands out from a light or a black page.
         let frame = Stroke::new(1.0, ui.visuals().weak_text_color());
         ui.visuals_mut().widgets.inactive.bg_stroke = frame;
         if part.count() == 0 {
@@ -248,7 +248,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
             ui.label(text.color(color));
         });
-        // Side by side with what is between them and round the text.
+        // The fields share the row with the gaps between them and their margins.
         let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
         let width = ui.available_width() / part.count() as f32 - between;
         let width = width.clamp(44.0, FIELD);
@@ -304,7 +304,7 @@ const SHARE: f32 = 0.52;
 /// Name of the picture of a question in two dimensions.
 const PLANE: &str = "Lines in the plane";
 
-/// A question's own world view, which is looked at apart from the open scene.
+/// The world view of a question, with an observer apart from the open scene's.
 #[derive(Default)]
 pub(crate) struct QuestionScene {
     deriver: Deriver,
@@ -314,11 +314,11 @@ pub(crate) struct QuestionScene {
     seen: Option<QuestionObserver>,
 }
 
-/// The question that is looked at, and from where.
+/// The observer of a question's world view.
 struct QuestionObserver {
     question: (Exercise, Option<u64>),
     observer: Observer,
-    /// The observer that has everything in sight in a picture of this width by height.
+    /// The observer that sees everything in a picture of this size.
     framed: (Observer, ViewSize),
 }
 
@@ -405,8 +405,8 @@ impl QuestionScene {
     }
 }
 
-/// Shows the title above the world view, how answers are drawn in it once there are some, and the button
-/// that opens its scene.
+/// Shows the title above the world view, the key to typed answers if there are some, and the button that
+/// opens the question's scene.
 fn world_title(
     ui: &mut Ui,
     rect: Rect,

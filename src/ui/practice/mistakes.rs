@@ -1,5 +1,5 @@
-//! The mistakes view: a wrong camera's picture beside the right one; below, the gallery, the
-//! explanation of the mistake, and the checks that catch it.
+//! The mistakes view: a wrong camera's picture next to the right one, and below them the gallery, the
+//! explanation of the mistake, and the checks that catch it or miss it.
 
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
@@ -84,8 +84,7 @@ pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> St
     }
 }
 
-/// Returns the reason why there is no wrong picture, without the mistake's name while it is to be
-/// guessed.
+/// Returns the reason why there is no wrong picture; it does not name the mistake during a vote.
 pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
@@ -191,7 +190,7 @@ fn sentence(text: &str) -> String {
         .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
-/// Shows u, v, w of both cameras, side by side where there is room, otherwise one above the other.
+/// Shows u, v, w of both cameras, side by side if they fit, otherwise one above the other.
 fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     let right = camera.right_camera().basis();
     let rows = [
@@ -275,8 +274,8 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 
-/// Shows the verdict, then the formula, then its value, and the right one if it differs: below them
-/// where they have no room beside them.
+/// Shows a check's verdict, formula and value, and the right value if it differs. Values that do not fit
+/// in the row go below it.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     let value = text_of(here.value, style);
     let right = format!("right: {}", wanted(here, right, style));
@@ -310,7 +309,7 @@ fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
 }
 
-/// Shows the wrong value and the right one, in two lines where there is no room for one.
+/// Shows the wrong value and the right one, in two lines if one is too narrow.
 fn both(ui: &mut Ui, value: &str, right: &str) {
     cell(ui, ui.available_width(), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;

@@ -1,5 +1,5 @@
-//! A vote: which mistake made the wrong picture? Four large options; the right one, and why, only once
-//! it is revealed.
+//! A vote on the question which mistake made the wrong picture. It has four large options; the right one
+//! and its explanation are shown once it is revealed.
 
 use egui::{
     Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
@@ -50,10 +50,10 @@ const SIGN_WIDTH: f32 = 44.0;
 /// Height of an option, in points, from which it shows its formula, too.
 const WITH_FORMULA: f32 = 54.0;
 
-/// The camera and the objects of which a vote is made.
+/// The camera and the scene from which a vote is made.
 pub(super) type VoteInputs<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
 
-/// Reveals the right option where Enter or Page Down was pressed and there is a secret.
+/// Reveals the right option of an open vote if Enter or Page Down was pressed.
 pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
     let is_shown = session.settings.layout == ViewLayout::Mistakes;
     if !is_shown || session.mistakes_view.is_revealed() {
@@ -127,7 +127,7 @@ fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
         let (column, row) = ((index % 2) as f32, (index / 2) as f32);
         let min = area.min + vec2(column * (size.x + GAP), row * (size.y + GAP));
         let rect = Rect::from_min_size(min, size);
-        // In the pass that opens the vote there is no room for it yet.
+        // In the pass that opens the vote, its area may still be too small.
         let has_room = size.x > LETTER_WIDTH + SIGN_WIDTH && size.y > LEAST_HEIGHT;
         if has_room && option(ui, rect, index, open) && !open.is_revealed {
             open.answer = Some(index);
@@ -176,7 +176,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     response.clicked()
 }
 
-/// Writes the mistake's name, and below it the wrong formula where there is room.
+/// Writes the mistake's name, and the wrong formula below it if it fits.
 fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     let line = |text: &str, size: f32| {
         let font = FontId::proportional(size);
@@ -197,7 +197,7 @@ fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     }
 }
 
-/// Shows what to do, or why the option is right.
+/// Shows the instructions, or why the option is right.
 fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     let text = |text: String| RichText::new(text).size(REASON);
     if !open.is_revealed {

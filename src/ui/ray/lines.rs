@@ -1,5 +1,5 @@
-//! The lab of lines: the drawing, in which everything can be dragged, and beside it the numbers and
-//! the substitution.
+//! The lab of lines: the drawing, in which everything can be dragged, and on its right the numbers and the
+//! substitution.
 
 use egui::accesskit::Role;
 use egui::{
@@ -149,7 +149,7 @@ fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     }
 }
 
-/// Pans by dragging beside all handles, and zooms about the pointer by the wheel.
+/// Pans by a drag that starts on no handle, and zooms about the pointer by the wheel.
 fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
     let response = response.with_role(Role::Image).named("Plane with both lines");
@@ -183,7 +183,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Opti
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {
         response.request_focus();
-        // A handle that was grabbed beside its middle keeps this offset from the pointer.
+        // A handle that was grabbed off its centre keeps this offset from the pointer.
         let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
         ui.data_mut(|data| data.insert_temp(id, at - pressed));
     }

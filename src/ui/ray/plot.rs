@@ -26,12 +26,12 @@ use crate::view::typesetting::theme;
 
 /// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 15.5;
-/// Maximum width of the text beside the plot, in points and as a share of the whole.
+/// Maximum width of the text on the plot's right, in points and as a share of the whole.
 const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
 
-/// Shows the plot and the text beside it.
+/// Shows the plot, and the text on its right.
 pub(crate) fn ui(
     ui: &mut Ui,
     ray_point_t: &mut Option<f64>,
@@ -62,7 +62,7 @@ pub(crate) fn ui(
             }
             ui.separator();
             for k in 0..plot.curves.len() {
-                said(ui, plot, k, first, digits);
+                curve_text(ui, plot, k, first, digits);
             }
             let text = "Compress values beyond ±1 unit";
             let hint = "The axis is then logarithmic there: lines and parabolas are bent";
@@ -136,21 +136,21 @@ fn objects_at(plot: &Plot, values: &[f64]) -> String {
     }
 }
 
-/// Returns the concept that the mouse is on in the text beside the last frame's plot.
+/// Returns the concept under the mouse in the text of the last frame's plot.
 pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
     let curves = &derived.plot.as_ref()?.curves;
     let is_hovered =
-        |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
+        |object: u32| ctx.read_response(curve_text_id(object)).is_some_and(|said| said.hovered());
     let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
     Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
 }
 
-fn said_id(object: u32) -> Id {
+fn curve_text_id(object: u32) -> Id {
     Id::unique(("said of a curve", object))
 }
 
 /// Shows a curve's line sample, title and text, and f at the walking point.
-fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
+fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
     let curve: &Curve = &plot.curves[k];
     let object = curve.named.object;
     let title = ui.horizontal_wrapped(|ui| {
@@ -171,7 +171,7 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
             );
         }
     });
-    ui.interact(title.response.rect | words.response.rect, said_id(object), Sense::hover());
+    ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
 }
 
 /// Size of the text in the drawing, in points.
@@ -282,7 +282,7 @@ fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     chart::line(painter, points, (3.0, color_of(curve)), dashes);
 }
 
-/// Draws a sample of the curve's line, as a key to the text beside the plot.
+/// Draws a sample of the curve's line, as a key to the text about it.
 fn line_sample(ui: &Ui, rect: Rect, curve: &Curve) {
     stroke(ui.painter(), &[rect.left_center(), rect.right_center()], curve);
 }
@@ -316,7 +316,7 @@ impl PlotDrawing<'_> {
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);
-        // The name of the axis stands there.
+        // The name of the axis is there.
         let last = ticks.iter_mut().filter(|tick| tick.at > rect.right() - 30.0);
         last.for_each(|tick| tick.text.clear());
         chart::columns(around, rect, &ticks, grid);
@@ -440,7 +440,7 @@ impl PlotDrawing<'_> {
         write("eye: t = 0", &mut right(eye).chain(left(eye)));
     }
 
-    /// Returns points on what must not run through a word: the curves and the line f = 0.
+    /// Returns points on the lines that must not run through a word: the curves and the line f = 0.
     fn covered(&self, curves: &[DrawnCurve]) -> Vec<Pos2> {
         let y = self.height.position(0.0);
         let zero = vec![pos2(self.rect.left(), y), pos2(self.rect.right(), y)];
@@ -481,7 +481,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Writes each curve's name, underlined in the curve's own style.
+    /// Writes each curve's name, underlined in the curve's style.
     fn names(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let covered = self.covered(curves);
         let font = Font { size: DRAWN_TEXT, color: self.colors.ink, bold: true };
@@ -495,7 +495,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Returns the positions for a curve's name: beside points along the curve, inside the plot.
+    /// Returns the positions for a curve's name, next to points along the curve.
     fn places_at(&self, drawn: &DrawnCurve) -> Vec<(Pos2, Align2)> {
         let all: Vec<Pos2> = drawn.parts.iter().flat_map(|part| closely(part)).collect();
         let shares = [0.3, 0.22, 0.4, 0.15, 0.5, 0.6, 0.7, 0.08, 0.8, 0.9, 0.02, 0.98];
@@ -520,7 +520,7 @@ const SAMPLE: f32 = 34.0;
 /// Distance between two paragraphs, in points.
 const GAP: f32 = 3.0;
 
-/// A paragraph: the curve that it is about, and its text in two parts, of which the first is bold.
+/// A paragraph about a curve or the walking point: a bold part, then the rest of its text.
 struct Paragraph {
     curve: Option<usize>,
     bold: String,
@@ -599,7 +599,7 @@ impl Paragraph {
         let (rect, _) = ui.allocate_exact_size(vec2(row, galley.size().y), Sense::hover());
         let spoken = format!("{}{}", self.bold, plain(&self.text));
         let id = match self.curve {
-            Some(k) => said_id(plot.curves[k].named.object),
+            Some(k) => curve_text_id(plot.curves[k].named.object),
             None => Id::unique("position on the ray"),
         };
         let response = ui.interact(rect, id, Sense::hover());

@@ -1,5 +1,5 @@
-//! The comparison with the ghost: its picture or the differences beside the camera view, and both
-//! cameras in numbers below.
+//! The comparison with the ghost: its picture or the differences next to the camera view, and the numbers
+//! of both cameras below.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
@@ -26,7 +26,7 @@ const DIGITS: usize = 4;
 /// The text if there is no ghost.
 const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
 
-/// Shows the choice of picture, above the picture beside the camera view.
+/// Shows the choice between the ghost's picture and the differences, above that picture.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     strip_above(ui, area, |ui| match ghost {
         None => {
@@ -111,7 +111,7 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     }
 }
 
-/// A quantity of the ghost and of the current camera, with the difference between the two.
+/// A quantity of the ghost and of the current camera, and their difference.
 #[derive(Clone)]
 struct ComparedLine {
     name: &'static str,
@@ -125,7 +125,7 @@ impl ComparedLine {
         ComparedLine { name, ghost, now, between }
     }
 
-    /// Shows the name in its own colour; screen readers read the whole line.
+    /// Shows the name in the vector's colour; screen readers read the whole line.
     fn name(&self, ui: &mut Ui) {
         let ComparedLine { name, ghost, now, between } = self;
         let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
@@ -138,15 +138,15 @@ impl ComparedLine {
     }
 }
 
-/// Shows a text with the width of this number of characters, so that nothing moves sideways while
-/// numbers change.
+/// Shows a text in a field as wide as this number of characters, so that nothing moves sideways while
+/// the numbers change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     let response = ui.label(text);
     let width = 8.2 * characters;
     ui.add_space((width - response.rect.width()).max(0.0));
 }
 
-/// Shows vectors of both cameras, one above the other, with the difference between them.
+/// Shows vectors of both cameras, one above the other, with their difference.
 fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -186,7 +186,7 @@ fn scalars(ui: &mut Ui, lines: &[ComparedLine], style: NumberStyle) {
 }
 
 fn degrees(x: f64, style: NumberStyle) -> String {
-    // A rounding error is no turn.
+    // A rounding error is not a turn.
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     format!("{}°", style.number(x))
 }
@@ -267,7 +267,7 @@ fn hits(
     style: NumberStyle,
 ) -> [ComparedLine; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
-    // Names do not fit; the list of objects has their numbers.
+    // Objects' names do not fit; the list of objects shows their numbers, too.
     let kind = |hit: &Root| {
         let object = hit.object as usize;
         let kind = if object < document.sphere_count() { "sphere" } else { "plane" };

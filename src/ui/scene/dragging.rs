@@ -1,5 +1,5 @@
-//! Mouse input on the handles of the world view, and in the camera view, where it looks around and
-//! orbits. It is processed before anything is drawn, so that everything drawn is up to date;
+//! Mouse input on the handles of the world view, and in the camera view, where dragging looks around and
+//! orbits. It is processed before anything is drawn, so that everything drawn is up to date.
 //! [`crate::view::handles`] and [`pinhole_core::steering`] calculate the effects.
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
@@ -33,7 +33,7 @@ pub(crate) struct Dragging {
     pub(super) by_pointer: bool,
     /// The reason why the last drag or step had no effect.
     pub(super) refused: Option<SteerError>,
-    /// True if the drag has turned up, too.
+    /// True if the drag has also turned up.
     pub(super) up_went_along: bool,
     /// The recent steps by keys or by the wheel.
     pub(super) recent: Option<RecentSteps>,
@@ -82,8 +82,8 @@ impl WorldArea<'_> {
         placed(&stage, &session.handles)
     }
 
-    /// Returns what calculates a drag: with Ctrl it snaps, with Alt a moved eye keeps what it does not
-    /// keep otherwise.
+    /// Returns the inputs of a drag. Ctrl snaps; Alt switches between the two choices of what a moved eye
+    /// keeps.
     pub(super) fn handle_drag<'a>(
         &'a self,
         ctx: &Context,
@@ -115,8 +115,8 @@ impl WorldArea<'_> {
 }
 
 impl Dragging {
-    /// Applies the input of mouse, wheel and keys in the views; none while something lies over the
-    /// window. `shown` is the last frame, which the user reacts to.
+    /// Applies the input of mouse, wheel and keys in the views, unless something covers the window.
+    /// `shown` is the last frame, to which the user reacts.
     pub(crate) fn take(
         &mut self,
         ctx: &Context,
@@ -288,7 +288,7 @@ impl Dragging {
         DVec2::new(camera.viewport.width * (right - 0.5), camera.viewport.height * (0.5 - down))
     }
 
-    /// Moves what is held with the pointer; Escape takes everything back.
+    /// Moves the held handle or the camera with the pointer; Escape undoes the drag.
     fn hold(
         &mut self,
         ctx: &Context,
@@ -349,7 +349,8 @@ fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     }
 }
 
-/// Consumes all keys, which have no other effect during a drag; returns true if Escape is one of them.
+/// Consumes all keys, so that they have no other effect during a drag. Returns true if Escape is one of
+/// them.
 fn is_escape_pressed(ctx: &Context) -> bool {
     ctx.input_mut(|i| {
         let is_pressed = i.events.iter().any(|event| {

@@ -1,5 +1,5 @@
-//! The numbers below the views: in blocks that can be selected and copied, or in a strip of one or two
-//! rows. Hovering one highlights its concept in both views.
+//! The numbers below the views, as blocks that can be selected and copied or as a strip of one or two
+//! rows. Hovering a number highlights its concept in both views.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
@@ -28,7 +28,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
-            // As wide as the widest numbers, so that nothing moves sideways while they change.
+            // As wide as the widest numbers, so that nothing moves sideways as they change.
             let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
             let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
                 ui.vertical(|ui| {
@@ -109,7 +109,7 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     });
 }
 
-/// Lays out a reading's name, in the vector's own colour if the views show the vector.
+/// Lays out a reading's name, in the vector's colour if the views show the vector.
 fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
@@ -130,7 +130,7 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
     job
 }
 
-/// Adds to the label of a reading what is read aloud, its meaning, and that it can be pointed at.
+/// Gives a reading's label its text for screen readers and its meaning, and lets it be pointed at.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
     point(&label, reading);
     let label = label.spoken(written(reading, style));
@@ -188,7 +188,7 @@ fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: N
     weak(ui, "p + t d, t = 1 on the viewport");
 }
 
-/// Shows the roots, each with its object and what the ray makes of it, and the numbers that decide.
+/// Shows the roots, each with its object and its verdict, and the numbers that decide hit or miss.
 fn hits(
     ui: &mut Ui,
     inspection: &Inspection,
@@ -294,8 +294,8 @@ fn is_narrow(width: f32) -> bool {
 }
 
 /// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as
-/// there is room for. Before an audience, the basis has one row and the ray the other, and the reason
-/// why there are no numbers stands on the picture.
+/// fit. While presenting, the basis has one row and the ray the other, and the reason why there are no
+/// numbers is on the picture.
 pub(crate) fn strip(
     ui: &mut Ui,
     derived: &Derived,
@@ -334,7 +334,8 @@ pub(crate) fn strip(
     }
 }
 
-/// Shows rows of numbers of at least this height, by the first choice of digits and size with which all of them have room.
+/// Shows rows of numbers, at least `height` high, with the first choice of digits and size at which all
+/// of them fit.
 fn rows(
     ui: &mut Ui,
     rows: &[Vec<Reading>],
@@ -365,7 +366,7 @@ fn rows(
     }
 }
 
-/// Returns the numbers of a ray in two lines: its pixel and (u, v); what it hits and where.
+/// Returns the numbers of a ray in two lines: its pixel and (u, v), then the object that it hits and t.
 pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: NumberStyle) -> String {
     let style = style.at_most(DIGITS);
     let pixel = inspection.pixel().map(|pixel| format!("{}   ", style.pixel(pixel)));
@@ -378,7 +379,7 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
     format!("{}(𝑢, 𝑣) = {}\n{hit}", pixel.unwrap_or_default(), style.uv(inspection.uv))
 }
 
-/// The number that the mouse rested on in the last pass: its label's id, and its concept.
+/// The number under the mouse in the last pass: its label's id, and its concept.
 #[derive(Clone, Copy, PartialEq)]
 struct Pointed(Id, Hovered);
 
@@ -392,7 +393,7 @@ fn point(label: &Response, reading: &Reading) {
     let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
     if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
         label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
-        // The views, which are derived before the numbers are shown, follow in the next pass.
+        // The views are derived before the numbers are shown, so they follow in the next pass.
         label.ctx.request_repaint();
     }
 }

@@ -124,12 +124,12 @@ fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
 }
 
 impl Dragging {
-    /// Applies the wheel in the camera view; Escape takes recent steps back.
+    /// Applies the wheel in the camera view; Escape undoes recent steps.
     pub(super) fn roll_wheel(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
         let time = ctx.input(|i| i.time);
         let camera = &mut edited.document.camera;
         self.forget(camera, time);
-        // Consumed here, so that it does not also end presenter mode.
+        // Escape is consumed here, so that it does not also end presenter mode.
         let is_taken_back = |_: &mut RecentSteps| {
             ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape))
         };
@@ -170,12 +170,12 @@ impl Dragging {
         self.step(way, by, camera, time, true);
     }
 
-    /// Forgets the recent steps if they are over, or if the camera is another one since.
+    /// Forgets the recent steps after a pause, or if the camera has changed since.
     fn forget(&mut self, now: &Camera, time: f64) {
         self.recent.take_if(|recent| recent.made != *now || !recent.is_shown(time));
     }
 
-    /// Adds to the recent steps if they are of the same kind; otherwise begins new ones.
+    /// Adds to the recent steps if they are of the same kind; otherwise starts anew.
     fn step(&mut self, way: CameraMove, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
         let now = *camera;
         let recent = self.recent.take().filter(|recent| recent.way == way);
@@ -194,13 +194,14 @@ impl Dragging {
 }
 
 impl RecentSteps {
-    /// Returns true while their effect is shown, and Escape takes it back.
+    /// Returns true while the steps' text is shown, and Escape undoes them.
     pub(super) fn is_shown(&self, now: f64) -> bool {
         now - self.time < PAUSE
     }
 }
 
-/// Opens the loupe, and lets it show fewer pixels, all the larger; or more, and closes it.
+/// Turns the wheel on the loupe: forwards opens it and enlarges its pixels, backwards shows more pixels and
+/// finally closes it.
 fn look_closer(settings: &mut Settings, notches: i32) {
     let (least, most) = LOUPE_PIXELS;
     for _ in 0..notches.unsigned_abs() {
@@ -224,7 +225,7 @@ fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     camera.zoomed(readable)
 }
 
-/// Sizes of the text, in points: of the first line, and of the rest.
+/// Sizes of the text's first line and of the rest, in points.
 const FIRST: f32 = 19.0;
 const REST: f32 = 15.0;
 
@@ -232,8 +233,8 @@ const REST: f32 = 15.0;
 const GAP: f32 = 20.0;
 
 impl Dragging {
-    /// Shows the text about handles and steps, and notes where the views are now.
-    pub(crate) fn tell(
+    /// Shows the text about handles and steps, and stores the views' rectangles.
+    pub(crate) fn show_text(
         &mut self,
         ui: &Ui,
         rects: &ViewRects,
@@ -243,20 +244,20 @@ impl Dragging {
         let view = |rect: Option<Rect>, name: &str| Some((rect?, ui.scope_id().with(name)));
         (self.world, self.camera) = (view(rects.world, WORLD), view(rects.camera, CAMERA));
         if let Some(view) = self.world_view(ui.ctx(), shown) {
-            self.tell_handles(ui, &view, document, session);
+            self.show_handle_text(ui, &view, document, session);
         }
         if let Some(view) = self.camera {
-            self.tell_steps(ui, view, document, session);
+            self.show_step_text(ui, view, document, session);
         }
     }
 
-    fn tell_handles(&self, ui: &Ui, view: &WorldArea, document: &Document, session: &Session) {
+    fn show_handle_text(&self, ui: &Ui, view: &WorldArea, document: &Document, session: &Session) {
         let all = view.placed(document, session);
         let spot = |one: &PlacedHandle| {
             view.rect.min + vec2(one.spot.x as f32, one.spot.y as f32) / view.scale
         };
         for one in &all {
-            node(ui, view, one.handle, spot(one), document, session);
+            focusable_handle(ui, view, one.handle, spot(one), document, session);
         }
         let Some(handle) = session.handles.over else { return };
         let is_held = session.handles.drag.is_some();
@@ -283,16 +284,22 @@ impl Dragging {
             lines.push("up turns with the camera".to_owned());
         }
         let refused = self.refused.filter(|_| is_held).map(|reason| reason.to_string());
-        say(ui, view.id, at, at - view.rect.center(), &lines, refused);
+        show_lines(ui, view.id, at, at - view.rect.center(), &lines, refused);
     }
 
-    /// Returns true if there is something to show about the camera view.
-    pub(crate) fn has_word(&self, session: &Session, time: f64) -> bool {
+    /// Returns true if there is text to show about the camera view.
+    pub(crate) fn has_step_text(&self, session: &Session, time: f64) -> bool {
         session.handles.drag.is_some_and(|drag| drag.handle().is_none())
             || self.recent.as_ref().is_some_and(|recent| recent.is_shown(time))
     }
 
-    fn tell_steps(&self, ui: &Ui, (rect, id): (Rect, Id), document: &Document, session: &Session) {
+    fn show_step_text(
+        &self,
+        ui: &Ui,
+        (rect, id): (Rect, Id),
+        document: &Document,
+        session: &Session,
+    ) {
         let time = ui.input(|i| i.time);
         let recent = self.recent.as_ref().filter(|recent| recent.is_shown(time));
         if let Some(recent) = recent {
@@ -316,10 +323,10 @@ impl Dragging {
         };
         let lines = [title.to_owned(), value_of(changed, 5, document, session)];
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
-        // The pointer has no part in key presses: show the text in the picture's lower left.
+        // After a key press the text is in the picture's lower left, wherever the pointer is.
         let at = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
         let refused = self.refused.map(|reason| reason.to_string());
-        say(ui, id, at, vec2(1.0, 1.0), &lines, refused);
+        show_lines(ui, id, at, vec2(1.0, 1.0), &lines, refused);
     }
 }
 
@@ -330,8 +337,8 @@ fn value_of(handle: Handle, digits: usize, document: &Document, session: &Sessio
     value(handle, &values, settings.digits.min(digits), settings.count_from_one)
 }
 
-/// Shows lines of text beside a position, on the side to which `away` points.
-fn say(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: Option<String>) {
+/// Shows lines of text next to a position, on the side to which `away` points.
+fn show_lines(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: Option<String>) {
     let align = |is_far: bool| if is_far { Align::Max } else { Align::Min };
     let side = RectAlign::outside(Align2([align(away.x >= 0.0), align(away.y >= 0.0)]));
     let anchor = PopupAnchor::ParentRect(Rect::from_center_size(at, Vec2::splat(2.0 * GAP)));
@@ -354,7 +361,7 @@ fn say(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: Option<
 }
 
 /// Makes a handle focusable, with a name and a value for screen readers.
-fn node(
+fn focusable_handle(
     ui: &Ui,
     view: &WorldArea,
     handle: Handle,

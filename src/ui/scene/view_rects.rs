@@ -1,4 +1,4 @@
-//! The layout of the views and of what stands beside them, and the handles between them.
+//! The layout of the views and of the areas next to them, and the handles between them.
 
 use egui::accesskit::Role;
 use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
@@ -14,7 +14,7 @@ pub(crate) const STRIP: f32 = 26.0;
 const HANDLE: f32 = 8.0;
 /// Movement of a handle by an arrow key, in points.
 const PUSH: f32 = 16.0;
-/// Height of three views side by side before an audience, as a share of the width of one.
+/// Height of three views side by side while presenting, as a share of the width of one.
 const THIRD: f32 = 0.92;
 /// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
@@ -28,13 +28,12 @@ pub(crate) struct ViewRects {
     pub camera_area: Option<Rect>,
     /// The rectangle of the camera view's picture, with the image's aspect ratio.
     pub camera: Option<Rect>,
-    /// The area for the picture beside the camera view: the error map, a wrong camera's picture,
-    /// the ghost's, or the map of wrong answers.
+    /// The area for the picture next to the camera view: the error map, a wrong camera's picture, the
+    /// ghost's, or the map of wrong answers.
     pub second_area: Option<Rect>,
-    /// The rectangle of that picture, as large as the camera view's.
+    /// The rectangle of that picture, which is as large as the camera view's.
     pub second: Option<Rect>,
-    /// The rest below, beside or instead of the pictures: the readouts, or the layout's own
-    /// content.
+    /// The area below, next to or instead of the pictures, for the readouts or the page's content.
     pub rest: Rect,
 }
 
@@ -43,12 +42,12 @@ pub(crate) struct ViewRects {
 pub(crate) struct Areas {
     pub(crate) world: Option<Rect>,
     pub(crate) camera: Option<Rect>,
-    /// A picture beside the camera view's, as large.
+    /// The area of the picture next to the camera view, which is as large.
     pub(crate) second: Option<Rect>,
     pub(crate) rest: Rect,
 }
 
-/// The middle of the window while it is divided, with handles between the parts that move `splits`.
+/// Divides the middle of the window; dragging the handles between its parts moves `splits`.
 pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
@@ -66,25 +65,25 @@ pub(crate) enum Numbers {
 }
 
 impl Divider<'_> {
-    /// The whole for what a workspace has in the views' place.
+    /// Returns the areas of a page without views.
     pub(crate) fn no_views(&self) -> Areas {
         Areas { world: None, camera: None, second: None, rest: self.whole }
     }
 
-    /// Both views side by side, and what is below.
+    /// Puts both views side by side, above the rest.
     pub(crate) fn both_above(&mut self, split: Split) -> Areas {
         let (views, rest) = self.above(split);
         self.both(views, rest)
     }
 
-    /// Both views side by side.
+    /// Puts both views side by side.
     pub(crate) fn both(&mut self, views: Rect, rest: Rect) -> Areas {
         let (left, right) = self.across(views, Split::Views, "views handle");
         Areas { world: Some(left), camera: Some(right), second: None, rest }
     }
 
-    /// The world view, the camera's picture and another one beside it, and what is below. Before an
-    /// audience the three share the width evenly, and are no higher than they need be.
+    /// Puts the world view, the camera view and a second picture side by side, above the rest. While
+    /// presenting, the three share the width evenly and are no higher than they need to be.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         if theme::installed(self.ui.ctx()).presenting {
             let third = self.whole.width() / 3.0;
@@ -103,14 +102,14 @@ impl Divider<'_> {
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
     }
 
-    /// Both views, one above the other, and what is beside them.
+    /// Stacks both views, with the rest on their right.
     pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
         let (views, rest) = self.across(self.whole, split, name);
         let (top, bottom) = self.down(views, Split::Stack);
         Areas { world: Some(top), camera: Some(bottom), second: None, rest }
     }
 
-    /// The views, and the readouts below them.
+    /// Splits off the readouts below the views.
     pub(crate) fn above_readouts(&mut self) -> (Rect, Rect) {
         match self.numbers {
             Numbers::All => self.above(Split::Readouts),
@@ -121,20 +120,20 @@ impl Divider<'_> {
         }
     }
 
-    /// The views, and below them what the workspace has there, as high as it was last dragged to.
+    /// Splits off the area below the views, as high as the user last dragged it.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         self.above_with(split, self.splits.get(split))
     }
 
-    /// Returns the height below three views that leaves the pictures no more than they need for a
-    /// square image, and is at least the boundary's own.
+    /// Returns the height below three views at which the pictures get no more than they need for a square
+    /// image; at least the height that is stored for the boundary.
     fn rest_below_pictures(&self, split: Split) -> f32 {
         let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
         let picture = 0.5 * (1.0 - share) * self.whole.width();
         self.splits.get(split).max(self.whole.height() - picture - STRIP - HANDLE)
     }
 
-    /// The same, at this height unless it is dragged.
+    /// Splits off the area below the views, at this height unless it is dragged.
     fn above_with(&mut self, split: Split, height: f32) -> (Rect, Rect) {
         let area = self.whole;
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
@@ -146,15 +145,15 @@ impl Divider<'_> {
         (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
     }
 
-    /// Moves a boundary that is shown at `shown`. Where it is not dragged it stays as it was last
-    /// dragged to: a window that is too small for it for a while is no choice of the user's.
+    /// Moves a boundary that is shown at `shown`. If it is not dragged, its stored position stays: a window
+    /// that is too small for it for a while must not change the user's choice.
     fn move_by(&mut self, split: Split, shown: f32, by: f32) {
         if by != 0.0 {
             self.splits.set(split, shown + by);
         }
     }
 
-    /// Left and right, with a handle between them.
+    /// Splits an area into left and right, with a handle between them.
     pub(crate) fn across(&mut self, area: Rect, split: Split, name: &str) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.width());
         let x = area.left() + share * area.width();
@@ -164,7 +163,7 @@ impl Divider<'_> {
         (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
     }
 
-    /// Top and bottom, with a handle between them.
+    /// Splits an area into top and bottom, with a handle between them.
     fn down(&mut self, area: Rect, split: Split) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.height());
         let y = area.top() + share * area.height();
@@ -184,7 +183,7 @@ impl ViewRects {
         per_point: f32,
         presenting: bool,
     ) -> ViewRects {
-        // What is beside the camera view has its title and legend before an audience, too.
+        // A second picture keeps its title and legend while presenting.
         let strip = if presenting && areas.second.is_none() { 0.0 } else { STRIP };
         let below_strip = |rect: Rect| {
             snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
@@ -201,19 +200,19 @@ impl ViewRects {
     }
 }
 
-/// The title of a picture, above its area.
+/// Shows the title of a picture, above its area.
 pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| ui.horizontal_centered(content));
 }
 
-/// Clamps a share so that both sides are large enough; if there is no room for two, both get half.
+/// Clamps a share so that both sides are large enough; in too small an area, both get half.
 fn within(share: f32, length: f32) -> f32 {
     let least = SMALLEST / length.max(2.0 * SMALLEST);
     share.clamp(least, 1.0 - least)
 }
 
-/// Two areas of equal size.
+/// Splits an area into two of equal size.
 pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     let x = area.center().x;
     let left = Rect::from_min_max(area.min, pos2(x - HANDLE / 2.0, area.bottom()));
@@ -254,9 +253,8 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     )
 }
 
-/// Returns the largest rectangle with the image's aspect ratio: in the middle of the area, or right
-/// below its title. If pixels are large, each
-/// gets a whole number of physical pixels, so that all are alike.
+/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly
+/// below its title. Large pixels get a whole number of physical pixels each, so that all look alike.
 fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);

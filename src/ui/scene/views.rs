@@ -49,7 +49,7 @@ pub(crate) const ANSWERS: &str = "Answers";
 /// Name of the ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
-/// The sizes of the two views, in physical pixels.
+/// Returns the sizes of the two views, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
     ViewSizes {
         world: rects.world.map(|rect| physical(ui, rect)),
@@ -60,20 +60,20 @@ pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
     }
 }
 
-/// The size of the world view, in points.
+/// Returns the size of a world view, in points.
 pub(crate) fn size_of(rect: Rect) -> ViewSize {
     ViewSize { width: rect.width().into(), height: rect.height().into() }
 }
 
-/// The size of an area in physical pixels.
+/// Returns the size of an area in physical pixels.
 pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     let size = rect.size() * ui.ctx().pixels_per_point();
     let most = ui.input(|i| i.max_texture_side) as f32;
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// Takes the inputs of mouse and keys in the views, of which the second picture is called
-/// `second`. They were done to `shown`, the last frame.
+/// Applies the input of mouse and keys in the views. `second` is the name of the second picture, and
+/// `shown` the last frame, to which the user reacts.
 pub(crate) fn inputs(
     ui: &mut Ui,
     rects: &ViewRects,
@@ -155,10 +155,10 @@ pub(crate) fn spoken(shown: &Derived) -> String {
     }
 }
 
-/// Returns the middle of the dot that the mouse points at in a view, in dots. A picture shows in each dot
-/// the pixel in its middle.
+/// Returns the centre of the physical pixel under the mouse in a view, in physical pixels. A picture
+/// samples each physical pixel at its centre.
 fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
-    // A whole dot, divided by the zoom and multiplied by it, may be a little less.
+    // A whole number, divided by the zoom and multiplied by it, may be slightly less.
     const ROUNDING: Vec2 = Vec2::splat(1.0 / 64.0);
     let at = (pointer - rect.min) * ui.ctx().pixels_per_point();
     (at + ROUNDING).floor() + Vec2::splat(0.5)
@@ -226,11 +226,11 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     }
 }
 
-/// Maximum number of objects for finding the hovered object in the camera view.
+/// Maximum number of objects for which the camera view looks for the hovered one.
 const ASKED_OBJECTS: usize = 4096;
 
 /// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
-/// mouse. A ray that follows the pointer is under it everywhere, and hides nothing else.
+/// mouse. A ray that follows the pointer is under it everywhere, so it is passed over.
 pub(crate) fn hovered(
     ui: &Ui,
     rects: &ViewRects,
@@ -318,8 +318,8 @@ pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option
     Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
 }
 
-/// Shows the numbers of the ray under the mouse beside it, or else the name of the hovered concept.
-pub(crate) fn tell_pointed(
+/// Shows a tooltip with the numbers of the ray under the mouse, or else the name of the hovered concept.
+pub(crate) fn show_pointed(
     ui: &Ui,
     session: &Session,
     shown: &Derived,
@@ -345,11 +345,11 @@ pub(crate) fn tell_pointed(
         });
 }
 
-/// Width of a view, in points, below which its title leaves out the image's size, and what a moved
-/// eye keeps.
+/// Width of a view, in points, below which its strip omits the image's size and the button for what a
+/// moved eye keeps.
 const NARROW: f32 = 310.0;
 
-/// Titles above the views, with a button that gives one all the room.
+/// Shows the titles above the views, each with a button that maximises its view.
 pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
@@ -363,7 +363,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
                 if own == ViewLayout::World && rect.width() >= NARROW {
                     eye_keeps(ui, &mut settings.eye_keeps);
                 }
-                // The title has the room that the buttons leave.
+                // The title gets the width that the buttons leave.
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let title = egui::Label::new(RichText::new(text).strong());
                     ui.add(title.truncate()).on_hover_text(hint);
@@ -415,16 +415,16 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
     }
 }
 
-/// Size of the text on a picture that the ladder did not draw, in points.
+/// Size of the text of a badge on a picture, in points.
 const MARK: f32 = 15.0;
 
-/// Writes the method that drew a picture on it, if it was not the ladder: at the bottom, where the
-/// picture has no marks of its own.
-pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
+/// Writes on a picture which method drew it, if it was not the ladder: at the bottom, where the picture
+/// has no other marks.
+pub(crate) fn method_badge(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
 }
 
-/// Writes on a picture, in its other bottom corner, that it is coarser than it could be.
+/// Writes in a picture's lower right corner that it is coarser than it could be.
 pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| rect.max - size);
 }
@@ -443,7 +443,7 @@ fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) 
     });
 }
 
-/// Writes across a picture the reason why it is not new.
+/// Writes across a picture the reason why it is out of date.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let usual = if theme::installed(ui.ctx()).presenting { 24.0 } else { 17.0 };
     let galley = |size: f32| {
@@ -453,7 +453,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
         job.halign = egui::Align::Center;
         ui.painter().layout_job(job)
     };
-    // The largest size at which all of it has room.
+    // The largest size at which all of the text fits.
     let sizes = [usual, 0.8 * usual, 0.6 * usual].map(galley);
     let has_room = |galley: &&Arc<Galley>| galley.size().y + 12.0 <= rect.height();
     let galley = sizes.iter().find(has_room).unwrap_or(&sizes[2]).clone();
@@ -463,7 +463,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let position =
         Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
     let response = ui.put(position, egui::Label::new(galley));
-    // Without the spaces that break no line.
+    // Screen readers get the text without the non-breaking spaces.
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
 }
 

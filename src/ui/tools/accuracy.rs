@@ -114,9 +114,9 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns the text on a picture that the ladder did not draw, or drew in place of the chosen
+/// Returns the text on a picture that the ladder did not draw, or that it drew in place of the chosen
 /// method.
-pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
+pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
             .then(|| format!("drawn by the ladder, not by {chosen}: {why}"));
@@ -239,7 +239,7 @@ const COLUMNS: [(&str, &str); 7] = [
     ("ns", "Nanoseconds a pixel, the shortest of interleaved rounds, on one thread"),
 ];
 
-/// Greatest distance of the pointer from the mark that it shows the numbers of, in points.
+/// Maximum distance of the pointer from the mark whose numbers are shown, in points.
 const NEAR: f32 = 14.0;
 
 /// Shows the plot of a case; at the mark under the pointer, the numbers of its method.
@@ -260,7 +260,7 @@ fn plot(ui: &mut Ui, case: &Case) {
     }
 }
 
-/// Draws what is made for white paper, and changes its colours to the window's.
+/// Draws with colours made for white paper, and converts them to the window's.
 fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
     let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
     let next_shape =
@@ -282,8 +282,8 @@ fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
     result
 }
 
-/// Returns the colour on a dark ground of what is drawn on white paper: greys and pale colours are
-/// mirrored, others lightened.
+/// Converts a colour made for white paper to one on a dark ground: greys and pale colours are mirrored,
+/// others lightened.
 fn on_dark(color: Color32, ground: Color32) -> Color32 {
     let [r, g, b, a] = color.to_array().map(f32::from);
     let (least, most) = (r.min(g).min(b), r.max(g).max(b));

@@ -24,8 +24,8 @@ use crate::view::typesetting::theme::error_color;
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
 const CODE: f32 = 15.0;
-/// Minimum size of code, in points: too long a line is first set smaller, then wrapped, because
-/// rows of a matrix are read in columns.
+/// Minimum size of code, in points. Lines that are too long are first set smaller, then wrapped, because
+/// the rows of a matrix are read in columns.
 const SMALL_CODE: f32 = 12.0;
 
 /// Time to read one line of a notice, in seconds.
@@ -248,12 +248,12 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// Shows the notice over the window's lower edge, until it was read or the user closes it.
+/// Shows the notice over the window's lower edge, until the time to read it is over or the user closes it.
 pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
     let Some(shown) = notice else { return };
     let now = ctx.input(|i| i.time);
     let left = *shown.shown_at.get_or_insert(now) + READING * (1 + shown.notes.len()) as f64 - now;
-    // What went wrong stays until it was read.
+    // A failure stays until the user closes it.
     let mut close = shown.worked && left <= 0.0;
     if shown.worked && !close {
         ctx.request_repaint_after(Duration::from_secs_f64(left));
