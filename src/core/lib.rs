@@ -124,10 +124,9 @@
 //! scene.first_hit_counting(&ExactRay::from_ray(&ray)?, &mut steps);
 //! assert_eq!(steps.beyond_f64(), 0);
 //!
-//! // A basis. Errors say what is wrong: here eye and at would be the same point.
-//! let (eye, at, up) = ([20.0, 4.0, 10.0], [-1.0, 0.0, -5.0], [0.0, 1.0, 0.0]);
-//! let basis = Basis::from_eye_at_up(eye.into(), at.into(), up.into())?;
-//! assert!((basis.u.x - 5.0 / 74.0_f64.sqrt()).abs() < 1e-15);
+//! // A basis. Errors give the reason: here eye and at would be the same point. let (eye, at, up) =
+//! ([20.0, 4.0, 10.0], [-1.0, 0.0, -5.0], [0.0, 1.0, 0.0]); let basis = Basis::from_eye_at_up(eye.into(),
+//! at.into(), up.into())?; assert!((basis.u.x - 5.0 / 74.0_f64.sqrt()).abs() < 1e-15);
 //! assert!(Basis::from_eye_at_up(eye.into(), eye.into(), up.into()).is_err());
 //!
 //! // A camera's pixel, from eye, at, up, viewport and image.
@@ -177,7 +176,7 @@
 //!    and columns, with bounds, or drops it; `Span::new` what its rows share (of many spheres,
 //!    `VisibleSpheres::new` looks at groups and blocks of them first);
 //! 3. `RowBand::draw_rows` for each band of rows: `Span::draw` finds where each row begins and ends
-//!    (`SpanRows::find`) and `t` between (`SpanLanes::narrow` or `wide`), and keeps what is nearest;
+//!    (`SpanRows::find`) and `t` between (`SpanLanes::narrow` or `wide`), and keeps the nearest hits;
 //! 4. `RowBand::resolve_doubt` for pixels within a bound: `SphereFromOrigin::meets` decides by
 //!    `Quadratic::new` in `f64`, in double-double, and by `BigRay`, which is exact, and `Hit::compare`
 //!    which of two objects is first;

@@ -88,8 +88,8 @@ impl Dyadic {
         Some(self.exponent + self.length() as i64 - 1)
     }
 
-    /// `floor(|self| / 2^unit)`, and how what is left compares with half of `2^unit`; `None` where
-    /// nothing is left.
+    /// `floor(|self| / 2^unit)`, and how the remainder compares with half of `2^unit`; `None` if there is
+    /// no remainder.
     pub(crate) fn in_units(&self, unit: i64) -> (UBig, Option<Ordering>) {
         let magnitude = self.magnitude();
         let drop = unit - self.exponent;

@@ -55,8 +55,8 @@ impl Quotient {
         sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
     }
 
-    /// Returns an interval around the number at a level of effort; none where that does not tell
-    /// `d` from 0.
+    /// Returns an interval around the number at a level of effort; `None` if that does not distinguish `d`
+    /// from 0.
     pub(crate) fn interval(&self, field: &Field, level: usize) -> Option<Interval> {
         let d = field.interval(&self.d, level);
         (d.sign() == Some(Ordering::Greater))

@@ -28,8 +28,8 @@ pub(crate) struct SceneFromEye {
     objects: Vec<ObjectFromEye>,
 }
 
-/// A direction that may have roots in it. What is computed with is a positive multiple of the true
-/// direction; `per_multiple` is how many times longer it is, and so how many times smaller its `t`.
+/// A direction that may have roots in it. The computation uses a positive multiple of the true direction;
+/// `per_multiple` is how many times longer it is, and so how many times smaller its `t`.
 pub(crate) struct Direction<'a> {
     pub(crate) field: &'a Field,
     pub(crate) multiple: [Surd; 3],

@@ -162,14 +162,14 @@ impl FineBasis {
     }
 }
 
-/// Returns which coordinates of a cross product are 0 because both of their products are: level
-/// cameras have some, and what is 0 by rounding alone is not told from what is 0.
+/// Returns which coordinates of a cross product are 0 because both of their products are: level cameras
+/// have some, and a coordinate that was rounded to 0 cannot be distinguished from an exact 0.
 fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
     [[1, 2], [2, 0], [0, 1]].map(|[j, k]| (a[j] || b[k]) && (a[k] || b[j]))
 }
 
-/// `(|view x up|, view . up, |view| |up|)` in units of one power of two: what the angle between view
-/// and up is made of. The first keeps its digits however small it is.
+/// `(|view x up|, view . up, |view| |up|)` in units of one power of two: the terms of the angle between
+/// view and up. The first keeps its digits however small it is.
 pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =

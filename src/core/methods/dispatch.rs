@@ -137,10 +137,10 @@ fn trace_by_known<M: Intersect>(scene: &Scene, camera: &ResolvedCamera, raster: 
     traced
 }
 
-/// A raster traced by one method in one thread, for a caller that takes the time, and single pixels
-/// of it looked at closely.
+/// A raster traced by one method in one thread, for a caller that measures the time, and single pixels of
+/// it, for closer inspection.
 ///
-/// The ladder is the exception to the one thread: it is [`retrace`], in the thread pool at hand.
+/// The ladder does not keep to one thread: it is [`retrace`], in the current thread pool.
 pub trait FrameKernel: Send + Sync {
     /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
     /// memory of its own.
@@ -249,8 +249,8 @@ impl<M: Intersect> FrameKernel for KnownFrame<M> {
     }
 }
 
-/// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that
-/// takes the time.
+/// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that measures
+/// the time.
 pub trait RayKernel: Send + Sync {
     /// Finds every ray's first hit again, into memory of its own.
     fn intersect(&mut self);

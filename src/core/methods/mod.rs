@@ -56,8 +56,8 @@ pub enum Formula {
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
     HalfB,
-    /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
-    /// within 1.5 ulp of the exact value for the a, b, c at hand.
+    /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`, within
+    /// 1.5 ulp of the exact value for the given a, b, c.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
     /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.

@@ -22,7 +22,8 @@ pub struct Raster {
     columns: Vec<u32>,
 }
 
-/// The outputs to keep of every pixel. What is not asked for is not written: its buffer stays empty.
+/// The outputs to keep for every pixel. An output that is not requested is not written, and its buffer
+/// stays empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Outputs {
@@ -35,7 +36,7 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Steps and counts alone: for a picture of which only the colours are wanted.
+    /// Only steps and counts: for a picture of which only the colours are needed.
     pub const NONE: Outputs = Outputs { t: false, object: false, normal: false };
 }
 
@@ -55,12 +56,12 @@ impl Default for Outputs {
 pub struct Frame<T = f64> {
     pub(crate) camera: ResolvedCamera,
     pub(crate) raster: Raster,
-    /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is
-    /// beyond the range of T); empty unless asked for.
+    /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is beyond
+    /// the range of T); empty unless requested.
     pub t: Vec<T>,
-    /// Index of the object hit, or [`NO_OBJECT`]; empty unless asked for.
+    /// Index of the object hit, or [`NO_OBJECT`]; empty unless requested.
     pub object: Vec<u32>,
-    /// Outward unit normals, zero where nothing is hit; empty unless asked for.
+    /// Outward unit normals, zero where nothing is hit; empty unless requested.
     pub normal: Vec<DVec3>,
     /// Number of decisions that each step of the ladder made. Each pixel that is asked of an object
     /// is one; a pixel that is decided by itself may make several: whether it is met, and ahead,
@@ -207,7 +208,7 @@ impl<T: Copy> Frame<T> {
     /// The traced pixel in the raster's `row`th row and `column`th column.
     ///
     /// # Panics
-    /// Outside the raster, or where `t` or object was not asked for.
+    /// Panics outside the raster, or if `t` or the object was not requested.
     pub fn at(&self, row: usize, column: usize) -> FramePixel<T> {
         let index = row * self.raster.columns.len() + column;
         let object = self.object[index];
@@ -219,7 +220,7 @@ impl<T: Copy> Frame<T> {
     }
 }
 
-/// A frame with room for what is asked for.
+/// Makes a frame with room for the requested outputs.
 pub(crate) fn empty_frame<T: Depth>(
     camera: &ResolvedCamera,
     raster: &Raster,
@@ -239,14 +240,14 @@ pub(crate) fn empty_frame<T: Depth>(
     }
 }
 
-/// A band's part of each buffer; empty where that was not asked for.
+/// A band's part of each buffer; empty if that output was not requested.
 pub(crate) struct BandBuffers<'a, T> {
     pub(crate) t: &'a mut [T],
     pub(crate) object: &'a mut [u32],
     pub(crate) normal: &'a mut [DVec3],
 }
 
-/// A thread's own buffers, in place of those that were not asked for.
+/// A thread's own buffers, in place of those that were not requested.
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,
@@ -260,7 +261,8 @@ impl<T> OwnBuffers<T> {
     }
 }
 
-/// The buffers of all bands, each of so many rows of so many columns, one after the other.
+/// Splits the buffers into those of the bands, in order; the bands have the given numbers of rows and
+/// columns.
 pub(crate) fn band_buffers<'a, T>(
     mut t: &'a mut [T],
     mut object: &'a mut [u32],
@@ -275,12 +277,12 @@ pub(crate) fn band_buffers<'a, T>(
     bands.iter().map(next).collect()
 }
 
-/// Splits off the first part of a buffer; an empty one where there is none.
+/// Splits off the first part of a buffer; empty if the buffer is empty.
 fn first_of<'a, T>(buffer: &mut &'a mut [T], size: usize) -> &'a mut [T] {
     buffer.split_off_mut(..size).unwrap_or_default()
 }
 
-/// A buffer's part; where that was not asked for, as much of the thread's own.
+/// Returns a buffer's part or, if that was not requested, as much of the thread's own buffer.
 pub(crate) fn or_own<'a, T: Copy>(
     part: &'a mut [T],
     own: &'a mut Vec<T>,
@@ -409,8 +411,8 @@ pub(crate) mod sealed {
 
     /// The tracer of one precision.
     pub trait Sealed: Sized {
-        /// See [`fill`](crate::render::fill). Neither generic nor inlined, it is compiled with this
-        /// crate, once, and not again with each crate that calls what is generic over [`Depth`].
+        /// See [`fill`](crate::render::fill). Neither generic nor inlined, it is compiled with this crate,
+        /// once, and not again with each crate that calls a function generic over [`Depth`].
         fn fill(
             frame: &mut Frame<Self>,
             level: Level,

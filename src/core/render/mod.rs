@@ -6,22 +6,21 @@
 //! one row of pixels the hits are one interval: it is solved once, its ends decided with a margin, and
 //! inside it every pixel hits.
 //!
-//! - [`plan`]: what the rows can see, and how each object is drawn. Spheres behind the eye or outside
-//!   the view are dropped. Of many spheres, an index over them is looked at, not each one ([`bvh`]).
+//! - [`plan`]: what the rows can see, and how each object is drawn. Spheres behind the eye or outside the
+//!   view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
 //! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
 //!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
 //!     ([`polynomial`]): they hide much of the rest;
-//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; of
-//!     few, each vector of pixels is written once where no others overlap ([`rows::draw_row`]); of
-//!     many, those that are small beside their distance together ([`rows::small_spheres`]), and what
-//!     nearer ones hide is left out ([`bvh::occlusion`], [`rows::vector_bounds`]);
-//!   - what no outline can be drawn of, and the planes, by polynomials again.
-//! - Each step knows a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by
-//!   itself ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
-//! - Normals, where they are asked for, and colours ([`shade`](mod@shade)), while the band is in the
-//!   cache.
+//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; of few,
+//!     each vector of pixels is written once where no others overlap ([`rows::draw_row`]); of many, those
+//!     that are small compared with their distance are drawn together ([`rows::small_spheres`]), and those
+//!     that nearer ones hide are skipped ([`bvh::occlusion`], [`rows::vector_bounds`]);
+//!   - spheres that cannot be drawn by outlines, and the planes, by polynomials again.
+//! - Each step has a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by itself
+//!   ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
+//! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
 //!
-//! What doubt costs: some 50 to 150 ns a pixel and sphere where `f64` decides, as it does for nearly
+//! A doubt costs some 50 to 150 ns for each pixel and sphere where `f64` decides, as it does for nearly
 //! equal, nested and equal spheres and those that touch the eye ([`row_band::rough_hits`]); a microsecond
 //! where double-double has to; 40 where only exact numbers do: exact tangents and ties of unlike objects.
 //! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
@@ -30,7 +29,7 @@
 //! A frame of `f64` is drawn in `f32`, which finds the objects; then each pixel's `t` is asked of the
 //! ladder ([`row_band::exact_values`]).
 //!
-//! What was left out is counted ([`Counts`](frame::counts::Counts)).
+//! [`Counts`](frame::Counts) counts the work that was left out.
 
 pub(crate) mod bvh;
 pub(crate) mod frame;
@@ -65,11 +64,10 @@ use crate::scene::Scene;
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
-/// Each pixel's object is what [`Scene::first_hit_of`] says of its
-/// [exact ray](ResolvedCamera::exact_ray), and its `t` is the same: the exact one, rounded.
-/// The same bits come from any number of threads and any processor. What the rays share is computed
-/// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
-/// without planes runs no plane code.
+/// Each pixel's object is what [`Scene::first_hit_of`] says of its [exact ray](ResolvedCamera::exact_ray),
+/// and its `t` is the same: the exact one, rounded. The same bits come from any number of threads and any
+/// processor. Terms that the rays share are computed once, only visible objects are examined, and a pixel
+/// in doubt goes up the ladder by itself. A scene without planes runs no plane code.
 ///
 /// Of one frame after another, all but the first are traced by [`retrace`].
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {

@@ -119,10 +119,10 @@ impl<'a> Plan<'a> {
 
     /// The rows of each band, in the order in which threads take them.
     ///
-    /// Of many spheres, what lies on the border of two bands is looked at twice: bands are of two
-    /// slices, and of one towards the end, so that all threads are done at about the same time.
+    /// With many spheres, those on the border of two bands are examined twice. Bands have two slices, and
+    /// one slice towards the end, so that all threads finish at about the same time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
-        /// The last rows are one part of so many.
+        /// The last `rows / LAST` rows are in bands of one slice.
         const LAST: usize = 4;
         let rows = self.axes.height();
         let mut bands = Vec::new();

@@ -1,4 +1,4 @@
-//! An object's implicit function along a ray: what is 0 at the roots.
+//! An object's implicit function along a ray, which is 0 at the roots.
 
 use crate::camera::ray::ExactRay;
 use crate::exact::bounded::{Number, Vector, dot, length, near};

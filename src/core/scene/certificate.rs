@@ -68,8 +68,8 @@ pub struct Hardest {
     pub bound: f64,
 }
 
-/// What is decided about a ray and an object. With the eye's way to the centre q, radius r and
-/// direction d; of a plane, the normal n and the way to its point p.
+/// A question about a ray and an object. q is the vector from the eye to a sphere's centre, r its radius
+/// and d the direction; n is a plane's normal, and p the vector from the eye to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Question {
     /// Whether the eye is inside a sphere: `(|q|^2 - r^2) / (|q|^2 + r^2)`; or on which side of a
@@ -143,8 +143,8 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
     ways.into_iter().flatten().reduce(Certificate::or)
 }
 
-/// How near a line has to come to a sphere that may have less than so many bits to spare: a share `s`
-/// of its distance.
+/// Returns how near a line must come to a sphere whose margin may be less than this many bits, as a share
+/// `s` of the sphere's distance.
 ///
 /// With m the distance of the line from the centre, `m - r > 2 s |q|` of one that is passed by
 /// farther than that. Then `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`; and D's bound is below
@@ -247,7 +247,7 @@ fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } =
         Quadratic::new(&parts, &ray.rough);
     let factor = if than.step > Step::F64 { 1.0 } else { than.margin.exp2() };
-    // The side of an eye that is so far out is surer than any margin that is told.
+    // The side of an eye this far out is surer than the largest margin that is reported.
     discriminant < -factor * discriminant_doubt || b < -factor * b_doubt
 }
 

@@ -86,7 +86,7 @@ impl ObjectFromOrigin {
         self.t_within(ray, root, T_DOUBT)
     }
 
-    /// `t` there, rounded to `f64`: what is told of it.
+    /// `t` there, rounded to `f64`, as it is reported.
     pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
         self.rounded_t_counting(ray, root, &mut Steps::default())
     }

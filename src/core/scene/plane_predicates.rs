@@ -234,8 +234,8 @@ impl Plane {
         0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
-    /// The intersection's parts for the readouts, each rounded once from more digits. They may
-    /// overflow or underflow where `t` does not; of a plane that is none, they are NaN.
+    /// The intersection's parts for the readouts, each rounded once from more digits. They may overflow or
+    /// underflow where `t` does not; for an invalid plane, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
         if self.check().is_err() {
             return PlaneTerms::NONE;
@@ -294,7 +294,7 @@ impl PlaneOrder {
 
     /// Compares the `t` of a ray that hits both planes; `None` in doubt.
     pub(crate) fn compare(&self, direction: &DirectionTerms<f64>) -> Option<Ordering> {
-        // What is so small beside the largest coordinate that it is rounded to 0 is within the bound.
+        // A coordinate so small compared with the largest one that it is rounded to 0 is within the bound.
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
         let value = dot(self.e, direction.d);

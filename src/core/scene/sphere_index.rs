@@ -165,7 +165,7 @@ impl SphereIndex {
     }
 }
 
-/// One box with what is known of the spheres inside.
+/// A box with bounds of the spheres inside.
 ///
 /// On each axis the box is `middle - half ..= middle + half`, in real numbers and rounded alike: what
 /// is inside lies between the two whichever way they are computed. A half extent is infinite where

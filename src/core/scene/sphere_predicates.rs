@@ -319,8 +319,8 @@ impl Sphere {
         ldexp(seen.fine.c.hi, 2 * seen.scale)
     }
 
-    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
-    /// or underflow where the roots do not; of a sphere that is none, they are NaN.
+    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow or
+    /// underflow where the roots do not; for an invalid sphere, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
             return SphereQuadratic::NONE;

@@ -295,7 +295,7 @@ fn centred_camera(
     }
 }
 
-/// Spheres whose outlines go exactly through pixel centres, and radii one ulp beside.
+/// Spheres whose outlines go exactly through pixel centres, and radii one ulp off.
 pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     let case = if draw.once_in(2) {
         by_rational_basis(draw, ulps)

@@ -49,7 +49,7 @@ fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
     one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
 }
 
-/// A ray exactly parallel to a plane, inside or beside it, and normals one ulp beside.
+/// A ray exactly parallel to a plane, inside it or next to it, and normals one ulp off.
 fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);

@@ -197,7 +197,7 @@ fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     everyday(draw, impact)
 }
 
-/// A line that touches the sphere exactly, and radii one unit in the last place beside.
+/// A line that touches the sphere exactly, and radii one unit in the last place off.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
@@ -223,7 +223,7 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
 
-/// The origin exactly on the surface, where t = 0 is no hit, and radii one ulp beside.
+/// The origin exactly on the surface, where t = 0 is no hit, and radii one ulp off.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);

@@ -27,8 +27,8 @@ pub(crate) struct DrawnSpheres {
     pub(crate) others: Vec<u32>,
 }
 
-/// Draws what the target's rows see of many spheres, near to far, from a block of a group on. Stops
-/// before the end, and tells before which block, where too many pixels are in doubt.
+/// Draws the visible part of many spheres in the target's rows, near to far, starting at a block of a
+/// group. If too many pixels are in doubt, it stops early and returns the block at which to continue.
 #[inline(always)]
 pub(crate) fn draw_visible<S: Simd>(
     simd: S,
@@ -83,7 +83,7 @@ pub(crate) fn draw_visible<S: Simd>(
 struct Drawing<'a> {
     visible: &'a VisibleSpheres<'a>,
     runs: Runs,
-    /// The outlines of the spheres at hand, if they are small.
+    /// The outlines of the current spheres, if they are small.
     small: SmallOutlines,
     outlines: Option<Box<Outlines>>,
     occlusion: Occlusion,
@@ -105,7 +105,7 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 }
 
 impl Drawing<'_> {
-    /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
+    /// Returns whether nearer spheres cover all pixels that a group or block has in the target.
     #[inline(always)]
     fn is_hidden(&mut self, target: &SpanTarget, bounds: &VisibleBox) -> bool {
         let rows = own_rows(target, &bounds.extent.rows());

@@ -126,7 +126,7 @@ impl<'a> VisibleSpheres<'a> {
     }
 }
 
-/// The blocks of a group that can be seen, near to far where they are crowded, and what is left out.
+/// The visible blocks of a group, near to far where they are crowded, and the counts of those left out.
 #[inline(always)]
 fn seen_blocks<S: Simd>(
     _simd: S,

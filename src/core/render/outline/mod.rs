@@ -16,8 +16,8 @@ use crate::scene::sphere_index::SphereSlots;
 pub(crate) mod raster_axes;
 pub(crate) mod small_outlines;
 
-/// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the
-/// end is off by, and so little that hardly a pixel lies within it.
+/// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the error of
+/// the end, and so small that hardly a pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
 /// The widest vector of `f64` that any level has.
@@ -286,14 +286,15 @@ impl<S: Simd> Centers<S> {
             & r.simd_gt(z * splat(1e-9))
     }
 
-    /// What the radii may be off by, see [`CameraSpace::new`].
+    /// Returns bounds of the radii's errors, see [`CameraSpace::new`].
     #[inline(always)]
     fn eta(self, simd: S, space: &CameraSpace) -> S::f64s {
         let Centers { x, y, z, r, .. } = self;
         S::f64s::splat(simd, space.doubt) * (x.abs() + y.abs() + z.abs() + r)
     }
 
-    /// Lanes that are behind, or beyond one of the image's four borders, by more than all roundings.
+    /// Returns the lanes that are behind the eye, and those beyond one of the image's four borders, by more
+    /// than all roundings.
     #[inline(always)]
     fn not_seen(self, simd: S, space: &CameraSpace) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -313,8 +314,8 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// The kinds of rows by which spheres are drawn. With the least b only as its square, no root is
-/// needed but one in `f32`, rounded up.
+/// The kinds of rows by which spheres are drawn. The least b is kept as its square, so that the only root
+/// needed is one in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which the kernel that corrects the root is exact enough.
@@ -351,7 +352,7 @@ impl<S: Simd> Kinds<S> {
         Kinds { corrects_root, can_correct_root, thin, least }
     }
 
-    /// Finds the lanes in which rows of the kind will do, and `f32` holds the numbers.
+    /// Finds the lanes in which rows of the kind are exact enough, and `f32` holds the numbers.
     #[inline(always)]
     fn is_plain(
         &self,

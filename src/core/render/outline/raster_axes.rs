@@ -10,11 +10,11 @@ use crate::camera::resolved::ResolvedCamera;
 use crate::render::frame::Raster;
 use crate::render::outline::MOST_SINGLE_LANES;
 
-/// As far as the tables go on.
+/// Number of entries by which the tables extend past the last row and column.
 const PADDING: usize = MOST_SINGLE_LANES;
 
-/// The numbers of a raster's rows and columns in the image, ascending, with entries behind the last
-/// so that a vector can begin anywhere.
+/// The numbers of a raster's rows and columns in the image, ascending, with entries after the last so that
+/// a vector can begin anywhere.
 pub(crate) struct RasterAxes {
     pub(crate) row_numbers: Vec<f64>,
     pub(crate) columns: Vec<f32>,

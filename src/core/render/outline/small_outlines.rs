@@ -1,5 +1,4 @@
-//! Outlines of spheres that are small beside their distance, as many side by side as a vector of `f32` has
-//! lanes.
+//! Outlines of spheres that are small compared with their distance, one for each lane of a vector of `f32`.
 
 use std::ops::Range;
 
@@ -19,7 +18,7 @@ pub(crate) type Halves = [[f64; MOST_LANES]; 2];
 /// fractions that `f32` holds as [`Runs::t`](crate::render::rows::small_spheres::Runs::t) needs them.
 const MOST_SIZE: f32 = 4_194_304.0;
 
-/// What a few results in `f32` are multiplied by so that they are bounds.
+/// Factor that turns a few rounded results in `f32` into upper bounds.
 const UP: f32 = 1.0 + 1e-5;
 
 /// Outlines of small spheres, as [`Outlines`](crate::render::outline::Outlines) have them: on row
@@ -158,7 +157,7 @@ impl<S: Simd> Bounds<S> {
     /// All operations are rounded by less than `UP` together leaves room for. For the error of t, see
     /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
     ///
-    /// What [`Outlines::find`](crate::render::outline::Outlines::find) says of the error of `w^2` holds here,
+    /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds here,
     /// too. Each coefficient is the result of at most 64 roundings in none of which anything cancels, as
     /// `a < 1/16`; then `8 k + 4 < 4.1`.
     #[inline(always)]

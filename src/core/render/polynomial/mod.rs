@@ -132,7 +132,7 @@ pub(crate) fn pixel_hit(
     if b <= b_doubt || doubt > APART {
         return DOUBT;
     }
-    // What is known may have been rounded to a subnormal number, of which any share may be its error.
+    // The known hit may have been rounded to a subnormal number, whose relative error can be large.
     if t > known.max(RANGE.0.into()) * (1.0 + 4.0 * APART) {
         return f64::INFINITY;
     }

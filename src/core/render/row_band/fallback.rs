@@ -161,7 +161,7 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
-        // Most are farther, which their power alone tells.
+        // Most are farther, which their power alone shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
             && let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == known)

@@ -15,7 +15,7 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 pub(crate) struct RoughHit {
     /// The sphere.
     pub(crate) object: u32,
-    /// `t` for the direction at hand, in units of `2^scale`, and its relative error.
+    /// `t` for the current direction, in units of `2^scale`, and its relative error.
     pub(crate) t: f64,
     pub(crate) share: f64,
     scale: i32,
@@ -93,7 +93,7 @@ impl RoughHit {
         half_chord: 0.0,
     };
 
-    /// `t` for the ray itself, whose direction is so many times shorter.
+    /// Returns `t` for the ray itself, whose direction is shorter by this factor.
     pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
         ldexp(self.t * stretch, self.scale - scale)
     }
@@ -118,8 +118,8 @@ impl RoughHit {
     /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)
     /// ```
     ///
-    /// is linear in o, and every term is as small as the spheres differ: `f64` tells nearly equal
-    /// spheres apart, and nested ones.
+    /// is linear in o, and every term is as small as the spheres differ: `f64` distinguishes nearly equal
+    /// spheres, and nested ones.
     ///
     /// - Where the power is negative, the hit lies in the other sphere. From outside, the ray has
     ///   entered that before: the other is first. From inside, the ray leaves it later: this one is.

@@ -1,5 +1,5 @@
-//! Spheres that are small beside their distance: one row of each sphere of a vector is found at a time, and
-//! the rows are drawn several pixels at once.
+//! Spheres that are small compared with their distance. One row of each sphere of a vector is found at a
+//! time, and the rows are drawn several pixels at once.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
@@ -49,7 +49,7 @@ pub(crate) struct Runs {
     to: [f32; RUNS],
     /// The last column.
     last: [f32; RUNS],
-    /// How far inside the outline's two ends the first and the last column are.
+    /// Distances of the first and the last column from the outline's two ends.
     left: [f32; RUNS],
     right: [f32; RUNS],
     /// e without S at the first column, see [`Runs::t`].
@@ -235,7 +235,7 @@ impl Runs {
         }
     }
 
-    /// Finds the row of each sphere that is so many below its first in the target.
+    /// Finds the row of each sphere for this step, counted from its first row in the target.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,

@@ -124,7 +124,7 @@ impl SpanTarget<'_> {
         is_same
     }
 
-    /// Returns whether so many pixels are in doubt that they should be decided before more are drawn.
+    /// Returns whether the pixels in doubt are so many that they should be decided before more is drawn.
     pub(crate) fn is_full(&self) -> bool {
         const FULL: usize = 1 << 16;
         self.doubts.len() >= FULL
@@ -488,8 +488,8 @@ impl<S: Simd> SpanLanes<S> {
         }
     }
 
-    /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose
-    /// S is small beside b.
+    /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose S is
+    /// small compared with b.
     ///
     /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
     /// and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3
@@ -516,7 +516,7 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// `t` as [`SpanLanes::narrow`] has it, for a sphere whose S is not small beside b: with whole
+    /// `t` as [`SpanLanes::narrow`] has it, for a sphere whose S is not small compared with b: with whole
     /// numbers m and n of columns from the first and to the last pixel,
     ///
     /// ```text
@@ -528,11 +528,11 @@ impl<S: Simd> SpanLanes<S> {
     /// quotients, since `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they
     /// multiply is small.
     ///
-    /// What is left: the rounding of the second term of `S^2`, by 4 u of itself, which is at most
-    /// `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`; and the third power of the share of
-    /// the sum that stands in `rest`, at most `2^-12` of what b varies by, which is less than four times
-    /// the sum. From the end at which b is larger it only becomes smaller, so that the rest of the sum
-    /// with it is exact (Dekker, Numerische Mathematik 18, 1971).
+    /// Two errors remain. One is the rounding of the second term of `S^2`, by 4 u of itself, which is at
+    /// most `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`. The other is the third power of
+    /// the share of the sum that stands in `rest`, at most `2^-12` of what b varies by, which is less than
+    /// four times the sum. From the end at which b is larger it only becomes smaller, so that the rest of
+    /// the sum with it is exact (Dekker, Numerische Mathematik 18, 1971).
     #[inline(always)]
     pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
