@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn letters_are_where_egui_put_them() {
         let font = FontId::proportional(20.0);
-        // With a kerned pair, two fonts, and what some fonts have ligatures for.
+        // The text has a kerned pair, letters of two fonts, and letters that some fonts join.
         let written = "AV floor 𝑡 = ffi";
         let primitives = drawn(2.0, |painter| {
             painter.text(pos2(10.0, 5.0), Align2::LEFT_TOP, written, font.clone(), Color32::RED);
@@ -473,7 +473,7 @@ mod tests {
         );
     }
 
-    /// A picture of `w` x `h` different pixels, each so many dots wide and high.
+    /// A picture of `w` x `h` different pixels, each `across` dots wide and `down` dots high.
     fn enlarged([w, h]: [usize; 2], [across, down]: [usize; 2]) -> ColorImage {
         let dots = (0..h * down).flat_map(|k| (0..w * across).map(move |l| (k / down, l / across)));
         let color = |(k, l): (usize, usize)| Color32::from_rgb(k as u8, l as u8, 9);
@@ -485,7 +485,7 @@ mod tests {
         let picture = compacted(&enlarged([700, 650], [3, 2]));
         assert_eq!(picture.size, [700, 650]);
         assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
-        // Where they are few, as several, so that smoothing does not blur them.
+        // If they are few, each is stored as several, so that smoothing does not blur them.
         let few = compacted(&enlarged([4, 3], [300, 400]));
         assert_eq!(few.size, [800, 600]);
         assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);

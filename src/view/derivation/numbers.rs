@@ -28,7 +28,7 @@ pub struct NumberFormat {
 }
 
 /// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as
-/// rounded. Among numbers with random digits, one in a thousand has no more than so many.
+/// rounded. Among numbers with random digits, about one in a thousand has no more than this.
 const EXACT_DIGITS: usize = 12;
 
 impl NumberFormat {

@@ -7,8 +7,8 @@ use egui::{Color32, Mesh, Rect, TextureId};
 
 use super::{PixelRect, SoftwarePainter};
 
-/// Maximum number of separate rectangles; to draw more of them costs more than to draw the area
-/// between them, too.
+/// Maximum number of separate rectangles. Drawing more of them would cost more than drawing the area
+/// between them as well.
 const MANY: usize = 16;
 
 /// The pixels of the window, and the frame that they were drawn from.
