@@ -23,9 +23,9 @@
 //! A drag of eye.x, in the order of [`ui::app`]'s `frame.rs`:
 //!
 //! 1. *Inputs*: the camera panel writes [`Document::camera`](pinhole_exchange::document::Document)
-//!    `.eye.x` in place, and says that it changed the pose.
-//! 2. *Apply*: what keys, menus and the views asked for, as
-//!    [`Action`](ui::action::Action)s, each carried out by the part that owns the state.
+//!    `.eye.x` in place. The end of the pass compares the document with the one that it began with.
+//! 2. *Apply*: keys, menus and views request [`Action`](ui::action::Action)s, each of which is applied by
+//!    the part that owns the state.
 //! 3. *Derive*: [`view::derive`] makes everything that is shown from the document and the session
 //!    ([`model::session`]), and caches it by its inputs: an idle window does no work.
 //! 4. *Outputs*: views, readouts and textures get the [`Derived`](view::derive::Derived) and nothing
