@@ -13,11 +13,10 @@ use crate::model::practice::answer_marks::AnswerMark;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
-use crate::view::derive::derivations::{Derivations, Plots};
 use crate::view::derive::objects::Objects;
 use crate::view::derive::picture::{GoodPicture, Pictures};
 use crate::view::derive::second_picture::SecondPictures;
-use crate::view::derive::views::{CameraViews, WorldViews};
+use crate::view::derive::views::{CameraViews, Derivations, Plots, WorldViews};
 use crate::view::overlay::{Drawing, Highlighted, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
@@ -26,7 +25,6 @@ pub use crate::view::derive::second_picture::{
     AgainstGhost, Grading, Second, SecondData, SecondPicture,
 };
 
-mod derivations;
 mod memo;
 mod objects;
 mod picture;
