@@ -22,16 +22,19 @@
 //! | for | there are |
 //! | --- | --- |
 //! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks all of it and gives a [`ResolvedCamera`], which has pixels, (u, v), rays and [projection](ResolvedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
-//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why there is none: [`BasisError`] |
+//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why a
+//! camera has no basis: [`BasisError`] |
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
-//! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: what any ray meets, and what first |
-//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
+//! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: all roots of any ray, and its first hit |
+//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] selects the pixels,
+//! and [`Outputs`] what is kept of them |
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step of each pixel, and its margin; [`Counts`]: what a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas, for comparison |
-//! | interaction | [`steering`]: a camera taken in the hand |
-//! | files | by the feature `serde`, off by default: cameras, scenes and what they are made of are written and read; what is read passes the checks that it passes in code |
+//! | interaction | [`steering`]: moving and turning a camera by drags, wheel and keys |
+//! | files | the feature `serde`, off by default, serializes cameras, scenes and their parts; values that
+//! are read pass the same checks as values made in code |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
 //! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), and rays
@@ -56,8 +59,8 @@
 //! view ray through (u, v):   eye + t * direction,   direction = u*U + v*V - distance*W
 //! ```
 //!
-//! (Capitals are the vectors where the scalars (u, v) are there, too.) The image lies in the viewport,
-//! rows counted from the top:
+//! (Where the scalars (u, v) occur too, the vectors are written in capitals.) The image lies in the
+//! viewport, rows counted from the top:
 //!
 //! ```text
 //!             column 0   1  ... W-1
@@ -76,12 +79,12 @@
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
 //! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre. It
 //!   never shares a name with the vectors `u` and `v`.
-//! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction
-//!   `u*U + v*V - distance*W`, *not* normalized: `t = 1` is the viewport itself. The distance along
-//!   the ray is `t * |direction|` and is always named apart.
+//! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction `u*U + v*V - distance*W`, *not*
+//!   normalized: `t = 1` is the viewport itself. The distance along the ray is `t * |direction|` and always
+//!   has a name of its own.
 //! - A [`Pixel`] is `(row, column)`, both from 0, row 0 on top.
-//! - A hit is the smallest `t > 0`; `t = 0` is none, a tangent is one. Among exact ties the object
-//!   that is listed first wins. Objects are counted from 0: spheres, then planes.
+//! - A hit is the smallest `t > 0`; `t = 0` is not a hit, a tangent is. Among exact ties the object listed
+//!   first wins. Objects are counted from 0: spheres, then planes.
 //!
 //! # The ladder
 //!
@@ -97,8 +100,8 @@
 //!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
 //!
 //! `t` is the exact one, rounded to the nearest `f64` (in frames of `f32`, within an ulp of those), a
-//! normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused at the door, by
-//! [`Ray::check`], [`Scene::new`] and [`Camera::resolve`], with typed errors.
+//! normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused with typed errors by
+//! [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
 //!
 //! # By raw numbers
 //!
@@ -167,7 +170,7 @@
 //! | `scene` | spheres and planes, what a ray meets of them and in which order: the ladder; the index over many spheres |
 //! | `render` | pictures: `frame`, `outline`, `rows`, `bvh`, `polynomial`, `plan`, `row_band`, `shade` |
 //! | `methods` | the known formulas, to compare |
-//! | `steering` | the camera taken in the hand |
+//! | `steering` | moving and turning the camera by drags, wheel and keys |
 //!
 //! A sphere on its way to pixels passes
 //!

@@ -156,7 +156,7 @@ impl ScaledBasis {
 /// Returns an error if there is none: exactly where `view`, `up` or `up x view` is 0.
 ///
 /// # Panics
-/// Where a number is NaN or infinite.
+/// Panics if a number is NaN or infinite.
 pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3], Status> {
     let ScaledBasis { field, u, v, w, multiple } = ScaledBasis::new(eye, orientation)?;
     Ok([u, v, w].map(|vector| {
@@ -172,7 +172,7 @@ impl Camera {
     /// Returns an error if there is no basis.
     ///
     /// # Panics
-    /// Where a number is NaN or infinite.
+    /// Panics if a number is NaN or infinite.
     pub fn prepare(&self, objects: &[Object]) -> Result<View, Status> {
         let basis = ScaledBasis::new(self.eye, &self.orientation)?;
         Ok(View { basis, camera: *self, scene: SceneFromEye::new(objects, vector(self.eye)) })
@@ -212,7 +212,7 @@ impl View {
     /// in world units from its centre.
     ///
     /// # Panics
-    /// Where a number is NaN or infinite.
+    /// Panics if a number is NaN or infinite.
     pub fn first_hit_of_uv(&self, u: f64, v: f64) -> Option<Hit> {
         let position = vector([u, v, self.camera.distance]);
         self.scene.first_hit(&self.basis.direction(&position, &Dyadic::power_of_two(0)))

@@ -41,7 +41,7 @@ impl Dyadic {
     }
 
     /// # Panics
-    /// Where `x` is NaN or infinite.
+    /// Panics if `x` is NaN or infinite.
     pub(crate) fn from_f64(x: f64) -> Dyadic {
         assert!(x.is_finite(), "{x} is not a finite number");
         let bits = x.to_bits();

@@ -33,7 +33,7 @@ impl Object {
     /// on the object.
     ///
     /// # Panics
-    /// Where a number is NaN or infinite.
+    /// Panics if a number is NaN or infinite.
     pub fn side_of(&self, q: [f64; 3]) -> Ordering {
         match ObjectFromEye::new(self, &vector(q)) {
             ObjectFromEye::Sphere { c, .. } => c.sign(),
@@ -43,12 +43,13 @@ impl Object {
 }
 
 impl Object {
-    /// How far `q` is from the object, as a share: `(|q - center|^2 - radius^2) / (|q - center|^2 +
-    /// radius^2)` of a sphere. Of a plane, the square of the cosine between its normal and the way
-    /// from `q` to its point, negative where the cosine is; 0 where `q` is that point.
+    /// Returns how far `q` is from the object, as a share:
+    /// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)` of a sphere. Of a plane, the square of
+    /// the cosine between its normal and the way from `q` to its point, negative where the cosine is; 0
+    /// where `q` is that point.
     ///
     /// # Panics
-    /// Where a number is NaN or infinite.
+    /// Panics if a number is NaN or infinite.
     pub fn share_of_side(&self, q: [f64; 3]) -> Real {
         let q = vector(q);
         let (p, d) = match (self, ObjectFromEye::new(self, &q)) {

@@ -122,7 +122,7 @@ impl Real {
     /// `self - x`, exactly.
     ///
     /// # Panics
-    /// Where `x` is NaN or infinite.
+    /// Panics if `x` is NaN or infinite.
     pub fn minus_f64(&self, x: f64) -> Real {
         Real(&self.0 - &Dyadic::from_f64(x))
     }
@@ -139,7 +139,7 @@ impl Real {
 
 impl From<f64> for Real {
     /// # Panics
-    /// Where `x` is NaN or infinite.
+    /// Panics if `x` is NaN or infinite.
     fn from(x: f64) -> Real {
         Real(Dyadic::from_f64(x))
     }

@@ -113,7 +113,7 @@ fn exact(field: &Field, direction: [f64; 3]) -> Direction<'_> {
 /// inside it, and none for a direction of 0.
 ///
 /// # Panics
-/// Where a number is NaN or infinite.
+/// Panics if a number is NaN or infinite.
 pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Vec<Real> {
     let field = Field::rational();
     SceneFromEye::new(&[*object], vector(origin)).roots(0, &exact(&field, direction))
@@ -124,7 +124,7 @@ pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Vec<Real
 /// not, be it inside it. None for a direction of 0.
 ///
 /// # Panics
-/// Where a number is NaN or infinite.
+/// Panics if a number is NaN or infinite.
 pub fn first_hit(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
     SceneFromEye::new(objects, vector(origin)).first_hit(&exact(&Field::rational(), direction))
 }

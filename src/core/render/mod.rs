@@ -69,7 +69,7 @@ use crate::scene::Scene;
 /// processor. Terms that the rays share are computed once, only visible objects are examined, and a pixel
 /// in doubt goes up the ladder by itself. A scene without planes runs no plane code.
 ///
-/// Of one frame after another, all but the first are traced by [`retrace`].
+/// In a sequence of frames, trace all but the first by [`retrace`].
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_as(scene, camera, raster, outputs)
 }
@@ -100,12 +100,12 @@ pub fn trace_at_level<T: Depth>(
     frame
 }
 
-/// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the
-/// frame, and keeps of the frame only the `outputs`. Each band of rows is coloured as soon as it is
-/// traced, while it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
+/// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the frame,
+/// and keeps only the `outputs` of the frame. Each band of rows is coloured as soon as it is traced, while
+/// it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
 ///
 /// # Panics
-/// Where there is not one pixel for each of the raster's.
+/// Panics unless there is one pixel for each of the raster's.
 pub fn trace_painted<T: Depth, P: Send>(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -133,7 +133,7 @@ pub fn trace_painted<T: Depth, P: Send>(
 /// [`trace_painted`] gives, without new memory.
 ///
 /// # Panics
-/// Where there is not one pixel for each of the raster's, and where a frame without `t` or objects is
+/// Panics unless there is one pixel for each of the raster's, and if a frame without `t` or objects is
 /// coloured by [`Shade::T`].
 pub fn retrace_painted<T: Depth, P: Send>(
     frame: &mut Frame<T>,

@@ -19,9 +19,9 @@ use crate::scene::sphere::{Sphere, SphereQuadratic};
 /// One of the two roots of a line and a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RootSide {
-    /// That of the smaller t.
+    /// The root with the smaller t.
     Near,
-    /// That of the larger t.
+    /// The root with the larger t.
     Far,
 }
 

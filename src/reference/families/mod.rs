@@ -48,13 +48,13 @@ pub enum Make {
 pub struct Family {
     /// Its name, in kebab-case.
     pub name: &'static str,
-    /// What its cases have in common, in a sentence.
+    /// A sentence that says what its cases have in common.
     pub about: &'static str,
-    /// What the knob is, with its unit.
+    /// The knob's meaning, with its unit.
     pub knob_name: &'static str,
     /// The knob's values, in rising order.
     pub knobs: &'static [f64],
-    /// How a case is made.
+    /// The function that makes a case.
     pub make: Make,
 }
 
