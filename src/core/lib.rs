@@ -22,19 +22,16 @@
 //! | for | there are |
 //! | --- | --- |
 //! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks all of it and gives a [`ResolvedCamera`], which has pixels, (u, v), rays and [projection](ResolvedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
-//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why a
-//! camera has no basis: [`BasisError`] |
+//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why a camera has no basis: [`BasisError`] |
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
 //! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: all roots of any ray, and its first hit |
-//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] selects the pixels,
-//! and [`Outputs`] what is kept of them |
+//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] selects the pixels, and [`Outputs`] what is kept of them |
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step of each pixel, and its margin; [`Counts`]: what a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas, for comparison |
 //! | interaction | [`steering`]: moving and turning a camera by drags, wheel and keys |
-//! | files | the feature `serde`, off by default, serializes cameras, scenes and their parts; values that
-//! are read pass the same checks as values made in code |
+//! | files | the feature `serde`, off by default, serializes cameras, scenes and their parts; values that are read pass the same checks as values made in code |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
 //! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), and rays
