@@ -8,7 +8,7 @@ use clap::error::ContextKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::figures::{Frames, Subject};
+use crate::figures::{FigureSubject, Frames};
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::view::overlay::Style;
@@ -148,8 +148,8 @@ pub struct RenderArguments {
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// What the camera sees, or the scene with the camera in it
-    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([Subject::Camera, Subject::World], |view| view.name().into()))]
-    pub view: Subject,
+    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([FigureSubject::Camera, FigureSubject::World], |view| view.name().into()))]
+    pub view: FigureSubject,
     /// Draw the camera over the world view, and the image's marks over the camera's
     #[arg(long)]
     pub overlay: bool,
@@ -180,8 +180,8 @@ pub struct FigureArguments {
     /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
     /// number, or the lab of lines, which is the same for every scene
     #[arg(long, value_name = "world|camera|derivation|lines")]
-    #[arg(value_parser = one_of(Subject::ALL, |subject| subject.name().into()))]
-    pub view: Subject,
+    #[arg(value_parser = one_of(FigureSubject::ALL, |subject| subject.name().into()))]
+    pub view: FigureSubject,
     /// The file to write; the ending chooses the format, and - writes SVG to standard output
     ///
     /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of

@@ -11,7 +11,9 @@ use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{apart, files_of, follow, load, pose, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Animation, Content, FigureFormat, Frames, Order, Recorder, Subject};
+use crate::figures::{
+    self, Animation, Content, FigureFormat, FigureSubject, Frames, Order, Recorder,
+};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
@@ -68,7 +70,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
 /// Writes what plays, by the window's recorder.
 fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));
-    if !matches!(arguments.view, Subject::World | Subject::Camera) {
+    if !matches!(arguments.view, FigureSubject::World | FigureSubject::Camera) {
         return refused("--play shows a view: --view world or --view camera");
     }
     let output = &arguments.output;
@@ -125,7 +127,7 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
             ));
         }
     }
-    if *view == Subject::Derivation && height.is_some() {
+    if *view == FigureSubject::Derivation && height.is_some() {
         return refused(
             "the derivation is as high as its lines: leave out --height, give --width".to_owned(),
         );
@@ -136,17 +138,17 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
 fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, CommandError> {
     let FigureArguments { view: subject, style, transparent, width, height, .. } = *arguments;
     let size = match subject {
-        Subject::World => size(width, height, WORLD)?,
-        Subject::Camera => in_proportion(arguments, image)?,
-        Subject::Lines => size(width, height, LINES)?,
-        Subject::Derivation => size(width, None, DERIVATION)?,
+        FigureSubject::World => size(width, height, WORLD)?,
+        FigureSubject::Camera => in_proportion(arguments, image)?,
+        FigureSubject::Lines => size(width, height, LINES)?,
+        FigureSubject::Derivation => size(width, None, DERIVATION)?,
     };
     let size = [size.width(), size.height()];
     let least = size[0].min(size[1]) as f32;
     let scale = match subject {
-        Subject::World | Subject::Camera => figures::scale_of(size),
-        Subject::Derivation => least / DERIVATION_POINTS,
-        Subject::Lines => least / LINES_POINTS,
+        FigureSubject::World | FigureSubject::Camera => figures::scale_of(size),
+        FigureSubject::Derivation => least / DERIVATION_POINTS,
+        FigureSubject::Lines => least / LINES_POINTS,
     };
     Ok(Order { subject, size, scale, style, transparent })
 }
@@ -163,7 +165,7 @@ fn session_of(
     // A picture in a file has no handles.
     session.settings.items.set(Item::Handles, false);
     let asked = ray.pixel.is_some() || ray.uv.is_some();
-    let sees = matches!(view, Subject::World | Subject::Camera);
+    let sees = matches!(view, FigureSubject::World | FigureSubject::Camera);
     // The derivation of a camera without a basis shows where it fails.
     if asked || sees {
         let camera = pose(scene, document)?;

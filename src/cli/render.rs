@@ -13,7 +13,7 @@ use super::console::{CommandError, is_standard, named, not_built, scene_fault, t
 use super::load::{apart, files_of, load, pose, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
-use crate::figures::{Order, Subject, scale_of};
+use crate::figures::{FigureSubject, Order, scale_of};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Session, Settings};
@@ -24,7 +24,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         if !cfg!(feature = "exr") {
             return Err(not_built("--aov", "exr"));
         }
-        if arguments.view == Subject::World {
+        if arguments.view == FigureSubject::World {
             let problem = "--aov writes what the camera's rays meet: leave out --view world";
             return Err(CommandError::Arguments(problem.to_owned()));
         }
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         shade: arguments.shade,
         aov: arguments.aov.is_some(),
     };
-    let progress = if arguments.overlay || arguments.view == Subject::World {
+    let progress = if arguments.overlay || arguments.view == FigureSubject::World {
         Progress::during("drawing")
     } else {
         // Each row is traced, and for the other file its certificates are computed.
@@ -90,7 +90,7 @@ pub struct RenderOptions {
     /// Size of the picture.
     pub size: ImageSize,
     /// The view: the world or the camera.
-    pub view: Subject,
+    pub view: FigureSubject,
     /// Draws the basis, the viewport and the rays over it.
     pub overlay: bool,
     /// The shading: how a hit becomes a colour.
@@ -126,7 +126,7 @@ pub fn render_view(
 ) -> Result<Rendering, CommandError> {
     let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
     let mut document = document.clone();
-    if options.view == Subject::Camera {
+    if options.view == FigureSubject::Camera {
         document.camera.image = options.size;
     }
     let camera = document.camera.resolve().map_err(|error| input(&error))?;
@@ -141,7 +141,7 @@ pub fn render_view(
         let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
         if options.aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
     };
-    if options.view == Subject::Camera && !options.overlay {
+    if options.view == FigureSubject::Camera && !options.overlay {
         let frame = trace();
         let color_of = |object| document.color_of(object);
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);

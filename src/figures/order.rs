@@ -25,7 +25,7 @@ const UNLIMITED: f32 = 1e6;
 
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
+pub enum FigureSubject {
     /// The scene with the camera in it, as the observer sees it.
     World,
     /// The camera's picture.
@@ -36,28 +36,32 @@ pub enum Subject {
     Lines,
 }
 
-impl Subject {
+impl FigureSubject {
     /// All subjects.
-    pub const ALL: [Subject; 4] =
-        [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
+    pub const ALL: [FigureSubject; 4] = [
+        FigureSubject::World,
+        FigureSubject::Camera,
+        FigureSubject::Derivation,
+        FigureSubject::Lines,
+    ];
 
     /// Returns the title of the view.
     pub fn title(self) -> &'static str {
         match self {
-            Subject::World => "World view",
-            Subject::Camera => "Camera view",
-            Subject::Derivation => "Derivation",
-            Subject::Lines => "Lines",
+            FigureSubject::World => "World view",
+            FigureSubject::Camera => "Camera view",
+            FigureSubject::Derivation => "Derivation",
+            FigureSubject::Lines => "Lines",
         }
     }
 
     /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Subject::World => "world",
-            Subject::Camera => "camera",
-            Subject::Derivation => "derivation",
-            Subject::Lines => "lines",
+            FigureSubject::World => "world",
+            FigureSubject::Camera => "camera",
+            FigureSubject::Derivation => "derivation",
+            FigureSubject::Lines => "lines",
         }
     }
 }
@@ -85,9 +89,9 @@ impl Content {
     ///
     /// # Errors
     /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
-    pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
+    pub fn for_path(subject: FigureSubject, path: &Path) -> Result<Content, String> {
         let (contents, formats) = match subject {
-            Subject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
+            FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
             _ => (&CONTENTS[..3], "SVG, PDF or PNG"),
         };
         let is =
@@ -107,7 +111,7 @@ impl Content {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
     /// The subject.
-    pub subject: Subject,
+    pub subject: FigureSubject,
     /// Width and height in dots; the lines of a derivation determine its height instead.
     pub size: [u32; 2],
     /// Dots per point, which scales strokes and letters.
@@ -131,13 +135,13 @@ impl Order {
         is_folded: impl Fn(&DerivedSection) -> bool,
     ) -> Result<Figure, String> {
         match self.subject {
-            Subject::World | Subject::Camera => {
+            FigureSubject::World | FigureSubject::Camera => {
                 self.view(document, session).map_err(|fault| fault.to_string())
             }
-            Subject::Derivation => {
+            FigureSubject::Derivation => {
                 Ok(self.derivation(&derivation_of(document, session), is_folded))
             }
-            Subject::Lines => {
+            FigureSubject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / self.scale);
                 let page = Rect::from_min_size(Pos2::ZERO, points.into());
                 let drawn = UiPass::draw(&self.context(), self.dots(), self.scale, |ui| {
@@ -150,7 +154,7 @@ impl Order {
 
     fn view(&self, document: &Document, session: &Session) -> Result<Figure, Fault> {
         let Order { scale, style, .. } = *self;
-        let is_world = self.subject == Subject::World;
+        let is_world = self.subject == FigureSubject::World;
         let sizes = ViewSizes {
             world: is_world.then_some(self.size),
             camera: (!is_world).then_some(self.size),

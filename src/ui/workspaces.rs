@@ -3,7 +3,7 @@
 
 use egui::{Align, Context, Layout, Rect, RichText, Ui, pos2};
 
-use crate::figures::Subject;
+use crate::figures::FigureSubject;
 use crate::model::concept::Hovered;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{StepId, Which};
@@ -61,7 +61,7 @@ pub(crate) struct Page {
     /// Returns the concept under the pointer or the focus in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The subject of the page's figure.
-    pub(crate) figure: Subject,
+    pub(crate) figure: FigureSubject,
 }
 
 /// The state of the pages from one pass to the next.
@@ -102,7 +102,7 @@ impl Page {
         rest: |_, _| (),
         asked: |ui, _| hidden(ui),
         hovered: |_, _, _| None,
-        figure: Subject::World,
+        figure: FigureSubject::World,
     };
 }
 
@@ -139,7 +139,7 @@ const CAMERA: Page = Page {
         let (views, rest) = divider.above_readouts();
         Areas { world: None, camera: Some(views), second: None, rest }
     },
-    figure: Subject::Camera,
+    figure: FigureSubject::Camera,
     ..BOTH
 };
 
@@ -189,7 +189,7 @@ const DERIVATION: Page = Page {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
     rest: derivation,
     hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
-    figure: Subject::Derivation,
+    figure: FigureSubject::Derivation,
     ..Page::VIEWS
 };
 
@@ -218,7 +218,7 @@ const LINES: Page = Page {
     areas: |divider| divider.no_views(),
     rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
     asked: |ui, context| lines::asked(ui, &context.session.lines),
-    figure: Subject::Lines,
+    figure: FigureSubject::Lines,
     ..Page::VIEWS
 };
 
@@ -261,7 +261,7 @@ const ACCURACY: Page = Page {
         );
         accuracy::ui(ui, measuring, context.derived, document, context.session);
     },
-    figure: Subject::Camera,
+    figure: FigureSubject::Camera,
     ..Page::VIEWS
 };
 
@@ -272,7 +272,7 @@ const MISTAKES: Page = Page {
         let view = &mut context.session.mistakes_view;
         mistakes::ui(ui, context.derived, &context.open.document, view, context.style);
     },
-    figure: Subject::Camera,
+    figure: FigureSubject::Camera,
     ..Page::VIEWS
 };
 
@@ -295,6 +295,6 @@ const ANSWERS: Page = Page {
     areas: |divider| divider.three_above(Split::Answers),
     second: Some(SecondPicture::Answers),
     rest: |ui, context| answers::ui(ui, context.derived, context.session, context.actions),
-    figure: Subject::Camera,
+    figure: FigureSubject::Camera,
     ..Page::VIEWS
 };

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use pinhole::cli::render::{RenderOptions, render_view};
-use pinhole::figures::Subject;
+use pinhole::figures::FigureSubject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::BuiltinScene;
@@ -68,7 +68,7 @@ fn progress_hears_of_every_row_once_a_pass() {
         let rows = AtomicUsize::new(0);
         let options = RenderOptions {
             size: document.camera.image,
-            view: Subject::Camera,
+            view: FigureSubject::Camera,
             overlay,
             shade: Shade::Lambert,
             aov,

@@ -12,7 +12,7 @@ use pinhole_exchange::format::Exported;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{answers, atomic, limits};
 
-use crate::figures::{Content, Figure, MARGIN, Order, Subject, derivation_of};
+use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::play::Kind;
 use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
@@ -168,13 +168,13 @@ impl ScreenContents<'_> {
     /// Returns the export dialog with the layout's subject chosen.
     pub(super) fn ask_export(&self) -> Dialog {
         let first = self.layout_subject();
-        let mut subjects = Subject::ALL.map(|subject| self.on_screen(subject)).to_vec();
+        let mut subjects = FigureSubject::ALL.map(|subject| self.on_screen(subject)).to_vec();
         subjects.sort_by_key(|shown| shown.subject != first);
         Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, self.style()))
     }
 
     /// Returns the subject of the open layout's figure.
-    fn layout_subject(&self) -> Subject {
+    fn layout_subject(&self) -> FigureSubject {
         page(self.scene.session.settings.layout).figure
     }
 
@@ -207,7 +207,8 @@ impl ScreenContents<'_> {
 
     /// Returns the export dialog for an animation, with the world view chosen.
     pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
-        let subjects = [Subject::World, Subject::Camera].map(|subject| self.on_screen(subject));
+        let subjects =
+            [FigureSubject::World, FigureSubject::Camera].map(|subject| self.on_screen(subject));
         let style = if self.is_dark() { Style::Dark } else { Style::Light };
         let form = ExportForm::new(self.scene.open.file(), subjects.to_vec(), style);
         Dialog::Export(form.animated(kind))
@@ -217,22 +218,24 @@ impl ScreenContents<'_> {
         self.ctx.theme() == egui::Theme::Dark
     }
 
-    fn on_screen(&self, subject: Subject) -> OnScreen {
+    fn on_screen(&self, subject: FigureSubject) -> OnScreen {
         let scale = self.ctx.pixels_per_point();
         let view = match subject {
-            Subject::World => &self.derived.world_view,
+            FigureSubject::World => &self.derived.world_view,
             _ => &self.derived.camera_view,
         };
         let seen = view.as_ref().map(|shown| shown.image.size.map(|dots| dots as f32 / scale));
         let aspect = self.scene.open.document.camera.image.aspect() as f32;
         let points = match subject {
-            Subject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
-            Subject::Camera => seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)]),
-            Subject::Derivation => {
+            FigureSubject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
+            FigureSubject::Camera => {
+                seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)])
+            }
+            FigureSubject::Derivation => {
                 let page = |width| [width + 2.0 * MARGIN, DERIVATION[1]];
                 self.derivation.width().map_or(DERIVATION, page)
             }
-            Subject::Lines => lines::size(self.ctx).unwrap_or(LINES),
+            FigureSubject::Lines => lines::size(self.ctx).unwrap_or(LINES),
         };
         OnScreen { subject, points, scale }
     }

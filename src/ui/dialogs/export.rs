@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 
-use crate::figures::{Content, Frames, Order, Subject, check_animation_path};
+use crate::figures::{Content, FigureSubject, Frames, Order, check_animation_path};
 use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
@@ -22,7 +22,7 @@ const MOST_FRAMES: u32 = 9999;
 /// A figure's subject with its size on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OnScreen {
-    pub(crate) subject: Subject,
+    pub(crate) subject: FigureSubject,
     /// Width and height in points.
     pub(crate) points: [f32; 2],
     /// Pixels per point.
@@ -37,7 +37,8 @@ impl OnScreen {
     /// Returns the order for a figure of this size, at the largest scale at which all points fit.
     pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
         let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
-        let scale = if self.subject == Subject::Derivation { across } else { across.min(down) };
+        let scale =
+            if self.subject == FigureSubject::Derivation { across } else { across.min(down) };
         Order { subject: self.subject, size, scale, style, transparent }
     }
 }
@@ -168,7 +169,7 @@ impl ExportForm {
         let [width, height] = &mut self.size;
         let is_wider = number(ui, "width", "figure width", dots(width));
         match shown.subject {
-            Subject::Derivation => {
+            FigureSubject::Derivation => {
                 ui.label("height");
                 ui.weak("fits its lines");
                 ui.end_row();
@@ -176,9 +177,9 @@ impl ExportForm {
             subject => {
                 let is_higher = number(ui, "height", "figure height", dots(height));
                 // The camera's figure keeps its aspect, so that its pixels keep their shape.
-                if subject == Subject::Camera && is_wider {
+                if subject == FigureSubject::Camera && is_wider {
                     *height = follow(*width, down / across);
-                } else if subject == Subject::Camera && is_higher {
+                } else if subject == FigureSubject::Camera && is_higher {
                     *width = follow(*height, across / down);
                 }
             }

@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{FigureFormat, Order, Subject};
+use pinhole::figures::{FigureFormat, FigureSubject, Order};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
@@ -36,7 +36,7 @@ fn the_world_view_as_it_is_on_the_screen() {
     let shown = app.derived().world_view.clone().unwrap();
     let size = shown.image.size.map(|n| n as u32);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };
-    let order = Order { subject: Subject::World, size, scale, style, transparent: false };
+    let order = Order { subject: FigureSubject::World, size, scale, style, transparent: false };
     let figure = order.figure(app.document(), app.session(), |_| false).unwrap();
     assert!(figure.to_file(FigureFormat::Png).unwrap() == fs::read(&path).unwrap());
     // But for the letters, which are painted over it, the dots are the window's.

@@ -6,7 +6,7 @@ use egui::Color32;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{Figure, Order, Subject};
+use pinhole::figures::{Figure, FigureSubject, Order};
 use pinhole::model::play::Kind;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
@@ -48,7 +48,7 @@ fn figure(window: &Harness<'_, App>, kind: Kind, phase: f64, size: u32) -> Figur
     let points = seen.map(|n| n as f32 / per_point);
     let scale = (size as f32 / points[0]).min(per_point);
     let size = [size, seen[1] as u32];
-    let order = Order { subject: Subject::World, size, scale, style, transparent: false };
+    let order = Order { subject: FigureSubject::World, size, scale, style, transparent: false };
     order.figure(&document, &session, |_| false).unwrap()
 }
 
