@@ -118,7 +118,7 @@ impl<'a> TomlField<'a> {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
 
-    /// The error that this field is there at all.
+    /// Returns the error about a field that must not be there.
     pub fn refuse(&self, why: &str) -> FileError {
         self.source.error(&self.span, format!("{} is there {why}", self.name))
     }

@@ -61,11 +61,15 @@ pub mod signals {
 /// Returns an error if the named scene or lesson cannot be read, or if there is no display.
 pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let WindowArguments { scene, lesson, renderer } = arguments;
-    share_this_thread();
+    // The window's thread joins rayon's pool. Otherwise it would wait idly for workers to wake up for each picture.
+    // An error means that the pool exists already, which is fine.
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
     let store = Store::of_user();
     let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
     if store.as_ref().is_none_or(Store::is_new) {
-        remembered.settings.reduced_motion = wants_less_motion();
+        let folders = choose_base_strategy();
+        remembered.settings.reduced_motion =
+            folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
     }
     let lesson = match (lesson, scene) {
         (Some(lesson), _) => Some(lesson.load()?),
@@ -87,18 +91,6 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     }
     window::run(*renderer, geometry, app, log)
         .map_err(|error| CommandError::Input(error.to_string()))
-}
-
-/// Adds the window's thread to rayon's pool. Otherwise it would wait idly for workers to wake up for each
-/// picture.
-fn share_this_thread() {
-    // An error means that the pool exists already, which is fine.
-    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
-}
-
-/// Returns true if the desktop's settings ask for less motion.
-fn wants_less_motion() -> bool {
-    choose_base_strategy().is_ok_and(|folders| is_reduced(&folders.config_dir()))
 }
 
 /// The document and state that the window opens with.

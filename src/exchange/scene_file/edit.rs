@@ -21,11 +21,8 @@ pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     } else {
         format!("{}{rest}", note_to_block(&document.note))
     };
-    Some(if previous.contains("\r\n") { with_carriage_returns(&text) } else { text })
-}
-
-fn with_carriage_returns(text: &str) -> String {
-    text.replace("\r\n", "\n").replace('\n', "\r\n")
+    let has_carriage_returns = previous.contains("\r\n");
+    Some(if has_carriage_returns { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text })
 }
 
 /// Applies the change from `old` to `new`, which have this program's layout, to a table that has the values of

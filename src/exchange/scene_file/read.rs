@@ -139,7 +139,7 @@ fn read_camera(section: &Section) -> Result<Camera, FileError> {
         .collect();
     if let [(first, _), (_, second), ..] = &ways[..] {
         let first = section.path_of(first);
-        let why = format!("beside {first}: keep exactly one of at, view and basis");
+        let why = format!("together with {first}: keep exactly one of at, view and basis");
         return Err(second.refuse(&why));
     }
     let up = || section.need("up", "up = [0.0, 1.0, 0.0]")?.vector();
@@ -149,7 +149,7 @@ fn read_camera(section: &Section) -> Result<Camera, FileError> {
         Some((_, basis)) => {
             if let Some(up) = section.get("up") {
                 let basis = section.path_of("basis");
-                let why = format!("beside {basis}: a basis needs no up, leave it out");
+                let why = format!("together with {basis}: a basis needs no up, leave it out");
                 return Err(up.refuse(&why));
             }
             Orientation::Basis(read_basis(&basis.section()?)?)

@@ -14,14 +14,14 @@ use crate::images;
 ///
 /// Reading the text gives the same document, to the last bit of every number.
 pub fn to_text(document: &Document, previous: Option<&str>) -> String {
-    let fresh = fresh(document);
+    let plain = fresh(document);
     let edited = previous.and_then(|previous| edit::edited(document, previous));
     // TOML allows many layouts. If an edit cannot keep one of them, losing it is the lesser evil.
-    edited.filter(|text| reads_back_as(text, &fresh)).unwrap_or(fresh)
-}
-
-fn reads_back_as(text: &str, fresh_text: &str) -> bool {
-    read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == fresh_text)
+    let reads_back = |text: &String| {
+        read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == plain)
+    };
+    let kept = edited.filter(reads_back);
+    kept.unwrap_or(plain)
 }
 
 /// Returns the text without a previous one: equal for documents that are equal to the last bit.

@@ -239,8 +239,8 @@ impl Set {
         while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
             let index = self.timings % self.workers.len();
             let worker = &mut self.workers[index];
-            worker.tally.time(self.subject.time(&mut worker.kernel, one_thread));
-            worker.tally.climb(worker.kernel.steps());
+            worker.tally.times.push(self.subject.time(&mut worker.kernel, one_thread));
+            worker.tally.steps = worker.kernel.steps();
             self.timings += 1;
         }
     }
@@ -248,7 +248,7 @@ impl Set {
 
 /// Results of one method in one case so far.
 #[derive(Default)]
-pub(super) struct Tally {
+struct Tally {
     /// Number of rays that each stratum stands for.
     populations: Populations,
     /// Decisions in each stratum.
@@ -261,21 +261,21 @@ pub(super) struct Tally {
     t_out_of_range: u64,
     normal_error_max: Option<f64>,
     backward_error_max: Option<f64>,
-    /// Nanoseconds a pixel, one a round.
+    /// Nanoseconds per pixel of each round.
     times: Vec<f64>,
-    /// For decisions, and for `t`.
+    /// The ladder's steps in the last round, for decisions and for `t`.
     steps: Option<[Steps; 2]>,
 }
 
 impl Tally {
     /// Nothing yet, of so many rays.
-    pub(super) fn of(populations: Populations) -> Tally {
+    fn of(populations: Populations) -> Tally {
         Tally { populations, ..Tally::default() }
     }
 
     /// Counts a decision. Errors are recorded if it is right; those of t, only if the true t is a normal number
     /// of the method's precision.
-    pub(super) fn decide(
+    fn decide(
         &mut self,
         method: Method,
         stratum: usize,
@@ -322,18 +322,8 @@ impl Tally {
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
 
-    /// One more round, in nanoseconds a pixel.
-    pub(super) fn time(&mut self, ns_per_pixel: f64) {
-        self.times.push(ns_per_pixel);
-    }
-
-    /// Stores the ladder's steps in the last round.
-    pub(super) fn climb(&mut self, steps: Option<[Steps; 2]>) {
-        self.steps = steps;
-    }
-
     /// Number of rays that a decision of each stratum stands for.
-    pub(super) fn weights(&self) -> [f64; 2] {
+    fn weights(&self) -> [f64; 2] {
         [0, 1].map(|k| self.populations[k] as f64 / self.decisions[k].max(1) as f64)
     }
 
@@ -346,7 +336,7 @@ impl Tally {
         (all > 0.0).then(|| weighted(self.wrong) / all)
     }
 
-    pub(super) fn row(&self, method: Method) -> MethodRow {
+    fn row(&self, method: Method) -> MethodRow {
         let weights = self.weights();
         let ulps = sorted(self.ulps.iter().map(|(ulps, stratum)| (*ulps, weights[*stratum])));
         let times = sorted(self.times.iter().map(|time| (*time, 1.0)));
@@ -383,7 +373,7 @@ impl Tally {
 }
 
 /// Values with their weights, ascending.
-pub(super) fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut values: Vec<_> = values.collect();
     values.sort_by(|a, b| a.0.total_cmp(&b.0));
     values
@@ -391,7 +381,7 @@ pub(super) fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)
 
 /// Returns the weighted quantile: the smallest value such that at least this share of the weight is not above
 /// it.
-pub(super) fn quantile(sorted: &[(f64, f64)], share: f64) -> Option<f64> {
+fn quantile(sorted: &[(f64, f64)], share: f64) -> Option<f64> {
     // Sums of integral weights are exact; others have small rounding errors.
     let all: f64 = sorted.iter().map(|(_, weight)| weight).sum();
     let mut below = 0.0;

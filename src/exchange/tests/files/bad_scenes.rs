@@ -77,15 +77,15 @@ const CAMERAS: Cases = &[
     ),
     (
         "eye = [0, 0, 0]\nat = [0, 0, -1]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
-        "5:8: camera.view is there beside camera.at: keep exactly one of at, view and basis",
+        "5:8: camera.view is there together with camera.at: keep exactly one of at, view and basis",
     ),
     (
         "eye = [0, 0, 0]\nup = [0, 1, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, 1] }\nat = [0, 0, -1]\n",
-        "5:9: camera.basis is there beside camera.at: keep exactly one of at, view and basis",
+        "5:9: camera.basis is there together with camera.at: keep exactly one of at, view and basis",
     ),
     (
         "eye = [0, 0, 0]\nup = [0, 1, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, 1] }\n",
-        "4:6: camera.up is there beside camera.basis: a basis needs no up, leave it out",
+        "4:6: camera.up is there together with camera.basis: a basis needs no up, leave it out",
     ),
     (
         "eye = [0, 0, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0] }\n",
