@@ -118,7 +118,7 @@ fn buttons(
         ui,
         &format!("Back to the step ({})", shortcut(Leave::BackToStep)),
         "Back to the step",
-        "Everything as the step says",
+        "Sets everything as the step has it",
         back,
     );
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));

@@ -26,8 +26,8 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
         // A basis set by hand has no up.
         if camera.orientation.has_up() {
-            let hint = "On: up stays as given while eye or at is dragged, so that view can meet it. \
-                        Off: up turns with the camera where view comes close to it";
+            let hint = "On: up stays fixed while eye or at is dragged, so the view can become parallel to it. \
+                        Off: up turns with the camera when the view comes close to it";
             ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
             swing(ui, camera);
             tilt(ui, camera);

@@ -32,10 +32,10 @@ const NONE: &str = "Drop a student's answers on the window: CSV with the columns
                     hits, or a picture as PNG.";
 
 /// The text if the scene is invalid.
-const FAULT: &str = "The scene has a fault: nothing can be checked against it.";
+const FAULT: &str = "The scene is invalid, so the answers cannot be checked.";
 
 /// The text while the user drags and grading takes long.
-const WAITS: &str = "They are checked as soon as you let go.";
+const WAITS: &str = "The answers are checked when you release the mouse button.";
 
 /// Returns the reason why the answers are not graded.
 fn not_graded(derived: &Derived) -> &'static str {
@@ -91,7 +91,7 @@ pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
         (_, None) => NONE,
         (None, Some(_)) => not_graded(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
-        (Some(Ok(_)), _) => "A basis has no place in the image.",
+        (Some(Ok(_)), _) => "Answers about a basis have no map.",
     }
 }
 

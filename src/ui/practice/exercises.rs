@@ -418,7 +418,7 @@ fn world_title(
     strip_above(ui, rect, |ui| {
         ui.strong(views::WORLD);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let hint = "Opens this camera, and what its ray meets, as a scene of its own";
+            let hint = "Opens this camera and the objects that its ray meets as a scene";
             if ui.small_button("Show this scene").on_hover_text(hint).clicked() {
                 let question = open.question();
                 let title = exercises::title(question.exercise).to_owned();

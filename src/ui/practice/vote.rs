@@ -79,7 +79,7 @@ pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInpu
         view.ask(camera, resolved, scene);
     }
     if view.nothing_shows {
-        ui.label("No mistakes can be told apart in this picture: bring an object into it.");
+        ui.label("No two mistakes look different in this picture: bring an object into view.");
     }
     ui.add_space(3.0);
 }

@@ -267,7 +267,7 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
         }
     }
     let text = ray_point_t
-        .map_or("no point marked on the ray".to_owned(), |t| format!("walked to t = {t}"));
+        .map_or("no point marked on the ray".to_owned(), |t| format!("point marked at t = {t}"));
     response.with_role(Role::Image).named("Plot of f(p + t d)").described(text);
 }
 

@@ -76,8 +76,8 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
 }
 
 /// Explains the text about the steps of the ladder.
-pub(crate) const STEPS: &str = "How often the picture had to decide whether a ray hits, and how \
-                                exactly: f64 has 16 digits, double-double 32";
+pub(crate) const STEPS: &str = "The number of decisions on whether a ray hits, by the arithmetic that \
+                                they needed: f64 has 16 digits, double-double 32";
 
 /// Returns the text about the steps of the ladder that the picture needed.
 pub(crate) fn steps(steps: Steps) -> String {
@@ -89,9 +89,9 @@ pub(crate) fn steps(steps: Steps) -> String {
 }
 
 /// Explains the text about what the renderer left out.
-const LEFT_OUT: &str = "Spheres behind the eye, outside the picture or too small to reach a pixel, and rows \
-                        that no object reaches: the renderer skips them. It skips a sphere wherever \
-                        nearer ones hide it, too";
+const LEFT_OUT: &str = "The renderer skips spheres that are behind the eye, outside the picture or too \
+                        small to reach a pixel, and rows that no object reaches. It also skips a \
+                        sphere wherever nearer ones hide it";
 
 /// Returns the text about what the renderer left out of the camera's picture.
 fn left_out(counts: Counts) -> String {

@@ -170,7 +170,7 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if !cfg!(feature = "report") {
         ui.label("Nothing is measured: this build has no feature `report`");
     } else if derived.fault.is_some() {
-        ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
+        ui.weak("Nothing is measured while the camera is invalid: these are the last valid camera's numbers");
     } else if let Some(why) = derived.too_many {
         ui.label(format!("Nothing is measured: {why}"));
     } else if let Some(share) = measuring.share() {
@@ -178,7 +178,7 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
         let bar = ProgressBar::new(share).desired_width(180.0).show_percentage();
         ui.add(bar).named(format!("measured {:.0} %", 100.0 * share));
         if measuring.report().is_some() && !measuring.is_current() {
-            ui.weak("until then the last scene's numbers");
+            ui.weak("until then, the last scene's numbers are shown");
         }
     } else if let Some(report) = measuring.report() {
         let text = format!("Measured on {}, against {}", report.cpu, report.reference);

@@ -105,7 +105,7 @@ fn the_grade_follows_the_camera() {
     drop_file(&mut window, &write(folder.path(), "basis.csv", BACKWARDS));
     assert_says(&window, "1 of 3 vectors agrees, within 0.00001 in each coordinate");
     assert_says(&window, "Mistake: w-as-printed");
-    assert_says(&window, "A basis has no place in the image.");
+    assert_says(&window, "Answers about a basis have no map.");
     // Looking the other way, it is right.
     type_into(&mut window, "at z", "1");
     assert_says(&window, "3 of 3 vectors agree, within 0.00001 in each coordinate");
@@ -113,7 +113,7 @@ fn the_grade_follows_the_camera() {
     // Without a camera, nothing is.
     type_into(&mut window, "at z", "0");
     assert_eq!(texts_with(&window, "vectors agree"), Vec::<String>::new());
-    assert_says(&window, "The scene has a fault: nothing can be checked against it.");
+    assert_says(&window, "The scene is invalid, so the answers cannot be checked.");
     // While another layout is shown, nothing is graded.
     type_into(&mut window, "at z", "-1");
     show(&mut window, ViewLayout::Camera);

@@ -142,7 +142,7 @@ fn dragging_in_the_plot_walks_there() {
     let walked = window.state().session().ray_point_t.unwrap();
     assert!(middle.is_none_or(|middle| middle < walked), "{middle:?} {walked}");
     let said = window.get_by_label("Plot of f(p + t d)").accesskit_node().description();
-    assert_eq!(said.as_deref(), Some(format!("walked to t = {walked}").as_str()));
+    assert_eq!(said.as_deref(), Some(format!("point marked at t = {walked}").as_str()));
     let after = window.state().derived().world_view.clone().unwrap().image;
     assert_ne!(before.pixels, after.pixels);
 }
