@@ -414,7 +414,8 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
 /// roots are near `b / a` if they are there at all:
 ///
 /// ```text
-/// |t - b / a| <= sqrt(D + bound of D) / a ```
+/// |t - b / a| <= sqrt(D + bound of D) / a
+/// ```
 fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     if let Some(found) = hit.object.rough_t(ray, hit.root) {
         return Some(found);

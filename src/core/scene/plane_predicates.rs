@@ -267,7 +267,8 @@ impl Plane {
 /// n', a ray along d that hits both meets the first one before the other where
 ///
 /// ```text
-/// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n) ```
+/// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n)
+/// ```
 ///
 /// and s and s' the signs of o and o', which are those of n.d and n'.d at a hit. e is exact and then
 /// rounded, so that planes that nearly coincide are distinguished as surely as others.

@@ -36,7 +36,8 @@ type Lane8 = [f64; MOST_LANES];
 /// columns
 ///
 /// ```text
-/// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2 ```
+/// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2
+/// ```
 ///
 /// and there, with `S^2 = w^2 - (c - (column + shear j))^2`, its first hit is at
 ///
