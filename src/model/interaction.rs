@@ -25,7 +25,7 @@ pub const KEY_PAN: f64 = 0.05;
 /// Factor by which a key takes the observer nearer.
 pub const KEY_ZOOM: f64 = 1.15;
 
-/// Logarithm of the factor by which the wheel takes the observer nearer, per point that it scrolls.
+/// Logarithm of the zoom factor of the observer and of the lab of lines, per point that the wheel scrolls.
 pub const WHEEL_ZOOM: f32 = 0.004;
 /// Scrolling that takes the loupe a step closer, in points.
 pub const LOUPE_SCROLL: f32 = 40.0;

@@ -9,6 +9,7 @@ use egui::{
 use pinhole_core::DVec2;
 use pinhole_lecture::numbers::written as number;
 
+use crate::model::interaction::WHEEL_ZOOM;
 use crate::model::lines::{Handle, LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{Spoken as _, keep_arrows};
@@ -160,7 +161,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
         && let Some(pointer) = ui.input(|i| i.pointer.hover_pos())
     {
         let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
-        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        let factor = f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp();
         let half = (lab.window.half_extent / factor).clamp(0.05, 1e4);
         let away = pointer - rect.center();
         let away = DVec2::new(away.x.into(), (-away.y).into());
