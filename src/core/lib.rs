@@ -124,9 +124,10 @@
 //! scene.first_hit_counting(&ExactRay::from_ray(&ray)?, &mut steps);
 //! assert_eq!(steps.beyond_f64(), 0);
 //!
-//! // A basis. Errors give the reason: here eye and at would be the same point. let (eye, at, up) =
-//! ([20.0, 4.0, 10.0], [-1.0, 0.0, -5.0], [0.0, 1.0, 0.0]); let basis = Basis::from_eye_at_up(eye.into(),
-//! at.into(), up.into())?; assert!((basis.u.x - 5.0 / 74.0_f64.sqrt()).abs() < 1e-15);
+//! // A basis. Errors give the reason: here eye and at would be the same point.
+//! let (eye, at, up) = ([20.0, 4.0, 10.0], [-1.0, 0.0, -5.0], [0.0, 1.0, 0.0]);
+//! let basis = Basis::from_eye_at_up(eye.into(), at.into(), up.into())?;
+//! assert!((basis.u.x - 5.0 / 74.0_f64.sqrt()).abs() < 1e-15);
 //! assert!(Basis::from_eye_at_up(eye.into(), eye.into(), up.into()).is_err());
 //!
 //! // A camera's pixel, from eye, at, up, viewport and image.
