@@ -184,7 +184,7 @@ fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
         let [x, y, z, w] = rotation.numbers::<4>()?;
         let Basis { u, v, w } = Basis::of_quaternion([w, x, y, z])
             .ok_or_else(|| rotation.fault("it must be a unit quaternion x, y, z, w"))?;
-        local = local * DAffine3::from_cols(u, v, w, DVec3::ZERO);
+        local *= DAffine3::from_cols(u, v, w, DVec3::ZERO);
     }
     Ok(local * DAffine3::from_scale(vector("scale", DVec3::ONE)?))
 }

@@ -57,12 +57,15 @@ fn bold(size: f32) -> FontId {
     FontId::new(size, theme::bold())
 }
 
+/// Draws the contents of a page.
+type DrawPage<'a> = Box<dyn Fn(&Painter) + 'a>;
+
 /// Draws a report with this number of dots per point: one picture per page.
 pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     let summaries = summary::summaries(report);
     let (families, scenes): (Vec<&Summary>, Vec<&Summary>) =
         summaries.iter().partition(|summary| summary.has_knob());
-    let mut pages: Vec<Box<dyn Fn(&Painter) + '_>> = Vec::new();
+    let mut pages: Vec<DrawPage<'_>> = Vec::new();
     if summaries.len() > 1 {
         pages.push(Box::new(|painter| first(painter, report, &summaries)));
     }
@@ -72,7 +75,7 @@ pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     for families in families.chunks(FAMILIES) {
         pages.push(Box::new(move |painter| grid(painter, families)));
     }
-    let figure = |(page, draw): (usize, &Box<dyn Fn(&Painter) + '_>)| {
+    let figure = |(page, draw): (usize, &DrawPage<'_>)| {
         Figure::draw(TITLE, PAGE, scale, |painter| {
             painter.text(pos2(MARGIN, 28.0), Align2::LEFT_CENTER, TITLE, bold(24.0), TEXT);
             if pages.len() > 1 {
