@@ -50,7 +50,7 @@
 //! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
 //! | a mistake, its name and its texts | `lecture/mistakes/table.rs` |
 //! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` beside it |
-//! | a line of the derivation | `lecture/derivation/` for its numbers, `view/derivation/` for its form |
+//! | a line of the derivation | `lecture/derivation.rs` for its numbers, `view/derivation/` for its form |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |

@@ -7,7 +7,7 @@ use pinhole::cli::arguments::Arguments;
 use pinhole::{cli, model, platform};
 
 fn main() -> ExitCode {
-    model::panics::watch();
+    model::fault::watch();
     platform::signals::watch();
     let parsed = Arguments::try_parse();
     let is_no_command = match &parsed {

@@ -1,6 +1,11 @@
-//! The faults that a document can have.
+//! The faults that a document can have, and faults of the program itself, which are reported in words
+//! instead of ending it.
 
+use std::any::Any;
+use std::cell::RefCell;
 use std::fmt;
+use std::io::Write as _;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pinhole_core::{CameraError, SceneError};
 
@@ -20,4 +25,41 @@ impl fmt::Display for Fault {
             Fault::Scene(e) => e.fmt(f),
         }
     }
+}
+
+thread_local! {
+    /// The last one of this thread, with its place in the code.
+    static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Tells faults on standard error in a sentence from now on, and remembers them with their place.
+pub fn watch() {
+    std::panic::set_hook(Box::new(|panic| {
+        let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();
+        let text = format!("{}{place}", text_of(panic.payload()));
+        // Where standard error is closed, there is nobody to tell.
+        let _ = writeln!(
+            std::io::stderr(),
+            "pinhole: a fault of the program itself: {text}\n\
+             Please report it, with what was done and the files that were read."
+        );
+        LAST.set(Some(text));
+    }));
+}
+
+/// Runs a function; returns what went wrong if that is a fault of the program itself.
+///
+/// # Errors
+/// Returns the fault in words.
+pub fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
+    LAST.take();
+    catch_unwind(AssertUnwindSafe(run))
+        .map_err(|payload| LAST.take().unwrap_or_else(|| text_of(&*payload)))
+}
+
+/// Returns the message of a panic.
+pub fn text_of(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<String>().cloned();
+    text.or_else(|| payload.downcast_ref::<&str>().map(|text| (*text).to_owned()))
+        .unwrap_or_else(|| "an unknown failure".to_owned())
 }

@@ -3,7 +3,6 @@
 //! A document ([`pinhole_exchange::document::Document`]) holds the contents of a scene file; the
 //! [`session::Session`] holds the state of its views. Nothing here draws.
 
-pub mod color_scheme;
 pub mod concept;
 pub mod derivation_sections;
 pub mod expression;
@@ -14,11 +13,9 @@ pub mod history;
 pub mod inspection;
 pub mod interaction;
 pub mod lessons;
-pub mod letters;
 pub mod lines;
 pub mod observer;
 pub mod overlay_items;
-pub mod panics;
 pub mod play;
 pub mod practice;
 pub mod readings;
@@ -27,4 +24,3 @@ pub mod session;
 pub mod store;
 pub mod symbols;
 pub mod translator;
-pub mod window_geometry;

@@ -11,7 +11,7 @@ use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
 use pinhole_exchange::{FileError, limits, scene_file};
 use pinhole_lecture::numbers::{written, written_whole};
 
-use crate::model::letters::{bold, italic};
+use crate::model::symbols::{bold, italic};
 
 /// Maximum number of objects that are written and shown.
 pub const MOST_OBJECTS: usize = 500;

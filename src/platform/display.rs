@@ -9,7 +9,7 @@ use egui_winit::accesskit_winit;
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
-use crate::model::panics::text_of;
+use crate::model::fault::text_of;
 use crate::ui::dialogs::path_field::FileAnswer;
 
 /// An event, apart from the window's own events, that wakes the event loop.

@@ -16,7 +16,7 @@ use std::time::Duration;
 
 use egui::{Context, FullOutput, RawInput, Rect, Vec2, ViewportId, ViewportInfo};
 
-use crate::model::window_geometry::WindowGeometry;
+use crate::model::store::WindowGeometry;
 use crate::platform::surface::MAX_TEXTURE_SIDE;
 use crate::ui::app::App;
 use crate::ui::frame_times::WorkTimes;

@@ -15,7 +15,7 @@ use super::display::cause;
 use super::gpu::Gpu;
 use super::surface::WindowSurface;
 use crate::cli::arguments::Renderer;
-use crate::model::window_geometry::WindowGeometry;
+use crate::model::store::WindowGeometry;
 
 /// Returns egui's context, configured for the window.
 pub(super) fn context() -> egui::Context {

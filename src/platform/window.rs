@@ -16,8 +16,8 @@ use super::frames::{FirstPass, FrameLog};
 use super::open::Open;
 use super::{signals, start};
 use crate::cli::arguments::Renderer;
-use crate::model::panics::caught;
-use crate::model::window_geometry::WindowGeometry;
+use crate::model::fault::caught;
+use crate::model::store::WindowGeometry;
 use crate::ui::app::App;
 
 /// Opens the window and returns when it is closed. `choice` is the renderer that the user requested;

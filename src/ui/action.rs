@@ -11,13 +11,13 @@ use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
 use crate::figures::{Frames, Order};
-use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
 use crate::model::given::Given;
 use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::pen::Pen;
+use crate::model::session::Scheme;
+use crate::model::session::presenting::Pen;
 use crate::model::session::{Session, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 

@@ -11,8 +11,8 @@ use pinhole_core::DVec2;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::letters::typeset_message;
 use crate::model::lines::{Handle, LinesLab, Window};
+use crate::model::symbols::typeset_message;
 use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
 use crate::view::typesetting::labels::{Font, LabelLayout, around};

@@ -1,12 +1,9 @@
 //! The lecture's exercises, and others of the same kind: what is given, the right answers, the
 //! answers that classic mistakes give, and the verdict on an answer.
 
-mod bases;
 mod judge;
-mod objects;
 mod pick;
 mod question;
-mod rays;
 mod solve;
 mod texts;
 

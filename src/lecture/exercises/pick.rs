@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
 use super::question::{Exercise, Given};
+use crate::mistakes::SplitMix64;
 
 /// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
 /// it shows who normalizes.
@@ -39,7 +40,7 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
 /// Other numbers, the same ones for the same seed.
 pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     // One seed gives unrelated numbers in every exercise.
-    let mut dice = Dice(seed ^ ((exercise as u64) << 56));
+    let mut dice = Dice(SplitMix64(seed ^ ((exercise as u64) << 56)));
     match exercise {
         Exercise::WarmUpRay => Given::Uv(dice.uv()),
         Exercise::WarmUpPlane => Given::UvAndWall { uv: dice.uv(), z: -dice.whole(2, 9) },
@@ -63,20 +64,12 @@ fn midway(x: f64, z: f64) -> DVec3 {
     FRAC_1_SQRT_2 * DVec3::new(x, 0.0, z)
 }
 
-/// SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
-struct Dice(u64);
+/// Random numbers of the kinds that the questions need.
+struct Dice(SplitMix64);
 
 impl Dice {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     fn below(&mut self, count: usize) -> usize {
-        ((u128::from(self.bits()) * count as u128) >> 64) as usize
+        ((u128::from(self.0.bits()) * count as u128) >> 64) as usize
     }
 
     fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {

@@ -1,23 +1,22 @@
-//! The right answers, and those that mistakes give.
+//! The right answers to every question, and the answers that classic mistakes give.
 
-use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Viewport};
+use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Roots, Sphere, Viewport};
 
-use super::judge::{Condition, is_near};
-use super::question::{Answer, Asked, Given, QuestionPart};
-use super::{bases, objects, rays};
-use crate::mistakes::Mistake;
+use crate::exercises::judge::{Condition, Surface, is_near};
+use crate::exercises::question::{Answer, Asked, Given, QuestionPart};
+use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
 /// The parts of a question; `None` where a basis cannot be found or a sphere is not met. A mistake
 /// that changes nothing in its numbers is no wrong answer.
 pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
     let (mut parts, wrongs) = match *given {
-        Given::Uv(uv) => rays::of_uv(uv),
-        Given::UvAndWall { uv, z } => rays::and_wall(uv, z),
-        Given::Distance { uv, distance, z } => rays::at_distance(uv, distance, z),
-        Given::Turned { right, uv, z } => bases::turned_by_hand(right, uv, z),
-        Given::ViewUp { .. } | Given::EyeAtUp { .. } => bases::constructed(given)?,
-        Given::Sphere { ray, sphere } => objects::sphere(&ray, &sphere)?,
-        Given::Lines { line, origin, direction } => objects::lines(line, origin, direction),
+        Given::Uv(uv) => ray_through(uv),
+        Given::UvAndWall { uv, z } => ray_and_wall(uv, z),
+        Given::Distance { uv, distance, z } => wall_at_distance(uv, distance, z),
+        Given::Turned { right, uv, z } => basis_by_hand(right, uv, z),
+        Given::ViewUp { .. } | Given::EyeAtUp { .. } => basis_from_up(given)?,
+        Given::Sphere { ray, sphere } => ray_and_sphere(&ray, &sphere)?,
+        Given::Lines { line, origin, direction } => two_lines(line, origin, direction),
     };
     for Wrong { mistake, answers } in wrongs {
         for (asked, answer) in answers {
@@ -73,7 +72,7 @@ pub(super) fn wall(z: f64) -> Plane {
     Plane { point: DVec3::new(0.0, 0.0, z), normal: DVec3::new(0.0, 0.0, -z.signum()) }
 }
 
-pub(super) fn part(asked: Asked, truth: Answer) -> QuestionPart {
+fn part(asked: Asked, truth: Answer) -> QuestionPart {
     QuestionPart {
         asked,
         truth,
@@ -85,40 +84,40 @@ pub(super) fn part(asked: Asked, truth: Answer) -> QuestionPart {
 }
 
 /// A part whose answer has to fulfil these.
-pub(super) fn part_with(asked: Asked, truth: Answer, conditions: Vec<Condition>) -> QuestionPart {
+fn part_with(asked: Asked, truth: Answer, conditions: Vec<Condition>) -> QuestionPart {
     QuestionPart { conditions, ..part(asked, truth) }
 }
 
-pub(super) fn number(x: f64) -> Answer {
+fn number(x: f64) -> Answer {
     Answer::Numbers(vec![x])
 }
 
-pub(super) fn vector(v: DVec3) -> Answer {
+fn vector(v: DVec3) -> Answer {
     Answer::Numbers(v.to_array().to_vec())
 }
 
-pub(super) fn pair(v: DVec2) -> Answer {
+fn pair(v: DVec2) -> Answer {
     Answer::Numbers(v.to_array().to_vec())
 }
 
-pub(super) fn one_wrong(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong {
+fn one_wrong(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong {
     Wrong { mistake, answers: vec![(asked, answer)] }
 }
 
 /// The ray from the origin through a position in the viewport: `u U + v V - distance W`.
-pub(super) fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
+fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
     let Basis { u, v, w } = basis;
     Ray { origin: DVec3::ZERO, direction: uv.x * u + uv.y * v - distance * w }
 }
 
 /// The t at which a ray from the origin meets the plane at this z, to which no question's ray is
 /// parallel: u is below 1, so `-distance w` outweighs `u U` in z.
-pub(super) fn t_of_wall(ray: &Ray, z: f64) -> f64 {
+fn t_of_wall(ray: &Ray, z: f64) -> f64 {
     z / ray.direction.z
 }
 
 /// The wrong t, each with the point that is found with it.
-pub(super) fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> Wrong {
+fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> Wrong {
     Wrong { mistake, answers: vec![(Asked::T, number(t)), (Asked::Point, point)] }
 }
 
@@ -129,6 +128,327 @@ fn camera_at(eye: DVec3, orientation: Orientation, distance: f64) -> Camera {
 }
 
 /// A basis turned about y: v is y, and w follows from right.
-pub(super) fn turned(right: DVec3) -> Basis {
+fn turned(right: DVec3) -> Basis {
     Basis { u: right, v: DVec3::Y, w: right.cross(DVec3::Y) }
+}
+
+fn ray_through(uv: DVec2) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
+    let parts = vec![
+        part_with(Asked::Origin, vector(ray.origin), vec![Condition::Eye(ray.origin)]),
+        QuestionPart {
+            may_be_scaled: true,
+            ..part_with(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
+        },
+    ];
+    let p =
+        |x, y, z| one_wrong(Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
+    let mut wrongs = vec![p(0.0, 0.0, -1.0), p(uv.x, uv.y, -1.0), p(uv.x, uv.y, 0.0)];
+    let d = |(mistake, d)| one_wrong(mistake, Asked::Direction, vector(d));
+    wrongs.extend(wrong_directions(uv, 1.0).map(d));
+    (parts, wrongs)
+}
+
+/// u, v and w of the canonical camera.
+const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
+
+fn through(distance: f64, uv: DVec2) -> Condition {
+    Condition::Through { basis: Basis::CANONICAL, distance, uv }
+}
+
+/// Directions that are often given for a canonical camera's ray.
+fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, DVec3)> {
+    let DVec2 { x: u, y: v } = uv;
+    let flat = Mistake::FlatDirection;
+    [
+        (Mistake::SignOfZ, DVec3::new(u, v, distance)),
+        (flat, flat.usual().direction(AXES, distance, uv)),
+        (Mistake::UvSwapped, DVec3::new(v, u, -distance)),
+        (Mistake::VDown, DVec3::new(u, -v, -distance)),
+        (Mistake::ULeft, DVec3::new(-u, v, -distance)),
+        (Mistake::UvLeftOut, DVec3::new(0.0, 0.0, -distance)),
+    ]
+    .into_iter()
+}
+
+/// Numbers that are often given for the t of a wall, each with the point where it is.
+fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
+    [
+        (Mistake::SignOfT, -t),
+        (Mistake::CoordinateForT, z),
+        (Mistake::CoordinateForT, -z),
+        (Mistake::TForDistance, ray.distance_along(t)),
+        (Mistake::TInverted, 1.0 / t),
+        (Mistake::FromViewport, t - 1.0),
+    ]
+    .map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t))))
+    .into()
+}
+
+fn ray_and_wall(uv: DVec2, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
+    let t = t_of_wall(&ray, z);
+    let point = ray.at(t);
+    let parts = vec![
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
+        part_with(
+            Asked::Point,
+            vector(point),
+            vec![Condition::On(Surface::Wall(z)), Condition::OnRay(ray)],
+        ),
+    ];
+    let mut wrongs = wrong_t_of_wall(&ray, t, z);
+    // The wrong ray's t, and the wrong ray's point.
+    wrongs.extend(wrong_directions(uv, 1.0).map(|(mistake, d)| {
+        let t = z / d.z;
+        wrong_t(mistake, t, vector(t * d))
+    }));
+    // d's z from a right t, and t from a right z.
+    wrongs.push(one_wrong(
+        Mistake::SignOfZ,
+        Asked::Point,
+        vector(DVec3::new(point.x, point.y, -z)),
+    ));
+    wrongs.push(one_wrong(Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
+    (parts, wrongs)
+}
+
+fn wall_at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, distance, uv);
+    let t = t_of_wall(&ray, z);
+    let parts = vec![
+        part_with(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
+    ];
+    let scaled = distance * uv;
+    let wrong = |(mistake, d): (Mistake, DVec3)| Wrong {
+        mistake,
+        answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
+    };
+    let dropped = Mistake::DistanceDropped;
+    let of_distance = [
+        (dropped, dropped.usual().direction(AXES, distance, uv)),
+        (Mistake::DistanceOnAll, scaled.extend(-distance)),
+        (Mistake::DistanceOnUv, scaled.extend(-1.0)),
+        (Mistake::ViewportAtOne, (uv / distance).extend(-1.0)),
+    ];
+    let mut wrongs: Vec<Wrong> =
+        of_distance.into_iter().chain(wrong_directions(uv, distance)).map(wrong).collect();
+    wrongs.extend(wrong_t_of_wall(&ray, t, z));
+    wrongs.push(one_wrong(Mistake::FromViewport, Asked::T, number(-z - distance)));
+    (parts, wrongs)
+}
+
+fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
+    let Basis { u, v, w } = turned(right);
+    let ray = view_ray(Basis { u, v, w }, 1.0, uv);
+    let t = t_of_wall(&ray, z);
+    let through = Condition::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
+    let parts = vec![
+        QuestionPart { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
+        QuestionPart { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
+        QuestionPart { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
+        part_with(Asked::Direction, vector(ray.direction), vec![through]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
+    ];
+    // The wall's t is along the wrong direction.
+    let direction = |mistake, d: DVec3| Wrong {
+        mistake,
+        answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
+    };
+    let basis = |mistake, u: DVec3, v: DVec3, w: DVec3| {
+        let mut wrong = direction(mistake, uv.x * u + uv.y * v - w);
+        wrong.answers.extend(basis_answers(u, v, w));
+        wrong
+    };
+    // Of length √2, and of length √½: the two axes' sum, and their mean.
+    let sum = |v: DVec3| v.signum() * v.abs().ceil();
+    let other_way = turned(DVec3::new(right.x, right.y, -right.z));
+    let mut wrongs = vec![
+        basis(Mistake::WForwards, u, v, -w),
+        basis(Mistake::ULeftwards, -u, v, w),
+        basis(Mistake::VIsUCrossW, u, -v, w),
+        basis(Mistake::UAndWSwapped, w, v, u),
+        basis(Mistake::TurnedOtherWay, other_way.u, other_way.v, other_way.w),
+        basis(Mistake::BasisUnnormalized, sum(u), v, sum(w)),
+        basis(Mistake::BasisUnnormalized, 0.5 * sum(u), v, 0.5 * sum(w)),
+        direction(
+            Mistake::DistanceAdded,
+            Mistake::DistanceAdded.usual().direction([u, v, w], 1.0, uv),
+        ),
+        direction(Mistake::BasisForgotten, uv.extend(-1.0)),
+        direction(Mistake::ZIsMinusDistance, DVec3 { z: -1.0, ..ray.direction }),
+        direction(Mistake::UvSwapped, uv.y * u + uv.x * v - w),
+        direction(Mistake::VDown, uv.x * u - uv.y * v - w),
+        direction(Mistake::ULeft, -uv.x * u + uv.y * v - w),
+        direction(Mistake::FlatDirection, uv.x * u + uv.y * v),
+        direction(Mistake::UvLeftOut, -w),
+    ];
+    wrongs.extend(wrong_t_of_wall(&ray, t, z));
+    (parts, wrongs)
+}
+
+fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, Answer); 3] {
+    [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
+}
+
+/// The parts of a question about a basis found from view or at, and up; `None` where up does not
+/// fix one.
+fn basis_from_up(given: &Given) -> Option<Parts> {
+    let camera = camera(given)?;
+    let Basis { u, v, w } = camera.basis().ok()?;
+    // In the order in which they are found.
+    let parts = vec![
+        part(Asked::W, vector(w)),
+        QuestionPart {
+            orthogonal_to: vec![("up", camera.up()), ("w", w)],
+            ..part(Asked::U, vector(u))
+        },
+        QuestionPart { orthogonal_to: vec![("w", w), ("u", u)], ..part(Asked::V, vector(v)) },
+    ];
+    let basis =
+        |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };
+    // What is seen comes before what may have led to it.
+    let mut wrongs = vec![basis(Mistake::ULeftwards, -u, v, w)];
+    wrongs.extend(
+        wrong_cameras(&camera).map(|(mistake, made)| basis(mistake, made.u, made.v, made.w)),
+    );
+    wrongs.push(basis(Mistake::UAndVSwapped, v, u, w));
+    wrongs.extend(wrong_points(&camera).filter_map(|(mistake, back)| {
+        let Basis { u, v, w } = Basis::from_view_up(-back, camera.up()).ok()?;
+        Some(basis(mistake, u, v, w))
+    }));
+    Some((parts, wrongs))
+}
+
+/// The cameras that an answer can come from, with the mistake that makes them.
+fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCamera)> {
+    const USUAL: usize = 1;
+    let is_at = camera.orientation.has_at();
+    // Given points, at - eye is what is taken for w.
+    let w_forwards = if is_at { Mistake::WIsAtMinusEye } else { Mistake::WAsPrinted };
+    let mistakes = [
+        (w_forwards, USUAL),
+        (Mistake::VIsUCrossW, USUAL),
+        (Mistake::UIsWCrossUp, USUAL),
+        (Mistake::LeftHanded, USUAL),
+        (Mistake::NotNormalized, USUAL),
+        (Mistake::WNotNormalized, USUAL),
+        (Mistake::UpAsV, usize::MAX),
+        (Mistake::NothingNormalized, usize::MAX),
+        (Mistake::WIsView, usize::MAX),
+    ];
+    let given = GivenCamera::new(camera).ok();
+    given.into_iter().flat_map(move |given| {
+        mistakes.into_iter().flat_map(move |(mistake, ways)| {
+            let pipelines = mistake.pipelines().take(ways);
+            pipelines.map(move |pipeline| (mistake, given.camera_of(pipeline)))
+        })
+    })
+}
+
+/// Vectors that are often taken for eye - at.
+fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
+    let eye = camera.eye;
+    let wrong = move |at: DVec3| {
+        [(Mistake::EyeForgotten, -at), (Mistake::AtForgotten, eye), (Mistake::EyePlusAt, eye + at)]
+    };
+    let at = match camera.orientation {
+        Orientation::At { at, .. } => Some(at),
+        _ => None,
+    };
+    at.into_iter().flat_map(wrong)
+}
+
+/// The parts of a question about a ray and a sphere; `None` where the ray's line misses it.
+fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
+    let roots = sphere.roots(ray);
+    let t = roots.iter().next()?;
+    let normal = |point: DVec3| (point - sphere.center) / sphere.radius;
+    let point = ray.at(t);
+    let n = normal(point);
+    let surface = Surface::Sphere(*sphere);
+    let parts = vec![
+        part_with(Asked::T, number(t), vec![Condition::Meets(*ray, surface)]),
+        part_with(
+            Asked::Point,
+            vector(point),
+            vec![Condition::On(surface), Condition::OnRay(*ray)],
+        ),
+        part(Asked::Normal, vector(n)),
+    ];
+    let mut wrongs: Vec<Wrong> = Vec::new();
+    if let Roots::Two(_, far) = roots {
+        let mut wrong = wrong_t(Mistake::FarRoot, far, vector(ray.at(far)));
+        wrong.answers.push((Asked::Normal, vector(normal(ray.at(far)))));
+        wrongs.push(wrong);
+    }
+    let ts = wrong_roots(ray, sphere)
+        .into_iter()
+        .chain([(Mistake::TForDistance, ray.distance_along(t)), (Mistake::SignOfT, -t)]);
+    wrongs.extend(ts.map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t)))));
+    let of_normal = |(mistake, n)| one_wrong(mistake, Asked::Normal, vector(n));
+    let normals = [
+        (Mistake::NormalInwards, -n),
+        (Mistake::NormalInwards, -sphere.radius * n),
+        (Mistake::Unnormalized, sphere.radius * n),
+        (Mistake::NormalAgainstRay, -ray.direction.normalize()),
+        (Mistake::NormalFromOrigin, point.normalize_or_zero()),
+    ];
+    wrongs.extend(normals.map(of_normal));
+    Some((parts, wrongs))
+}
+
+/// Wrong solutions of `a t^2 + 2 b t + c = 0`; NaN where D is below 0.
+fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
+    let oc = ray.origin - sphere.center;
+    let (a, b) = (ray.direction.length_squared(), ray.direction.dot(oc));
+    let c = oc.length_squared() - sphere.radius * sphere.radius;
+    let unsquared = oc.length_squared() - sphere.radius;
+    let by_formula = |mistake: Mistake| {
+        let quadratic = mistake.usual().quadratic;
+        let roots = quadratic.roots(quadratic.a(a), b, c);
+        (mistake, roots.map_or(f64::NAN, |[near, _]| near))
+    };
+    [
+        by_formula(Mistake::SignOfB),
+        by_formula(Mistake::BForHalfB),
+        by_formula(Mistake::HalfBForB),
+        (Mistake::RadiusNotSquared, (-b - (b * b - a * unsquared).sqrt()) / a),
+        by_formula(Mistake::ALeftOut),
+        (Mistake::RootLeftOut, -b / a),
+        by_formula(Mistake::DividedBy2A),
+        by_formula(Mistake::DividedByA),
+    ]
+}
+
+fn two_lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
+    let (normal, c) = (line.truncate(), line.z);
+    let (gap, step) = (normal.dot(origin) + c, normal.dot(direction));
+    let at = |t: f64| pair(origin + t * direction);
+    let t = -gap / step;
+    let ray = Ray { origin: origin.extend(0.0), direction: direction.extend(0.0) };
+    let surface = Surface::Line(line);
+    let parts = vec![
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, surface)]),
+        part_with(Asked::Point, at(t), vec![Condition::On(surface), Condition::OnRay(ray)]),
+        part(Asked::Hits, Answer::Yes(t > 0.0)),
+    ];
+    let mut wrongs: Vec<Wrong> = [
+        (Mistake::SignOfT, -t),
+        (Mistake::CLeftOut, -normal.dot(origin) / step),
+        (Mistake::SignOfC, (c - normal.dot(origin)) / step),
+        (Mistake::OriginLeftOut, -c / step),
+        (Mistake::TInverted, 1.0 / t),
+        (Mistake::NotDivided, -gap),
+        (Mistake::TermLeftOut, -gap / (normal.x * direction.x)),
+        (Mistake::TermLeftOut, -gap / (normal.y * direction.y)),
+        (Mistake::PAndDSwapped, -(step + c) / normal.dot(origin)),
+    ]
+    .into_iter()
+    .map(|(mistake, t)| wrong_t(mistake, t, at(t)))
+    .collect();
+    wrongs.push(one_wrong(Mistake::OriginLeftOut, Asked::Point, pair(t * direction)));
+    wrongs.push(one_wrong(Mistake::LineForRay, Asked::Hits, Answer::Yes(t <= 0.0)));
+    (parts, wrongs)
 }

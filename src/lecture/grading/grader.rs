@@ -12,8 +12,8 @@ use super::grade::{
     digits_wanted,
 };
 use super::hits::{Hits, truth_of};
+use super::hits::{Rays, Vectors};
 use super::picture::{Picture, brightest, off, right_pictures};
-use super::vectors::{Rays, Vectors};
 use crate::mistakes::{GivenCamera, Mistake};
 
 /// Answers, and what they are graded by.

@@ -35,7 +35,6 @@ mod graded;
 mod grader;
 mod hits;
 mod picture;
-mod vectors;
 
 pub use self::answers::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,

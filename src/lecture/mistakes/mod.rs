@@ -9,7 +9,6 @@
 mod checks;
 mod pipeline;
 mod table;
-mod vote;
 mod wrong_camera;
 mod wrong_picture;
 
@@ -18,6 +17,7 @@ pub(crate) use pipeline::{
     GivenCamera, Measure, Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, Way, WhichRoot,
 };
 pub use table::Mistake;
-pub use vote::Vote;
+pub(crate) use wrong_picture::SplitMix64;
+
 pub use wrong_camera::{NoWrongCamera, WrongCamera};
-pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, WrongPicture};
+pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, Vote, WrongPicture};

@@ -7,7 +7,7 @@ use super::lesson::Step;
 use crate::model::concept::Concept;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::practice::MistakesView;
 use crate::model::session::Session;
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.

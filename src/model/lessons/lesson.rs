@@ -1,12 +1,17 @@
-//! The contents of a lesson file.
+//! The contents of a lesson file, the user's place in a lesson, and the argument of `--lesson`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use pinhole_core::{Selection, Shade};
+use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::DerivationSections;
+use crate::model::lessons::{builtin, read};
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
@@ -97,4 +102,162 @@ pub struct StepView {
     pub lines: Option<LinesLab>,
     /// The question of the exercises layout.
     pub exercise: Option<AskedExercise>,
+}
+
+/// The identity of a lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// A built-in lesson, by its index.
+    Builtin(usize),
+    /// The lesson that was opened from a file.
+    File,
+}
+
+/// Identifies a step: its lesson, and its index in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepId {
+    /// The lesson.
+    pub lesson: Which,
+    /// Index of the step.
+    pub step: usize,
+}
+
+/// The open lesson at one of its steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenLesson {
+    id: StepId,
+    lesson: Arc<Lesson>,
+}
+
+impl OpenLesson {
+    /// Opens the lesson at that place; `file` is the lesson that was opened from a file. Returns
+    /// `None` if there is no such step.
+    pub fn at(id: StepId, file: Option<&Arc<Lesson>>) -> Option<OpenLesson> {
+        let lesson = match id.lesson {
+            Which::Builtin(index) => builtin::all().get(index),
+            Which::File => file,
+        }?;
+        (id.step < lesson.steps.len()).then(|| OpenLesson { id, lesson: Arc::clone(lesson) })
+    }
+
+    /// Returns the id of the current step.
+    pub fn id(&self) -> StepId {
+        self.id
+    }
+
+    /// Returns the whole lesson.
+    pub fn lesson(&self) -> &Lesson {
+        &self.lesson
+    }
+
+    /// Returns the current step.
+    pub fn step(&self) -> &Step {
+        // In range: `at` checked it.
+        &self.lesson.steps[self.id.step]
+    }
+
+    /// Returns `Lesson 2: Warm-up`, or only the title of a lesson without a number.
+    pub fn title(&self) -> String {
+        title_of(self.id.lesson, &self.lesson)
+    }
+
+    /// Returns `Lesson 2`, or the title of a lesson without a number.
+    pub fn short_title(&self) -> String {
+        match self.id.lesson {
+            Which::Builtin(index) => format!("Lesson {}", index + 1),
+            Which::File => self.lesson.title.clone(),
+        }
+    }
+
+    /// Returns the id of the next step; after a lesson's last step, of the next lesson's first.
+    pub fn next(&self) -> Option<StepId> {
+        if self.id.step + 1 < self.lesson.steps.len() {
+            return Some(StepId { step: self.id.step + 1, ..self.id });
+        }
+        let Which::Builtin(index) = self.id.lesson else { return None };
+        builtin::all().get(index + 1)?;
+        Some(StepId { lesson: Which::Builtin(index + 1), step: 0 })
+    }
+
+    /// Returns the id of the previous step; before a lesson's first step, of the previous
+    /// lesson's last.
+    pub fn previous(&self) -> Option<StepId> {
+        if let Some(step) = self.id.step.checked_sub(1) {
+            return Some(StepId { step, ..self.id });
+        }
+        let Which::Builtin(index) = self.id.lesson else { return None };
+        let index = index.checked_sub(1)?;
+        let step = builtin::all().get(index)?.steps.len() - 1;
+        Some(StepId { lesson: Which::Builtin(index), step })
+    }
+
+    /// Returns true if both steps show the same scene, so that the world view keeps its observer.
+    pub fn shares_scene_with(&self, other: &OpenLesson) -> bool {
+        self.lesson == other.lesson && self.step().scene_from == other.step().scene_from
+    }
+}
+
+/// Returns `Lesson 2: Warm-up`, or only the title of a lesson without a number.
+pub fn title_of(which: Which, lesson: &Lesson) -> String {
+    match which {
+        Which::Builtin(index) => format!("Lesson {}: {}", index + 1, lesson.title),
+        Which::File => lesson.title.clone(),
+    }
+}
+
+/// A lesson named on the command line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LessonArgument {
+    /// A lesson that comes with the program.
+    Builtin(StepId),
+    /// A lesson file.
+    File(PathBuf),
+}
+
+impl LessonArgument {
+    /// Reads `7` (lesson 7), `7.3` (its third step), or the path of a lesson file.
+    ///
+    /// # Errors
+    /// Returns an error if there is no such lesson or step; the message lists those that there are.
+    pub fn parse(text: &str) -> Result<LessonArgument, String> {
+        let whole = |text: &str| {
+            let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            // A number that overflows usize is no lesson's number either.
+            digits.then(|| text.parse().unwrap_or(usize::MAX))
+        };
+        let lessons = builtin::all();
+        let (typed, step) = text.split_once('.').unwrap_or((text, "1"));
+        let (Some(lesson), Some(step)) = (whole(typed), whole(step)) else {
+            return match Path::new(text).extension() {
+                Some(ending) if ending == "toml" => Ok(LessonArgument::File(text.into())),
+                _ => Err(format!(
+                    "{text:?} is no lesson: a number from 1 to {}, or the path of a .toml file",
+                    lessons.len()
+                )),
+            };
+        };
+        let index = lesson.wrapping_sub(1);
+        let count = lessons.len();
+        let found = lessons
+            .get(index)
+            .ok_or_else(|| format!("there is no lesson {typed}: there are lessons 1 to {count}"))?;
+        let (step_index, steps) = (step.wrapping_sub(1), found.steps.len());
+        if step_index >= steps {
+            return Err(format!("lesson {lesson} has no step {step}: it has steps 1 to {steps}"));
+        }
+        Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step: step_index }))
+    }
+
+    /// Returns the place to begin at, and the lesson if it comes from a file.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be read or is no valid lesson.
+    pub fn load(&self) -> Result<(StepId, Option<Arc<Lesson>>), FileError> {
+        match self {
+            LessonArgument::Builtin(id) => Ok((*id, None)),
+            LessonArgument::File(path) => {
+                Ok((StepId { lesson: Which::File, step: 0 }, Some(Arc::new(read::load(path)?))))
+            }
+        }
+    }
 }

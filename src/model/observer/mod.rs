@@ -1,15 +1,11 @@
-//! The observer of the world view: a camera that moves around its target and is independent of the
-//! edited camera.
+//! The observer of the world view, a camera that moves around its target and is independent of the
+//! edited camera, and the scene that its picture is traced with.
 
-mod arrows;
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Sphere, Viewport, extent_of_fov};
+
+pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize};
+
 mod fit;
-mod traced;
-
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
-
-pub use arrows::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
-pub use fit::ViewSize;
-pub use traced::{enclosing, hidden, traced_scene};
 
 /// The observer as an orbit around a target; world y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,6 +120,37 @@ impl Observer {
         }
         *self = self.in_range();
     }
+}
+
+/// Returns the indices, ascending, of the spheres that would hide the camera from the observer:
+/// those that contain the camera's eye but not the observer's.
+pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u32> {
+    let mut around = scene.spheres_around(camera_eye);
+    around.retain(|index| scene.spheres()[*index as usize].implicit(observer_eye) >= 0.0);
+    around
+}
+
+/// Returns the scene that the world view traces: the spheres without the planes, with the same
+/// indices.
+///
+/// A plane has no end. Traced, it would fill the picture up to its horizon and, seen from behind,
+/// hide the camera; the overlay draws the part of it near the target instead. A sphere
+/// [around the camera](enclosing) would hide it too, and is [`hidden`] so that the others keep
+/// their indices; the overlay draws its outline.
+pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
+    let mut seen = scene.without_planes();
+    for &index in enclosing {
+        if let Some(sphere) = scene.spheres().get(index as usize) {
+            // A checked sphere stays valid; if one is not replaced, the picture is still correct.
+            let _ = seen.replace_sphere(index, hidden(sphere));
+        }
+    }
+    seen
+}
+
+/// Returns the sphere shrunk to a point at its centre.
+pub fn hidden(sphere: &Sphere) -> Sphere {
+    Sphere { radius: f64::MIN_POSITIVE, ..*sphere }
 }
 
 #[cfg(test)]

@@ -1,9 +1,14 @@
 //! The practice of a student: exercises, classic mistakes, and answers to be graded.
 
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pinhole_core::{Camera, ResolvedCamera, Scene};
+use pinhole_lecture::grading::AnswerKind;
+use pinhole_lecture::mistakes::{Mistake, Vote};
+
 pub mod answer_marks;
 pub mod exercises;
-pub mod mistakes_view;
-pub mod student_answers;
 
 /// Largest seed of a question or a vote. Its field calculates in `f64`, which is exact up to 2^53.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
@@ -11,4 +16,146 @@ pub const LARGEST_SEED: u64 = 1_000_000_000;
 /// Returns the seed after this one; after the largest comes 0.
 pub(crate) fn next_seed(seed: u64) -> u64 {
     if seed < LARGEST_SEED { seed + 1 } else { 0 }
+}
+
+/// The state of the mistakes view. A lesson's step sets it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MistakesView {
+    /// The chosen mistake.
+    pub chosen: Mistake,
+    /// The open vote, shown in its place.
+    pub open_vote: Option<OpenVote>,
+    /// The seed of the open vote, or of the next one.
+    pub seed: u64,
+    /// True if a vote was asked for, but no two mistakes can be told apart in the picture.
+    pub nothing_shows: bool,
+    /// True if a vote is to be opened as soon as there is a picture.
+    pub wants_vote: bool,
+    /// True if the map of the pixels that differ is wanted in place of the wrong picture.
+    pub wants_differences: bool,
+}
+
+/// A wrong picture without its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenVote {
+    /// The options, and the right one.
+    pub vote: Vote,
+    /// Index of the option that was voted for.
+    pub answer: Option<usize>,
+    /// True once the right option is shown.
+    pub is_revealed: bool,
+}
+
+impl Default for MistakesView {
+    fn default() -> Self {
+        MistakesView {
+            chosen: Mistake::WAsPrinted,
+            open_vote: None,
+            seed: 1,
+            nothing_shows: false,
+            wants_vote: false,
+            wants_differences: false,
+        }
+    }
+}
+
+impl MistakesView {
+    /// Returns the mistake of the camera that is shown.
+    pub fn shown(&self) -> Mistake {
+        self.open_vote.as_ref().map_or(self.chosen, |open| open.vote.mistake())
+    }
+
+    /// Returns true if the mistake's name may be seen.
+    pub fn is_revealed(&self) -> bool {
+        self.open_vote.as_ref().is_none_or(|open| open.is_revealed)
+    }
+
+    /// Returns true if the map of differences is shown in place of the wrong picture.
+    pub fn shows_differences(&self) -> bool {
+        self.wants_differences && self.is_revealed()
+    }
+
+    /// Opens the vote of the seed.
+    pub fn ask(&mut self, camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) {
+        let vote = Vote::new(camera, resolved, scene, self.seed);
+        self.nothing_shows = vote.is_none();
+        self.wants_vote = false;
+        self.wants_differences = false;
+        self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
+    }
+
+    /// Shows which option is right.
+    pub fn reveal(&mut self) {
+        if let Some(open) = &mut self.open_vote {
+            open.is_revealed = true;
+        }
+    }
+
+    /// Goes back to the gallery, with the mistake of the vote chosen if it was revealed.
+    pub fn close_vote(&mut self) {
+        if self.is_revealed() {
+            self.chosen = self.shown();
+        }
+        self.open_vote = None;
+        self.seed = next_seed(self.seed);
+    }
+}
+
+/// A file of answers, as it was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AnswersFile {
+    /// The file's path.
+    pub path: PathBuf,
+    /// The file's content.
+    pub bytes: Vec<u8>,
+    /// The kind of answers, by the first bytes.
+    pub kind: Option<AnswerKind>,
+}
+
+/// The answers that are graded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StudentAnswers {
+    /// The file.
+    pub file: Arc<AnswersFile>,
+    /// The number of the first row and column, 0 or 1.
+    pub count_from: u32,
+}
+
+impl StudentAnswers {
+    /// Returns the file's name.
+    pub fn name(&self) -> String {
+        let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());
+        name.to_string_lossy().into_owned()
+    }
+
+    /// Returns true if the answers name rows and columns by number; a basis and a picture do not.
+    pub fn are_numbered(&self) -> bool {
+        !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_exchange::scenes::BuiltinScene;
+
+    use super::*;
+
+    #[test]
+    fn a_vote_keeps_its_secret_and_the_gallery_follows_it() {
+        let document = BuiltinScene::find("look-at").expect("built in").load().expect("a scene");
+        let (camera, scene) = (document.camera, document.scene().expect("a scene"));
+        let resolved = camera.resolve().expect("a camera");
+        let mut view = MistakesView { wants_differences: true, ..MistakesView::default() };
+        view.ask(&camera, &resolved, &scene);
+        assert!(!view.is_revealed() && !view.shows_differences());
+        view.close_vote();
+        assert_eq!(view.chosen, MistakesView::default().chosen, "it was not revealed");
+        view.ask(&camera, &resolved, &scene);
+        view.reveal();
+        let mistake = view.shown();
+        view.close_vote();
+        assert_eq!(view.chosen, mistake);
+        view.ask(&camera, &resolved, &Scene::default());
+        assert!(view.nothing_shows && view.open_vote.is_none());
+    }
 }

@@ -1,34 +1,29 @@
-//! The state of the views of a document, which a scene file does not hold.
-
-pub mod ghost;
-pub mod handles;
-mod names;
-pub mod pen;
-pub mod presenting;
-mod splits;
+//! The state of the views of a document, which a scene file does not hold, and the settings.
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
-use pinhole_core::{Camera, Selection, Shade};
+use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
 use serde::{Deserialize, Serialize};
 
-pub use names::{TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label};
-pub use splits::{Split, Splits};
-
-use crate::model::color_scheme::Scheme;
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::derivation_sections::DerivationSections;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
+use crate::model::practice::MistakesView;
+use crate::model::practice::StudentAnswers;
 use crate::model::practice::exercises::Exercises;
-use crate::model::practice::mistakes_view::MistakesView;
-use crate::model::practice::student_answers::StudentAnswers;
-use crate::model::session::ghost::Ghost;
 use crate::model::session::handles::HandleState;
-use crate::model::session::pen::Pen;
-use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
+use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::translator::Translator;
+
+pub use choices::{
+    Scheme, Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
+};
+
+mod choices;
+pub mod handles;
+pub mod presenting;
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
@@ -275,4 +270,21 @@ impl Heights {
             _ => y,
         }
     }
+}
+
+/// A frozen camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ghost {
+    /// The camera as given.
+    pub camera: Camera,
+    /// True if the map of the pixels that see another object is shown in place of its picture.
+    pub shows_differences: bool,
+}
+
+/// Resolves the ghost with the current camera's image size, as the comparison needs it.
+///
+/// # Errors
+/// Returns an error if the ghost is an invalid camera.
+pub fn resolve(ghost: &Camera, now: &Camera) -> Result<ResolvedCamera, CameraError> {
+    Camera { image: now.image, ..*ghost }.resolve()
 }

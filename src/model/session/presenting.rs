@@ -1,4 +1,4 @@
-//! Presenter mode: the size of the text, and the state to return to. Pure.
+//! Presenter mode: the size of its text, the state to return to, and the pen's strokes over the views.
 
 use crate::model::session::ViewLayout;
 
@@ -64,6 +64,27 @@ const PROJECTOR: [f32; 2] = [1024.0, 768.0];
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
     larger * smallest_text / WRITTEN
+}
+
+/// What the pen has drawn, while it is in use.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pen {
+    /// Lines through these points, as shares of the drawn-on area's width and height.
+    pub lines: Vec<Vec<[f32; 2]>>,
+}
+
+impl Pen {
+    /// Begins a line.
+    pub fn press(&mut self, at: [f32; 2]) {
+        self.lines.push(vec![at]);
+    }
+
+    /// Draws the last line on to this point.
+    pub fn draw_to(&mut self, to: [f32; 2]) {
+        if let Some(line) = self.lines.last_mut().filter(|line| line.last() != Some(&to)) {
+            line.push(to);
+        }
+    }
 }
 
 #[cfg(test)]

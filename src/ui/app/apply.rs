@@ -9,7 +9,7 @@ use pinhole_exchange::scenes::SceneSource;
 
 use crate::figures::derivation_of;
 use crate::model::files::title_of;
-use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};

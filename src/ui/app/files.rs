@@ -14,7 +14,7 @@ use pinhole_exchange::{answers, atomic, limits};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::play::Kind;
-use crate::model::practice::student_answers::{AnswersFile, StudentAnswers};
+use crate::model::practice::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
 use crate::model::translator::with;
 use crate::ui::action::{Action, AnswersAction, Leave};

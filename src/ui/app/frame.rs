@@ -12,7 +12,7 @@ use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::Hovered;
-use crate::model::panics::caught;
+use crate::model::fault::caught;
 use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, ViewLayout, Workspace};
 use crate::ui::action::{

@@ -10,7 +10,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::observer::Observer;
-use crate::model::session::pen::Pen;
+use crate::model::session::presenting::Pen;
 use crate::model::session::{Session, Settings, Workspace};
 use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;

@@ -16,7 +16,7 @@ use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
-use crate::model::session::ghost::Ghost;
+use crate::model::session::Ghost;
 use crate::model::session::handles::HandleState;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};

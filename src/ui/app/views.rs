@@ -7,9 +7,9 @@ use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 
 use super::scene::OpenScene;
 use crate::model::fault::Fault;
-use crate::model::letters::typeset_message;
 use crate::model::observer::ViewSize;
 use crate::model::readings::NumberStyle;
+use crate::model::symbols::typeset_message;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::dragging::Dragging;
 use crate::ui::scene::view_rects::ViewRects;

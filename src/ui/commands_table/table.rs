@@ -11,11 +11,11 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
 
-use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
+use crate::model::session::Scheme;
 use crate::model::session::{ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,

@@ -5,8 +5,8 @@ use std::path::Path;
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 
 use crate::figures::{Content, FigureSubject, Frames, Order, check_animation_path};
-use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
+use crate::model::session::Scheme;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::widgets::Spoken as _;

@@ -8,8 +8,8 @@ use pinhole_core::{
 use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
-use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
+use crate::model::symbols::typeset_message;
 use crate::model::symbols::{Kind, meaning};
 use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::fault_text;

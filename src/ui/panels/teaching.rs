@@ -11,8 +11,8 @@ use egui::{
 use pinhole_core::{BasisError, Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
-use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
+use crate::model::symbols::typeset_message;
 use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::NumberField;
 use crate::view::typesetting::theme::error_color;

@@ -6,10 +6,10 @@ use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
-use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::overlay_items::Item;
+use crate::model::session::Scheme;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{
     DIGITS, Settings, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,

@@ -8,9 +8,9 @@ use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
 use pinhole_lecture::numbers::ungrouped;
 
-use crate::model::letters::typeset_message;
-use crate::model::practice::student_answers::StudentAnswers;
+use crate::model::practice::StudentAnswers;
 use crate::model::session::Session;
+use crate::model::symbols::typeset_message;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;

@@ -9,7 +9,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
-use crate::model::practice::mistakes_view::MistakesView;
+use crate::model::practice::MistakesView;
 use crate::model::readings::NumberStyle;
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;

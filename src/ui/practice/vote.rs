@@ -9,8 +9,8 @@ use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::mistakes::failing;
-use crate::model::practice::mistakes_view::{MistakesView, OpenVote};
 use crate::model::practice::next_seed;
+use crate::model::practice::{MistakesView, OpenVote};
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::practice::seed_field;
 use crate::ui::widgets::Spoken as _;

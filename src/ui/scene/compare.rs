@@ -10,7 +10,7 @@ use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
 use crate::model::readings::NumberStyle;
-use crate::model::session::ghost::Ghost;
+use crate::model::session::Ghost;
 use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::Asking as _;
 use crate::ui::widgets::Spoken as _;

@@ -17,11 +17,11 @@ use pinhole_lecture::numbers::written_whole;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
-use crate::model::letters::typeset_message;
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::readings::NumberStyle;
-use crate::model::session::pen::Pen;
+use crate::model::session::presenting::Pen;
 use crate::model::session::{Session, Settings, ViewLayout};
+use crate::model::symbols::typeset_message;
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};

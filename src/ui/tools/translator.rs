@@ -14,7 +14,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
 
-use crate::model::letters::typeset_message;
+use crate::model::symbols::typeset_message;
 use crate::model::translator::{MOST_OBJECTS, Notice, Row, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
 use crate::ui::widgets::Asking as _;

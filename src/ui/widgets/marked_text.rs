@@ -6,7 +6,7 @@ use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
 use super::Spoken as _;
 use super::number::vector_color;
-use crate::model::letters;
+use crate::model::symbols;
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::theme;
 
@@ -73,7 +73,7 @@ fn runs(text: &str) -> Vec<StyledRun> {
             }
             continue;
         }
-        let letter = if is_scalar { letters::italic(letter) } else { letter };
+        let letter = if is_scalar { symbols::italic(letter) } else { letter };
         match runs.last_mut().filter(|run| run.is_vector == is_vector) {
             Some(run) => run.text.push(letter),
             None => runs.push(StyledRun { text: letter.to_string(), is_vector }),

@@ -10,7 +10,7 @@ use egui::{
     Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, vec2,
 };
 
-use crate::model::letters::typeset_message;
+use crate::model::symbols::typeset_message;
 use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
 

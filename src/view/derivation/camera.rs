@@ -7,7 +7,7 @@ use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDeriv
 use crate::model::concept::Concept;
 use crate::model::given::{Given, GivenVector};
 use crate::model::inspection::Inspection;
-use crate::model::letters;
+use crate::model::symbols;
 use crate::view::derivation::DerivedLine;
 use crate::view::derivation::numbers::{
     AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,
@@ -131,7 +131,7 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
 
 /// Returns the line at which the derivation fails, with the reason.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> DerivedLine {
-    let why = why.map_or_else(String::new, letters::typeset_message);
+    let why = why.map_or_else(String::new, symbols::typeset_message);
     DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
 }
 
@@ -172,7 +172,7 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
             concept: None,
             ..DerivedLine::new(Concept::W, word("there is no basis"))
         };
-        lines.push(DerivedLine { is_fault: true, ..line.noted(letters::typeset_message(error)) });
+        lines.push(DerivedLine { is_fault: true, ..line.noted(symbols::typeset_message(error)) });
     }
     lines
 }

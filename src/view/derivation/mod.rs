@@ -20,7 +20,7 @@ use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
-use crate::model::letters;
+use crate::model::symbols;
 use crate::view::derivation::numbers::related;
 use crate::view::formula::{Formula, latex, row, word};
 
@@ -113,7 +113,7 @@ impl fmt::Display for DerivedLine {
         let DerivedLine { formula, note, .. } = self;
         match note.is_empty() {
             true => formula.fmt(f),
-            false => write!(f, "{formula}; {}", letters::plain_scalars(note)),
+            false => write!(f, "{formula}; {}", symbols::plain_scalars(note)),
         }
     }
 }
@@ -253,7 +253,7 @@ fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
         formula: word("no ray"),
         concept: None,
         also: &[],
-        note: letters::typeset_message(fault),
+        note: symbols::typeset_message(fault),
         is_fault: true,
     }
 }

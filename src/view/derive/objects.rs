@@ -5,8 +5,8 @@ use std::sync::Arc;
 use pinhole_core::{Object, Rgb, Scene, SceneError, Sphere};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
-use crate::model::color_scheme::Scheme;
 use crate::model::observer::{hidden, traced_scene};
+use crate::model::session::Scheme;
 
 /// The objects of a document in which all objects are valid.
 #[derive(Clone, Debug)]

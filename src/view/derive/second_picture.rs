@@ -18,10 +18,10 @@ use pinhole_lecture::mistakes::{
 
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
+use crate::model::practice::StudentAnswers;
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
-use crate::model::practice::student_answers::StudentAnswers;
 use crate::model::session::ViewLayout;
-use crate::model::session::ghost::resolve;
+use crate::model::session::resolve;
 use crate::view::accuracy;
 use crate::view::derive::memo::Memo;
 use crate::view::derive::objects::GoodWorld;

@@ -12,7 +12,7 @@
 //! enough, its text shrinks until it fits. No line is wider than the column.
 
 use crate::model::given::Given;
-use crate::model::letters;
+use crate::model::symbols;
 use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
 
 /// The font of a piece of text.
@@ -113,7 +113,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
         Formula::Scalar(name) => {
             // In mathematical italics, a name of several letters would read as a product.
             let text = match name.len() {
-                1 => name.chars().map(letters::italic).collect(),
+                1 => name.chars().map(symbols::italic).collect(),
                 _ => (*name).to_owned(),
             };
             text_box(text, Face::Italic, SymbolInk::Text, size, measure)

@@ -12,7 +12,7 @@
 use std::fmt::{self, Write as _};
 
 use crate::model::given::Given;
-use crate::model::letters;
+use crate::model::symbols;
 
 pub use layout::{
     Column, Face, GivenBox, Layout, Rule, TextMeasure, TextRun, layout, left_width, lines,
@@ -345,7 +345,7 @@ const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆',
 /// unchanged.
 fn write_bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match name.len() {
-        1 => name.chars().try_for_each(|letter| f.write_char(letters::bold(letter))),
+        1 => name.chars().try_for_each(|letter| f.write_char(symbols::bold(letter))),
         _ => f.write_str(name),
     }
 }

@@ -6,7 +6,7 @@
 
 use egui::Color32;
 
-use crate::model::color_scheme::Scheme;
+use crate::model::session::Scheme;
 
 /// Text sizes in points: vectors, points, marks.
 pub(super) const VECTOR_TEXT: f32 = 21.0;

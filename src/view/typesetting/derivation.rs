@@ -9,7 +9,7 @@ use egui::{
 };
 
 use crate::model::derivation_sections::DerivationSection;
-use crate::model::letters::plain_scalars;
+use crate::model::symbols::plain_scalars;
 use crate::model::symbols::{Kind, meaning};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
 use crate::view::formula::{

@@ -4,7 +4,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Response, Ui};
 
-use crate::model::letters;
+use crate::model::symbols;
 
 /// The letters that denote vectors when they stand alone.
 const VECTORS: &str = "pdn";
@@ -102,7 +102,7 @@ fn begins_tuple(word: &str) -> bool {
 
 /// Returns a mathematical letter: bold for vectors, but italic for their coordinates.
 fn letter(c: char, is_coordinate: bool) -> char {
-    if VECTORS.contains(c) && !is_coordinate { letters::bold(c) } else { letters::italic(c) }
+    if VECTORS.contains(c) && !is_coordinate { symbols::bold(c) } else { symbols::italic(c) }
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use egui::{
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
 
-use crate::model::color_scheme::Scheme;
+use crate::model::session::Scheme;
 use crate::model::session::Settings;
 use crate::model::session::presenting::WRITTEN;
 use crate::view::overlay::Style;

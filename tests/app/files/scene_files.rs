@@ -198,7 +198,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let path = folder.path().join("state.json");
     let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
     right.settings.digits = 9;
-    right.settings.scheme = pinhole::model::color_scheme::Scheme::Grey;
+    right.settings.scheme = pinhole::model::session::Scheme::Grey;
     right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
     right.selection = Some(pinhole::model::store::RememberedRay::Pixel(3, 4));
     Store::at(&path).save(&right).unwrap();
@@ -215,7 +215,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
         let mut expected = right.clone();
         expected.settings.digits = digits;
         if value == "\"Grey\"" {
-            expected.settings.scheme = pinhole::model::color_scheme::Scheme::Standard;
+            expected.settings.scheme = pinhole::model::session::Scheme::Standard;
         }
         assert_eq!(read, expected, "{by}");
     }

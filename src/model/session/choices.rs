@@ -1,6 +1,11 @@
-//! Workspaces and layouts of the window, and the labels of other settings that are one of several.
+//! The choices that the settings hold: workspaces and layouts, the boundaries between the window's areas,
+//! shadings, and the colours that tell objects and vectors apart.
 
-use pinhole_core::Shade;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use pinhole_core::{Rgb, Shade};
+use pinhole_exchange::document::default_color;
 use serde::{Deserialize, Serialize};
 
 /// A workspace, with its label and its description.
@@ -195,5 +200,163 @@ pub fn shade_about(shade: Shade) -> &'static str {
         Shade::Normal => "The normal's x, y, z as red, green, blue",
         Shade::T => "Nearest t white, farther darker",
         Shade::Object => "Each object's own colour, flat",
+    }
+}
+
+/// A boundary between two areas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Split {
+    /// The world view's share of the width, beside the camera view.
+    Views,
+    /// The world view's share of the height, above the camera view.
+    Stack,
+    /// The world view's share of the width, where the ghost's picture is beside the camera's.
+    CompareViews,
+    /// The same in practice.
+    PracticeViews,
+    /// The views' share of the width, beside the derivation or the translator.
+    Derivation,
+    /// The readouts' height, in points. All that follow are heights, too.
+    Readouts,
+    /// Plot and table in the accuracy view.
+    Accuracy,
+    /// The plot of f(p + t d).
+    Plot,
+    /// The text about a wrong camera.
+    Mistakes,
+    /// Both cameras in numbers.
+    Compare,
+    /// The text about a student's answers.
+    Answers,
+}
+
+const SHARE: RangeInclusive<f32> = 0.0..=1.0;
+const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
+
+/// Default and range of each boundary, in the enum's order.
+const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
+    (Split::Views, 0.54, SHARE),
+    (Split::Stack, 0.55, SHARE),
+    (Split::CompareViews, 0.42, SHARE),
+    (Split::PracticeViews, 0.38, SHARE),
+    (Split::Derivation, 0.5, SHARE),
+    (Split::Readouts, 200.0, HEIGHT),
+    (Split::Accuracy, 370.0, HEIGHT),
+    (Split::Plot, 300.0, HEIGHT),
+    (Split::Mistakes, 330.0, HEIGHT),
+    (Split::Compare, 230.0, HEIGHT),
+    (Split::Answers, 230.0, HEIGHT),
+];
+
+/// The positions of all boundaries, each within its range.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "BTreeMap<Split, f32>", into = "BTreeMap<Split, f32>")]
+pub struct Splits([f32; TABLE.len()]);
+
+impl Splits {
+    /// Returns the position of a boundary.
+    pub fn get(&self, split: Split) -> f32 {
+        self.0[split as usize]
+    }
+
+    /// Returns true if a boundary is where it is by default.
+    pub fn is_default(&self, split: Split) -> bool {
+        self.get(split) == TABLE[split as usize].1
+    }
+
+    /// Moves a boundary, clamped to its range; to its default if `to` is not finite.
+    pub fn set(&mut self, split: Split, to: f32) {
+        let (_, first, range) = &TABLE[split as usize];
+        let to = if to.is_finite() { to } else { *first };
+        self.0[split as usize] = to.clamp(*range.start(), *range.end());
+    }
+}
+
+impl Default for Splits {
+    fn default() -> Splits {
+        Splits(TABLE.map(|(_, first, _)| first))
+    }
+}
+
+impl From<BTreeMap<Split, f32>> for Splits {
+    fn from(known: BTreeMap<Split, f32>) -> Splits {
+        let mut splits = Splits::default();
+        for (split, to) in known {
+            splits.set(split, to);
+        }
+        splits
+    }
+}
+
+impl From<Splits> for BTreeMap<Split, f32> {
+    fn from(splits: Splits) -> BTreeMap<Split, f32> {
+        TABLE.iter().map(|(split, ..)| (*split, splits.get(*split))).collect()
+    }
+}
+
+/// The greys of objects; neighbours in the list differ clearly.
+const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
+
+/// A choice of colours that tell objects and vectors apart, with its name in a menu and its
+/// description.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Scheme {
+    /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
+    #[default]
+    Standard,
+    /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
+    ColourBlind,
+    /// Greys only, for print: u, v, w differ by their dashes, heads and names.
+    Grey,
+}
+
+impl Scheme {
+    /// All of them, in order.
+    pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
+
+    /// Returns the scheme's name in a menu.
+    pub fn label(self) -> &'static str {
+        match self {
+            Scheme::Standard => "Standard colours",
+            Scheme::ColourBlind => "Colour-blind safe",
+            Scheme::Grey => "Greys for print",
+        }
+    }
+
+    /// Returns a description of the scheme.
+    pub fn about(self) -> &'static str {
+        match self {
+            Scheme::Standard => "Objects in their own colours, vectors by hue",
+            Scheme::ColourBlind => {
+                "Colours that colour-blind viewers can tell apart; objects take them in turn"
+            }
+            Scheme::Grey => "Only greys; vectors differ by dashes, heads and names",
+        }
+    }
+
+    /// Returns the colour of the object with this index, whose own colour is `own`. A grey object
+    /// stays grey: floors and walls need not be told apart.
+    pub fn object(self, index: u32, own: Rgb) -> Rgb {
+        let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
+        match self {
+            Scheme::Standard => own,
+            _ if hue < 0x18 => own,
+            Scheme::ColourBlind => default_color(index as usize),
+            Scheme::Grey => [GREYS[index as usize % GREYS.len()]; 3],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_in_the_enums_order_and_its_values_are_in_range() {
+        for (k, (split, first, range)) in TABLE.iter().enumerate() {
+            assert_eq!(*split as usize, k);
+            assert!(range.contains(first), "{split:?}");
+        }
     }
 }

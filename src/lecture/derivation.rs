@@ -1,0 +1,539 @@
+//! Every number on the way from a camera to a hit, step by step: the camera's basis, the view ray
+//! through a pixel or a (u, v), and where that ray meets a sphere or a plane.
+
+use std::cmp::Ordering;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pinhole_core::arithmetic::{
+    Dyadic, Exact3, cross, dot, exact3, is_orthogonal, is_unit, length, minus, over_root_rounded,
+    root_of_quotient,
+};
+use pinhole_core::{
+    AlongRay, Basis, BasisError, Camera, DVec2, DVec3, ExactRay, LineRoots, Object, ObjectError,
+    Orientation, Pixel, Plane, PlaneTerms, Ray, RayError, ResolvedCamera, Root, Sphere,
+    SphereQuadratic,
+};
+
+/// The derivation of a camera's basis, by the way in which the camera is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "made once a frame and read in place")]
+pub enum BasisDerivation {
+    /// Derived from a view direction, or a point to look at, and up.
+    FromUp(BasisFromUp),
+    /// u, v, w set by hand: there is nothing to derive, only to check.
+    ByHand(BasisByHand),
+}
+
+/// The derivation from view and up, in the lecture's order:
+///
+/// ```text
+/// view (or at - eye)   -view   w = -view / |view|   up x w   u = up x w / |up x w|   v = w x u
+/// ```
+///
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) It goes as far
+/// as the numbers allow: what comes after the last step that exists is `None`, and
+/// [`BasisFromUp::basis`] tells why.
+///
+/// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v
+/// and w are those of [`Camera::basis`]. What is above the largest `f64` is infinite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BasisFromUp {
+    /// The camera's position.
+    pub eye: DVec3,
+    /// The point it looks at, where the camera is given by one.
+    pub at: Option<DVec3>,
+    /// The view direction: as given, or `at - eye`. `None` where a coordinate is not finite.
+    pub view: Option<VectorAndLength>,
+    /// `-view`, what w is made of.
+    pub backwards: Option<DVec3>,
+    /// `-view / |view|`; `None` where view is zero.
+    pub w: Option<DVec3>,
+    /// The up vector. `None` where a coordinate is not finite.
+    pub up: Option<VectorAndLength>,
+    /// `up x w`, before it is normalized. The zero vector where up is parallel to view.
+    pub up_cross_w: Option<Cross>,
+    /// `up x w / |up x w|`; `None` where that is zero.
+    pub u: Option<DVec3>,
+    /// `w x u`, which is v: two unit vectors at a right angle, area 1.
+    pub w_cross_u: Option<Cross>,
+    /// The whole, or why there is none.
+    pub basis: Result<Basis, BasisError>,
+}
+
+/// A vector and its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VectorAndLength {
+    /// The vector, in world units.
+    pub vector: DVec3,
+    /// Its Euclidean length.
+    pub length: f64,
+}
+
+/// A cross product `first x second` with what it is made of: it is at right angles to both, and as
+/// long as their parallelogram is large, `|first| |second| sin(angle)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cross {
+    /// The factor on the left.
+    pub first: VectorAndLength,
+    /// The factor on the right.
+    pub second: VectorAndLength,
+    /// The angle between the two in radians, 0 to pi; `None` where one is zero.
+    pub angle: Option<f64>,
+    /// The angle's sine, with all digits of a small one; `None` where one is zero.
+    pub sine: Option<f64>,
+    /// `first x second`
+    pub product: DVec3,
+    /// `|first x second|`, the parallelogram's area.
+    pub area: f64,
+}
+
+/// The checks that u, v, w set by hand have to pass, each with the verdict of [`Basis::by_hand`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BasisByHand {
+    /// The camera's position.
+    pub eye: DVec3,
+    /// u, as set.
+    pub u: DVec3,
+    /// v, as set.
+    pub v: DVec3,
+    /// w, as set.
+    pub w: DVec3,
+    /// `|u|`, `|v|`, `|w|`: each has to be 1 within
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). `None` where a coordinate is
+    /// not finite, as in all checks.
+    pub lengths: [Option<BasisCheck>; 3],
+    /// `u . v`, `v . w`, `w . u`: each has to be 0 within the same tolerance.
+    pub dots: [Option<BasisCheck>; 3],
+    /// `(u x v) . w`: 1 or -1 of unit vectors at right angles, and greater than 0 of right-handed ones.
+    pub handedness: Option<BasisCheck>,
+    /// The whole derivation, or the first error.
+    pub basis: Result<Basis, BasisError>,
+}
+
+/// A check of vectors set by hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BasisCheck {
+    /// The number that is looked at.
+    pub value: f64,
+    /// The verdict.
+    pub passes: bool,
+}
+
+impl BasisDerivation {
+    /// The derivation of a camera's basis, by the way in which the camera is given.
+    pub fn new(camera: &Camera) -> BasisDerivation {
+        let eye = camera.eye;
+        match camera.orientation {
+            Orientation::At { at, up } => {
+                let is_finite = eye.is_finite() && at.is_finite();
+                let view = is_finite.then(|| minus(&exact3(at), &exact3(eye)));
+                BasisDerivation::FromUp(BasisFromUp::new(camera, Some(at), view, up))
+            }
+            Orientation::View { view, up } => {
+                let view = view.is_finite().then(|| exact3(view));
+                BasisDerivation::FromUp(BasisFromUp::new(camera, None, view, up))
+            }
+            Orientation::Basis(basis) => BasisDerivation::ByHand(BasisByHand::new(camera, basis)),
+        }
+    }
+
+    /// The basis, or why there is none: what [`Camera::basis`] says.
+    pub fn basis(&self) -> Result<Basis, BasisError> {
+        match self {
+            BasisDerivation::FromUp(from_up) => from_up.basis,
+            BasisDerivation::ByHand(by_hand) => by_hand.basis,
+        }
+    }
+}
+
+impl BasisFromUp {
+    fn new(camera: &Camera, at: Option<DVec3>, big_view: Option<Exact3>, up: DVec3) -> BasisFromUp {
+        let basis = camera.basis();
+        let view = big_view.as_ref().map(VectorAndLength::new);
+        let not_zero = big_view.as_ref().filter(|_| view.is_some_and(|view| view.length > 0.0));
+        let w_of = |view: &Exact3| match &basis {
+            Ok(basis) => basis.w,
+            Err(_) => DVec3::ZERO - over_root_rounded(view, &dot(view, view)),
+        };
+        let w = not_zero.map(w_of);
+        let big_up = up.is_finite().then(|| exact3(up));
+        let factors = not_zero.zip(big_up.as_ref()).zip(w);
+        let found = basis.ok();
+        BasisFromUp {
+            eye: camera.eye,
+            at,
+            view,
+            backwards: view.map(|view| DVec3::ZERO - view.vector),
+            w,
+            up: big_up.as_ref().map(VectorAndLength::new),
+            up_cross_w: factors.map(|((view, up), w)| Cross::of_up_and_w(view, up, w)),
+            u: found.map(|basis| basis.u),
+            w_cross_u: found.map(|Basis { u, v, w }| Cross {
+                first: VectorAndLength { vector: w, length: 1.0 },
+                second: VectorAndLength { vector: u, length: 1.0 },
+                angle: Some(FRAC_PI_2),
+                sine: Some(1.0),
+                product: v,
+                area: 1.0,
+            }),
+            basis,
+        }
+    }
+}
+
+impl VectorAndLength {
+    fn new(v: &Exact3) -> VectorAndLength {
+        VectorAndLength {
+            vector: rounded(v),
+            length: root_of_quotient(&dot(v, v), &Dyadic::from(1.0)),
+        }
+    }
+}
+
+impl Cross {
+    /// `up x w` with `w = -f / |f|`: with `R = f x up` it is `R / |f|`, and R is exact.
+    fn of_up_and_w(view: &Exact3, up: &Exact3, w: DVec3) -> Cross {
+        let right = cross(view, up);
+        let (ff, gg, rr) = (dot(view, view), dot(up, up), dot(&right, &right));
+        let area = root_of_quotient(&rr, &ff);
+        let is_zero = gg.is_zero();
+        let sine = || root_of_quotient(&rr, &(&ff * &gg)).min(1.0);
+        // `atan2(|R|, -f . up)`: w points away from the view.
+        let angle = || match dot(view, up) {
+            along if along.sign().is_gt() => PI - root_of_quotient(&rr, &along.square()).atan(),
+            along => root_of_quotient(&rr, &along.square()).atan(),
+        };
+        Cross {
+            first: VectorAndLength::new(up),
+            second: VectorAndLength { vector: w, length: 1.0 },
+            angle: (!is_zero).then(angle),
+            sine: (!is_zero).then(sine),
+            product: if rr.is_zero() { DVec3::ZERO } else { over_root_rounded(&right, &ff) },
+            area,
+        }
+    }
+}
+
+impl BasisByHand {
+    fn new(camera: &Camera, Basis { u, v, w }: Basis) -> BasisByHand {
+        let finite = |a: DVec3| a.is_finite().then_some(a);
+        let length_check = |value: DVec3| {
+            let value = finite(value)?;
+            let length = VectorAndLength::new(&exact3(value)).length;
+            Some(BasisCheck { value: length, passes: is_unit(value) })
+        };
+        let dot_check = |(a, b): (DVec3, DVec3)| {
+            let (a, b) = (finite(a)?, finite(b)?);
+            let value = dot(&exact3(a), &exact3(b)).rounded_times(0);
+            Some(BasisCheck { value, passes: is_orthogonal(a, b) })
+        };
+        let handedness = || {
+            let (u, v, w) = (exact3(finite(u)?), exact3(finite(v)?), exact3(finite(w)?));
+            let along = dot(&cross(&u, &v), &w);
+            Some(BasisCheck { value: along.rounded_times(0), passes: along.sign().is_gt() })
+        };
+        BasisByHand {
+            eye: camera.eye,
+            u,
+            v,
+            w,
+            lengths: [u, v, w].map(length_check),
+            dots: [(u, v), (v, w), (w, u)].map(dot_check),
+            handedness: handedness(),
+            basis: camera.basis(),
+        }
+    }
+}
+
+/// Each coordinate rounded once.
+fn rounded(v: &Exact3) -> DVec3 {
+    DVec3::from_array(v.each_ref().map(|x| x.rounded_times(0)))
+}
+
+/// A view ray with every value on the way to it:
+///
+/// ```text
+/// u = width ((column + 0.5) / W - 0.5)     v = height (0.5 - (row + 0.5) / H)
+/// p = eye     d = u U + v V - distance W
+/// ```
+///
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 4.3.1 and 4.3.2.)
+/// The direction and its three parts are computed from the basis before rounding and rounded once,
+/// so the parts' sum may differ from the direction in the last bit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RayDerivation {
+    /// The pixel that the ray goes through; `None` of a ray that is given by (u, v).
+    pub pixel: Option<Pixel>,
+    /// The position where the ray passes through the viewport, in world units, as
+    /// [`ResolvedCamera::uv_of_pixel`] says.
+    pub uv: DVec2,
+    /// `u U`, in world units.
+    pub along_u: DVec3,
+    /// `v V`, in world units.
+    pub along_v: DVec3,
+    /// `-distance W`, in world units.
+    pub along_w: DVec3,
+    /// d, the sum of the three: that of
+    /// [`ExactRay::rounded`](pinhole_core::ExactRay::rounded).
+    pub direction: DVec3,
+    /// `|d|`: how far in the world one unit of t is.
+    pub length: f64,
+    /// p, the eye.
+    pub origin: DVec3,
+}
+
+impl RayDerivation {
+    /// The view ray through a pixel's centre.
+    pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
+        let direction = camera.exact_ray(pixel).rounded();
+        let parts = camera.direction_terms_of_pixel(pixel);
+        RayDerivation::new(parts, Some(pixel), camera.uv_of_pixel(pixel), direction)
+    }
+
+    /// The view ray through a (u, v).
+    ///
+    /// # Errors
+    /// Returns an error if u or v is not finite.
+    pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
+        let direction = camera.exact_ray_at(uv)?.rounded();
+        Ok(RayDerivation::new(camera.direction_terms_at(uv), None, uv, direction))
+    }
+
+    fn new(
+        [along_u, along_v, along_w]: [DVec3; 3],
+        pixel: Option<Pixel>,
+        uv: DVec2,
+        ray: Ray,
+    ) -> RayDerivation {
+        RayDerivation {
+            pixel,
+            uv,
+            along_u,
+            along_v,
+            along_w,
+            direction: ray.direction,
+            length: length(ray.direction),
+            origin: ray.origin,
+        }
+    }
+
+    /// The ray: p + t d.
+    pub fn ray(&self) -> Ray {
+        Ray { origin: self.origin, direction: self.direction }
+    }
+}
+
+/// A ray and an object, with every value on the way to where they meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ObjectDerivation {
+    /// A sphere.
+    Sphere(SphereDerivation),
+    /// A plane.
+    Plane(PlaneDerivation),
+}
+
+/// A ray and a sphere: `|p + t d - c|^2 - r^2 = 0` is a quadratic in t,
+///
+/// ```text
+/// a t^2 + 2 b t + c = 0     t = (-b -+ sqrt D) / a     normal = (point - center) / r
+/// ```
+///
+/// with a, b, c and D as in [`SphereQuadratic`] (b is half the linear coefficient). (Marschner,
+/// Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SphereDerivation {
+    /// The sphere.
+    pub sphere: Sphere,
+    /// `p - center`, each coordinate rounded once.
+    pub from_center: DVec3,
+    /// a, b, c and D.
+    pub quadratic: SphereQuadratic,
+    /// The ray's fate, decided exactly.
+    pub meeting: SphereMeeting,
+    /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
+    /// tangent stands once, as the nearer. Each `t` is the exact one, rounded.
+    pub roots: [Option<Root>; 2],
+    /// The hit: which of `roots` is the smallest `t > 0`.
+    pub first: Option<usize>,
+}
+
+/// A ray's fate near a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SphereMeeting {
+    /// D < 0: the line passes by.
+    Missed,
+    /// D = 0 and t > 0: the ray touches the sphere in one point, which is a hit.
+    Tangent,
+    /// D > 0 and both t > 0: in at one point, out at another.
+    Through,
+    /// The ray starts inside: one t is negative, the other one is the hit.
+    FromInside,
+    /// The ray starts on the sphere and goes through it: one t is 0, the other one is the hit.
+    FromSurface,
+    /// The line meets the sphere, the ray does not: no t is greater than 0.
+    Behind,
+}
+
+/// A ray and a plane: `n . (p + t d - point) = 0` gives
+///
+/// ```text
+/// t = n . (point - p) / n . d
+/// ```
+///
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 2.5.5 and 4.4.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct PlaneDerivation {
+    /// The plane.
+    pub plane: Plane,
+    /// `n . d` and `n . (point - p)`.
+    pub terms: PlaneTerms,
+    /// The ray's fate, decided exactly.
+    pub meeting: PlaneMeeting,
+    /// The point at which the ray's line meets the plane, at whatever `t`; the normal is of length
+    /// 1.
+    pub root: Option<Root>,
+}
+
+/// A ray's fate near a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PlaneMeeting {
+    /// t > 0: a hit.
+    Ahead,
+    /// t < 0: the line meets the plane, the ray does not.
+    Behind,
+    /// t = 0: the ray starts in the plane and leaves it, which is no hit.
+    AtOrigin,
+    /// `n . d = 0`: the line never meets the plane.
+    Parallel,
+    /// `n . d = 0`, and the line lies in the plane: every t solves the equation, none is a hit.
+    Within,
+}
+
+impl ObjectDerivation {
+    /// The derivation for one ray and one object, which is given `index` in its roots.
+    ///
+    /// # Errors
+    /// Returns an error if the object is none, see [`Object::check`].
+    pub fn new(
+        object: &Object,
+        index: u32,
+        ray: &ExactRay,
+    ) -> Result<ObjectDerivation, ObjectError> {
+        let meeting = object.line_roots(index, ray)?;
+        Ok(match object {
+            Object::Sphere(sphere) => {
+                ObjectDerivation::Sphere(SphereDerivation::new(sphere, &meeting, ray))
+            }
+            Object::Plane(plane) => {
+                ObjectDerivation::Plane(PlaneDerivation::new(plane, &meeting, ray))
+            }
+        })
+    }
+
+    /// The hit, the smallest `t > 0`, if there is one.
+    pub fn hit(&self) -> Option<&Root> {
+        match self {
+            ObjectDerivation::Sphere(sphere) => sphere.hit(),
+            ObjectDerivation::Plane(plane) => plane.hit(),
+        }
+    }
+
+    /// The points at which the ray's line meets the object, by ascending `t`.
+    pub fn roots(&self) -> impl Iterator<Item = &Root> {
+        let [near, far] = match self {
+            ObjectDerivation::Sphere(sphere) => sphere.roots.each_ref(),
+            ObjectDerivation::Plane(plane) => [&plane.root, &None],
+        };
+        near.iter().chain(far)
+    }
+}
+
+impl SphereDerivation {
+    fn new(sphere: &Sphere, line: &LineRoots, ray: &ExactRay) -> SphereDerivation {
+        let meeting = match (line.roots, line.first, line.side) {
+            ([None, _], ..) => SphereMeeting::Missed,
+            (_, None, _) => SphereMeeting::Behind,
+            ([_, None], ..) => SphereMeeting::Tangent,
+            (.., Ordering::Less) => SphereMeeting::FromInside,
+            (.., Ordering::Equal) => SphereMeeting::FromSurface,
+            (.., Ordering::Greater) => SphereMeeting::Through,
+        };
+        SphereDerivation {
+            sphere: *sphere,
+            from_center: ray.origin() - sphere.center,
+            quadratic: sphere.quadratic_of(ray),
+            meeting,
+            roots: line.roots,
+            first: line.first,
+        }
+    }
+
+    /// The hit, the smallest `t > 0`, if there is one.
+    pub fn hit(&self) -> Option<&Root> {
+        self.roots[self.first?].as_ref()
+    }
+}
+
+impl PlaneDerivation {
+    fn new(plane: &Plane, line: &LineRoots, ray: &ExactRay) -> PlaneDerivation {
+        let root = line.roots[0];
+        let meeting = match (root, line.first, line.side) {
+            (None, _, Ordering::Equal) => PlaneMeeting::Within,
+            (None, ..) => PlaneMeeting::Parallel,
+            (_, _, Ordering::Equal) => PlaneMeeting::AtOrigin,
+            (_, Some(_), _) => PlaneMeeting::Ahead,
+            (_, None, _) => PlaneMeeting::Behind,
+        };
+        PlaneDerivation { plane: *plane, terms: plane.terms_of(ray), meeting, root }
+    }
+
+    /// The hit, if `t > 0`.
+    pub fn hit(&self) -> Option<&Root> {
+        self.root.as_ref().filter(|_| self.meeting == PlaneMeeting::Ahead)
+    }
+}
+
+/// The unit of an object's implicit function along a ray: with it, spheres and
+/// planes of all sizes fit on one scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImplicitUnit {
+    /// A normal number greater than 0.
+    pub value: f64,
+    /// The number that it comes from.
+    pub origin: UnitOrigin,
+}
+
+/// The number that an [`ImplicitUnit`] comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnitOrigin {
+    /// A sphere's `r^2`: f at the centre is minus that.
+    SquaredRadius,
+    /// A plane's `|f(0)|`, at the ray's origin.
+    RayOrigin,
+    /// `|f(1)|` of a plane through the ray's origin.
+    OneStep,
+    /// The number 1, where what should be the unit is 0 or out of range.
+    One,
+}
+
+impl ImplicitUnit {
+    /// The unit for an object and its function along a ray.
+    pub fn new(object: &Object, along: &AlongRay) -> ImplicitUnit {
+        let (value, origin) = match object {
+            Object::Sphere(sphere) => (sphere.radius * sphere.radius, UnitOrigin::SquaredRadius),
+            Object::Plane(_) => match along.value(0.0).abs() {
+                0.0 => (along.value(1.0).abs(), UnitOrigin::OneStep),
+                at_origin => (at_origin, UnitOrigin::RayOrigin),
+            },
+        };
+        match value.is_normal() {
+            true => ImplicitUnit { value, origin },
+            false => ImplicitUnit { value: 1.0, origin: UnitOrigin::One },
+        }
+    }
+}
