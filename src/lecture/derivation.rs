@@ -286,14 +286,14 @@ pub struct RayDerivation {
 }
 
 impl RayDerivation {
-    /// The view ray through a pixel's centre.
+    /// Derives the view ray through a pixel's centre.
     pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
         let parts = camera.direction_terms_of_pixel(pixel);
         RayDerivation::new(parts, Some(pixel), camera.uv_of_pixel(pixel), direction)
     }
 
-    /// The view ray through a (u, v).
+    /// Derives the view ray through a position (u, v) in the viewport.
     ///
     /// # Errors
     /// Returns an error if u or v is not finite.
@@ -320,7 +320,7 @@ impl RayDerivation {
         }
     }
 
-    /// The ray: p + t d.
+    /// Returns the ray p + t d.
     pub fn ray(&self) -> Ray {
         Ray { origin: self.origin, direction: self.direction }
     }

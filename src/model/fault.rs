@@ -28,16 +28,16 @@ impl fmt::Display for Fault {
 }
 
 thread_local! {
-    /// The last one of this thread, with its place in the code.
+    /// This thread's last fault, with its place in the code.
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Tells faults on standard error in a sentence from now on, and remembers them with their place.
+/// Installs a panic hook that reports faults on standard error in a sentence and remembers them.
 pub fn watch() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();
         let text = format!("{}{place}", text_of(panic.payload()));
-        // Where standard error is closed, there is nobody to tell.
+        // If standard error is closed, the message is lost.
         let _ = writeln!(
             std::io::stderr(),
             "pinhole: a fault of the program itself: {text}\n\
