@@ -109,7 +109,7 @@ pub enum SteerError {
     NoDirection,
     /// The axis of a drag points at the observer, or its plane is seen from its edge.
     OnEdge {
-        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`](crate::steering::LEAST_ANGLE).
+        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`].
         angle: f64,
     },
     /// The pointer is past the horizon of the drag's axis or plane, or nearly there.

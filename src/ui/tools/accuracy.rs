@@ -1,5 +1,5 @@
 //! The accuracy view: another method's error map next to the camera's picture, and below them the error
-//! of every method against its run time, as a plot and a table. [`Measuring`] measures them for the
+//! of every method against its run time, as a plot and a table. `Measuring` measures them for the
 //! current scene, a slice in each frame, so that the window never stalls.
 
 use std::sync::{Arc, Weak};
