@@ -4,8 +4,8 @@ use std::io::Write as _;
 
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::export_scene::{ExportScene, Include};
 use pinhole_exchange::format::Input;
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::programs::{Importer, file_text};
 use pinhole_exchange::{atomic, limits, scene_file};
 

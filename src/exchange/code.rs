@@ -17,8 +17,8 @@ use std::ops::RangeInclusive;
 
 use pinhole_core::DVec3;
 
-use crate::export_scene::{ExportScene, Unsupported};
 use crate::format::Format;
+use crate::format::{ExportScene, Unsupported};
 use crate::format::{commas_of, n, point};
 
 /// Every language.

@@ -7,8 +7,7 @@
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, GIF and OpenEXR.
-//! - [`format`](mod@format): the parts of every other program's format.
-//! - [`export_scene`]: the scene to export.
+//! - [`format`](mod@format): the scene to export, and the parts of every other program's format.
 //! - [`programs`]: other programs' cameras and scenes, written; and a camera from a glTF or from numbers.
 //! - [`code`]: the camera at hand as a short program in six languages.
 //!
@@ -22,7 +21,6 @@ pub mod code;
 pub mod csv;
 pub mod document;
 mod error;
-pub mod export_scene;
 pub mod fields;
 pub mod format;
 pub mod images;

@@ -8,8 +8,8 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pinhole_core::Rgb;
 
-use crate::export_scene::{ExportScene, Include, Unsupported, square_note};
 use crate::format::{Conventions, Format, PixelConvention};
+use crate::format::{ExportScene, Include, Unsupported, square_note};
 use crate::format::{commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {

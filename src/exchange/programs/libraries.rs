@@ -2,8 +2,8 @@
 
 use pinhole_core::{Intrinsics, Sphere, Viewport};
 
-use crate::export_scene::{ExportScene, Unsupported, square_note};
 use crate::format::{Axis, Conventions, Format, PixelConvention};
+use crate::format::{ExportScene, Unsupported, square_note};
 use crate::format::{commas, commas_of, flipped, n, quotable, real};
 use crate::programs::gltf::columns;
 

@@ -3,8 +3,8 @@
 use pinhole_core::arithmetic::unit;
 use pinhole_core::{BACKGROUND, Basis, Sphere};
 
-use crate::export_scene::{ExportScene, Unsupported, square_note};
 use crate::format::{Axis, Conventions, Format, PixelConvention};
+use crate::format::{ExportScene, Unsupported, square_note};
 use crate::format::{
     commas, commas_of, flipped, light, n, quotable, real, rows, sanitized, spaces,
 };

@@ -2,8 +2,8 @@
 
 use pinhole_core::Sphere;
 
-use crate::export_scene::{ExportScene, Unsupported};
 use crate::format::{Conventions, Format, PixelConvention};
+use crate::format::{ExportScene, Unsupported};
 use crate::format::{commas, light, n, real};
 
 /// *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set up its

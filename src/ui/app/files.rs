@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
-use pinhole_exchange::export_scene::ExportScene;
+use pinhole_exchange::format::ExportScene;
 use pinhole_exchange::format::Exported;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{answers, atomic, limits};

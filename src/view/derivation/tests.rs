@@ -459,7 +459,7 @@ fn as_latex_and_as_markdown() {
         - $v \mathbf{v} = -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right)$
         - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right)$
         - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$
-        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10}$; how long a step of 𝑡 = 1 is
+        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10}$; the length of a step of 𝑡 = 1
         - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$; 𝐩 = eye; 𝑡 = 1 is on the viewport
 
         1 more object is not listed

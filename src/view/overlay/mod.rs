@@ -11,7 +11,7 @@
 //! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: those as pixels; `style`:
 //!   colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
-//! - `sketch`: lines and arrows of the world as marks, visible or hidden, and the placement of labels.
+//! - `world_view/sketch`: lines and arrows of the world as marks, visible or hidden, and the placement of labels.
 //! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
 
 use std::ops::Deref;
@@ -22,25 +22,24 @@ use pinhole_core::{Rgb, Scene};
 mod camera_view;
 mod drawing;
 mod flat;
-mod highlighted;
 mod layers;
 mod paint;
 mod screen;
-mod sketch;
 mod style;
 mod world_view;
 
 pub use camera_view::loupe::{Loupe, loupe_window};
-pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
+pub use camera_view::{CameraView, camera};
 pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, Target, concept_at};
-pub use highlighted::Highlighted;
 pub use paint::{Picture, paint_paths};
+pub use screen::{camera_position_of_uv, camera_uv_at};
 pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
 pub use world_view::handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };
+pub use world_view::highlighted::Highlighted;
 pub use world_view::{Backdrop, Below, WorldView, pick, t_towards, world, world_position_of};
 
 /// A shared value that is compared by identity: it equals only the very same value.

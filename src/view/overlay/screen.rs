@@ -1,8 +1,10 @@
-//! Projection from the world to the dots of the observer's picture, with clipping before it.
+//! Projection from the world to the dots of the observer's picture, with clipping before it; and
+//! positions of the viewport in the dots of the camera view.
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::observer::ViewSize;
+use crate::view::overlay::drawing::dot;
 
 /// The observer's picture plane, measured in dots from its top left corner.
 ///
@@ -253,6 +255,31 @@ fn clipped(corners: &[DVec3], depth: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
         }
     }
     kept
+}
+
+/// Returns the (u, v) at a position of the camera view, in dots; the position may be outside the
+/// picture.
+pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
+    let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
+    let viewport = resolved.viewport();
+    DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
+}
+
+/// Returns the position of a (u, v) in the camera view, in dots: the inverse of [`camera_uv_at`].
+pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
+    dot(position_of(resolved, size, uv))
+}
+
+pub(crate) fn position_of(
+    resolved: &ResolvedCamera,
+    [width, height]: [usize; 2],
+    uv: DVec2,
+) -> DVec2 {
+    let viewport = resolved.viewport();
+    DVec2::new(
+        width as f64 * (0.5 + uv.x / viewport.width),
+        height as f64 * (0.5 - uv.y / viewport.height),
+    )
 }
 
 #[cfg(test)]

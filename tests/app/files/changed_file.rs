@@ -60,7 +60,7 @@ fn it_is_read_again_in_one_step_where_nothing_is_unsaved() {
     assert!(look(&mut window));
     assert_eq!(eye_x(&window), 12.5);
     assert_says(&window, "mine.toml");
-    assert_says(&window, "mine.toml was changed by another program, and read again");
+    assert_says(&window, "mine.toml was changed by another program and has been read again");
     assert!(!look(&mut window), "told once");
     window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     window.run();
@@ -83,7 +83,7 @@ fn its_table_of_spheres_is_read_again_too_and_saving_leaves_it_alone() {
     fs::write(&table, &two).unwrap();
     assert!(look(&mut window));
     assert_eq!(count(&window), 2);
-    assert_says(&window, "balls.csv was changed by another program, and read again");
+    assert_says(&window, "balls.csv was changed by another program and has been read again");
 
     type_into(&mut window, "eye x", "3");
     fs::write(&table, one).unwrap();

@@ -10,8 +10,8 @@ use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::export_scene::{ExportScene, Include};
 use pinhole_exchange::format::Format;
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::programs::FORMATS;
 
 use crate::harness::{assert_says, export_to, says, show, texts_with, type_into, window};

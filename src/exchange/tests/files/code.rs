@@ -14,7 +14,7 @@ use expect_test::expect_file;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, ResolvedCamera, Viewport};
 use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::scenes::SceneSource;
 
 /// The Rust of two cameras, as a part of this program.

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use pinhole_core::{Camera, ImageSize};
 use pinhole_exchange::csv::{rays, spheres};
-use pinhole_exchange::export_scene::{ExportScene, Include};
 use pinhole_exchange::format::Input;
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::images::png;
 use pinhole_exchange::programs::{FORMATS, Importer};
 use pinhole_exchange::{FileError, answers, scene_file, scenes};

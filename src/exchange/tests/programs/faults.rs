@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pinhole_core::Camera;
-use pinhole_exchange::export_scene::ExportScene;
+use pinhole_exchange::format::ExportScene;
 use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::{FORMATS, UNKNOWN};
 

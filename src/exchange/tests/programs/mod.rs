@@ -12,7 +12,7 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::{Document, Item};
-use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::format::{Exported, Format, Imported, Input};
 use pinhole_exchange::programs::Importer;
 

@@ -14,7 +14,7 @@ use std::process::Command;
 
 use pinhole_core::{DVec2, DVec3, Pixel, ResolvedCamera, Scene};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::export_scene::Include;
+use pinhole_exchange::format::Include;
 
 use super::{proofs, written};
 

@@ -2,7 +2,7 @@
 
 use pinhole_core::{Camera, DVec3, ImageSize, Plane, Viewport};
 use pinhole_exchange::document::Item;
-use pinhole_exchange::export_scene::{ExportScene, Include};
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::programs::FORMATS;
 
 use super::{marker, scene_of, text_of};

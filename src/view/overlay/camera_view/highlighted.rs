@@ -10,14 +10,14 @@ use pinhole_lecture::{BasisDerivation, Cross};
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 
-use crate::view::overlay::camera_view::{CameraSketch, position_of};
+use crate::view::overlay::camera_view::CameraSketch;
 use crate::view::overlay::drawing::{Shape, circle, dot};
-use crate::view::overlay::highlighted::{
+use crate::view::overlay::screen::{Screen, position_of, unit};
+use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::highlighted::{
     ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
 };
-use crate::view::overlay::screen::{Screen, unit};
-use crate::view::overlay::sketch::LineStyle;
-use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::sketch::LineStyle;
 
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;

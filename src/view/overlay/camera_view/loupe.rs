@@ -8,10 +8,11 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraSketch, CameraView, position_of};
+use crate::view::overlay::camera_view::{CameraSketch, CameraView};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
 use crate::view::overlay::paint::Picture;
-use crate::view::overlay::sketch::LineStyle;
+use crate::view::overlay::screen::position_of;
+use crate::view::overlay::world_view::sketch::LineStyle;
 
 /// Greatest side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;

@@ -14,11 +14,12 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::Same;
 use crate::view::overlay::camera_view::loupe::Loupe;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
-use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::layers::{contrast, mix};
 use crate::view::overlay::paint::{Fills, Picture};
-use crate::view::overlay::sketch::{LineStyle, Request, place_labels};
+use crate::view::overlay::screen::position_of;
 use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
+use crate::view::overlay::world_view::highlighted::Highlighted;
+use crate::view::overlay::world_view::sketch::{LineStyle, Request, place_labels};
 
 /// The inputs of the camera view. Two equal ones give the same picture, so its cache compares them as a
 /// whole. The scene is not one of them: another scene has another picture.
@@ -56,27 +57,6 @@ pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) ->
     let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
     view.paint(&marks, dots);
     drawing
-}
-
-/// Returns the (u, v) at a position of the camera view, in dots; the position may be outside the
-/// picture.
-pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
-    let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
-    let viewport = resolved.viewport();
-    DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
-}
-
-/// Returns the position of a (u, v) in the camera view, in dots: the inverse of [`camera_uv_at`].
-pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
-    dot(position_of(resolved, size, uv))
-}
-
-fn position_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
-    let viewport = resolved.viewport();
-    DVec2::new(
-        width as f64 * (0.5 + uv.x / viewport.width),
-        height as f64 * (0.5 - uv.y / viewport.height),
-    )
 }
 
 impl CameraView {

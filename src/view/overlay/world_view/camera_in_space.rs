@@ -13,12 +13,12 @@ use crate::model::overlay_items::Item;
 use crate::view::overlay::ColoredScene;
 use crate::view::overlay::drawing::circle;
 use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::highlighted::silhouette;
 use crate::view::overlay::layers::{PlanePatch, mix};
 use crate::view::overlay::screen::{PixelRays, tangents, unit};
-use crate::view::overlay::sketch::{Head, LineStyle, Sketch, Tip};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::WorldView;
+use crate::view::overlay::world_view::highlighted::silhouette;
+use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch, Tip};
 
 /// Size of the viewport on the screen, in points, below which the camera has a body: its handles
 /// would lie over each other, and its frustum could hardly be seen.

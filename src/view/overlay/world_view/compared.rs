@@ -8,9 +8,9 @@ use pinhole_lecture::mistakes::WrongCamera;
 use crate::model::overlay_items::Item;
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::view::overlay::screen::unit;
-use crate::view::overlay::sketch::{Head, LineStyle, Sketch};
 use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::camera_in_space::corners;
+use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;

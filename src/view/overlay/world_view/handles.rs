@@ -6,8 +6,8 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::{Head, LineStyle, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,6 +3,8 @@
 pub(super) mod camera_in_space;
 pub(super) mod compared;
 pub(super) mod handles;
+pub(super) mod highlighted;
+pub(super) mod sketch;
 
 use std::sync::Arc;
 
@@ -13,17 +15,17 @@ use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::answer_marks::AnswerMark;
-use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::layers::{Bowl, Layers, PictureLookup, PlanePatch, ViewportLayer};
 use crate::view::overlay::paint::{Fills, Picture};
 use crate::view::overlay::screen::Screen;
-use crate::view::overlay::sketch::{Sketch, place_labels};
+use crate::view::overlay::screen::camera_uv_at;
 use crate::view::overlay::style::Style;
 use crate::view::overlay::world_view::compared::GhostCamera;
 use crate::view::overlay::world_view::handles::Handles;
+use crate::view::overlay::world_view::highlighted::Highlighted;
+use crate::view::overlay::world_view::sketch::{Sketch, place_labels};
 use crate::view::overlay::{ColoredScene, Same};
 
 /// The inputs of the world view. Two equal ones give the same picture, so its cache compares them as a

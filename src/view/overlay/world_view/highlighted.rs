@@ -15,9 +15,9 @@ use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::screen::{tangents, unit};
-use crate::view::overlay::sketch::{Head, LineStyle, Request, Sketch};
 use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
+use crate::view::overlay::world_view::sketch::{Head, LineStyle, Request, Sketch};
 
 /// The highlighted concept, and the inputs for drawing it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,18 +34,18 @@ pub struct Highlighted {
 
 impl Highlighted {
     /// Formats a number for a label.
-    pub(super) fn number(&self, x: f64) -> String {
+    pub(crate) fn number(&self, x: f64) -> String {
         written(x, self.digits.min(LABEL_DIGITS))
     }
 
     /// Returns `=` if a label shows all of these numbers exactly, or else `≈`.
-    pub(super) fn relation(&self, shown: &[f64]) -> char {
+    pub(crate) fn relation(&self, shown: &[f64]) -> char {
         let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
         if shown.iter().all(is_exact) { '=' } else { '≈' }
     }
 
     /// Formats an angle, given in radians, in degrees for a label.
-    pub(super) fn degrees(&self, angle: f64) -> String {
+    pub(crate) fn degrees(&self, angle: f64) -> String {
         format!("{}°", self.number(angle.to_degrees()))
     }
 }
@@ -57,16 +57,16 @@ const LABEL_DIGITS: usize = 4;
 const DIMMED: f32 = 0.42;
 
 /// Labels of the parts of a view ray's direction.
-pub(super) const ALONG: [(Concept, &str); 3] =
+pub(crate) const ALONG: [(Concept, &str); 3] =
     [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
 /// Widths of highlighted lines and of the lines that go with them, in points.
-pub(super) const STRONG: f32 = 5.0;
-pub(super) const BESIDE: f32 = 3.0;
+pub(crate) const STRONG: f32 = 5.0;
+pub(crate) const BESIDE: f32 = 3.0;
 
 /// Removes the concept's own marks and labels, which are drawn again, and dims the others if
 /// `highlighted` asks for it.
-pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
+pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
     let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
     requests.retain(|request| request.concept != Some(concept));
@@ -84,7 +84,7 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
 
 /// Puts the concept's own labels first, so that they get the best places, and removes repeated
 /// names.
-pub(super) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+pub(crate) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
     own.iter_mut().for_each(|request| request.rank = 0);
     others.retain(|other| own.iter().all(|request| request.label.text != other.label.text));
     own.into_iter().chain(others).collect()
@@ -92,13 +92,13 @@ pub(super) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Requ
 
 /// Returns the style of the casing and that of the line. A chain of short lines needs one casing as a
 /// whole, below all of it.
-pub(super) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
+pub(crate) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
     [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
 /// Returns the silhouette circle of a sphere as seen from a point; `None` from inside.
-pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
+pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     let out = from - sphere.center;
     let distance = out.length();
     let share = sphere.radius / distance;
