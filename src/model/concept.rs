@@ -1,5 +1,5 @@
-//! The concepts of the scene and of the camera's derivation: a line of the derivation is about one,
-//! and a view shows it.
+//! The concepts of the scene and of the camera's derivation. Each line of the derivation is about
+//! one concept, and the views show it.
 
 use crate::model::symbols;
 
@@ -55,7 +55,7 @@ pub enum Concept {
     Normal,
 }
 
-/// The concept that is hovered, and the position where it is hovered.
+/// The hovered concept, and where the pointer hovers it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hovered {
     /// The hovered concept.
@@ -75,7 +75,7 @@ pub enum HoverSource {
     Derivation,
 }
 
-/// The concepts without a number, with their names in files and their descriptions.
+/// The concepts without an index, with their names in files and their descriptions.
 const NAMES: [(Concept, &str, &str); 19] = [
     (Concept::Eye, "eye", symbols::EYE),
     (Concept::At, "at", symbols::AT),
@@ -115,7 +115,7 @@ impl Concept {
         NAMES.iter().find(|(_, known, _)| *known == name).map(|(concept, ..)| *concept)
     }
 
-    /// Returns the names of all concepts without a number.
+    /// Returns the names of all concepts without an index.
     pub fn names() -> [&'static str; 19] {
         NAMES.map(|(_, name, _)| name)
     }
@@ -129,8 +129,7 @@ impl Concept {
         }
     }
 
-    /// Returns the concept's description; that of an object or a root contains the object's
-    /// `title`.
+    /// Returns the concept's description. For an object or a root it contains the object's `title`.
     pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Concept::Object(object) => title(object),

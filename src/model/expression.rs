@@ -31,15 +31,15 @@ const FUNCTIONS: [NamedFunction; 17] = [
 const CONSTANTS: [(&str, f64); 7] =
     [("pi", PI), ("PI", PI), ("π", PI), ("e", E), ("E", E), ("tau", TAU), ("τ", TAU)];
 
-/// Maximum nesting of brackets and signs; nobody types more.
+/// Maximum nesting depth of brackets and signs; real input never comes near it.
 const DEEPEST: usize = 64;
 
 /// Maximum number of characters; nobody types more.
 const LONGEST: usize = 1000;
 
 /// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,
-/// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Accepts the signs that people paste
-/// (`−`, `×`, `·`, `√`, `π`) too.
+/// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. It also accepts the signs that
+/// people paste (`−`, `×`, `·`, `√`, `π`).
 ///
 /// # Errors
 /// Returns an error, as a sentence for the person who typed the text, if its value is not a finite
@@ -64,7 +64,7 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
     if plain.is_empty() {
         return Err("type a number, such as 0.5, 1/3 or sqrt(2)/2".to_owned());
     }
-    // A plain number first: this keeps every digit and accepts exponents such as `1e-300`.
+    // Try a plain number first: this keeps every digit and accepts exponents such as `1e-300`.
     let value = plain.parse::<f64>().ok().or_else(|| Parser { rest: &plain }.whole());
     let shown = shown(typed);
     let value =
@@ -72,7 +72,7 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
     if value.is_finite() { Ok(value) } else { Err(format!("“{shown}” is not a finite number")) }
 }
 
-/// A text as it stands in a message.
+/// Shortens a typed text for a message.
 fn shown(typed: &str) -> String {
     const ROOM: usize = 60;
     let begin: String = typed.chars().take(ROOM).collect();
@@ -116,7 +116,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A power, with any signs before it: `-2^2` is -4.
+    /// Parses a power, with any signs before it: `-2^2` is -4.
     fn signed(&mut self, depth: usize) -> Option<f64> {
         if depth > DEEPEST {
             return None;
@@ -130,13 +130,13 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A value, or one raised to another: `2^3^2` is 2 to the ninth.
+    /// Parses a value, or one value raised to another: `2^3^2` is 2 to the ninth.
     fn power(&mut self, depth: usize) -> Option<f64> {
         let base = self.value(depth)?;
         if self.takes("^") { Some(base.powf(self.signed(depth + 1)?)) } else { Some(base) }
     }
 
-    /// A number, a constant, brackets, or a function with what it is applied to.
+    /// Parses a number, a constant, an expression in brackets, or a function with its argument.
     fn value(&mut self, depth: usize) -> Option<f64> {
         if depth > DEEPEST {
             return None;
@@ -162,7 +162,7 @@ impl<'a> Parser<'a> {
         rest.is_some()
     }
 
-    /// Digits with at most one point and at most one exponent.
+    /// Parses digits with at most one point and at most one exponent.
     fn number(&mut self) -> Option<f64> {
         let text = self.rest.trim_start();
         let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
@@ -182,7 +182,7 @@ impl<'a> Parser<'a> {
         Some(number)
     }
 
-    /// Letters, and the digits behind them where a function has some in its name.
+    /// Parses letters, and the digits after them if a function has digits in its name.
     fn name(&mut self) -> &'a str {
         let text = self.rest.trim_start();
         let letters = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());

@@ -1,5 +1,5 @@
-//! The faults that a document can have, and faults of the program itself, which are reported in words
-//! instead of ending it.
+//! The faults that a document can have, and faults of the program itself, which are reported in
+//! words instead of ending the program.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -47,7 +47,7 @@ pub fn watch() {
     }));
 }
 
-/// Runs a function; returns what went wrong if that is a fault of the program itself.
+/// Runs a function and catches a panic, which is a fault of the program itself.
 ///
 /// # Errors
 /// Returns the fault in words.

@@ -1,4 +1,4 @@
-//! The open document, its origin, and reading and writing it.
+//! The open document and its origin; reading it and writing it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ pub enum Origin {
     Step(String),
 }
 
-/// Returns the name of a document with this origin for the window's title.
+/// Returns the name that the window's title shows for a document with this origin.
 pub fn title_of(origin: &Origin) -> String {
     match origin {
         Origin::Step(title) => title.clone(),
@@ -37,8 +37,8 @@ pub fn title_of(origin: &Origin) -> String {
     }
 }
 
-/// Returns the argument that names this scene on the command line, from any folder; `None` for a
-/// lesson's step.
+/// Returns the command-line argument that opens this scene from any folder; `None` for a lesson's
+/// step.
 pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     match origin {
         Origin::Scene(SceneSource::Builtin(scene)) => Some(PathBuf::from(scene.name)),
@@ -47,7 +47,8 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The time and size of a file when it was read or written, by which a later change is noticed.
+/// The time and size of a file when it was read or written. A later change of the file is detected
+/// by them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Stamp {
     modified: Option<SystemTime>,
@@ -55,10 +56,10 @@ pub struct Stamp {
 }
 
 impl Stamp {
-    /// Returns that of a file as it is now, if there is one.
+    /// Returns the file's present stamp; `None` if there is no such file.
     fn of(path: &Path) -> Option<Stamp> {
         let data = fs::metadata(path).ok()?;
-        // What is dated before 1970 cannot be written aside.
+        // A file dated before 1970 cannot be recorded with unsaved changes.
         let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
         Some(Stamp { modified, length: data.len() })
     }
@@ -72,7 +73,7 @@ fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
 }
 
-/// The open document, with all that saving it and detecting changes needs.
+/// The open document, with everything that is needed to save it and to detect changes.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
     /// The document as edited.
@@ -82,14 +83,14 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
-    /// That of the source when it was read or written here; `None` if there was no file.
+    /// The source's stamp when this window read or wrote it; `None` if there was no file.
     stamp: Option<Stamp>,
     /// That of the table of spheres.
     csv_stamp: Option<Stamp>,
     /// The document's origin.
     origin: Origin,
-    /// True if changes may be lost without a question: the document comes from a lesson's step,
-    /// which the user can return to, and belongs to no file.
+    /// True if changes may be lost without asking the user: the document belongs to no file and
+    /// comes from a lesson's step, to which the user can return.
     forgiving: bool,
 }
 
@@ -115,14 +116,15 @@ impl OpenDocument {
         OpenDocument { document, saved, text, stamp, csv_stamp, origin, forgiving: true }
     }
 
-    /// Creates the open document from one with unsaved changes, which belongs to `source` if that can
-    /// still be read, and to no file otherwise. `stamp` is that of the source when the changes began.
+    /// Creates the open document from a document with unsaved changes. It belongs to `source` if
+    /// `source` can still be read, and otherwise to no file. `stamp` is the source's stamp when the
+    /// changes began.
     pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
         match saved {
             Some((saved, source)) => {
                 let open = Self::new(saved, source);
-                // What the text was when the changes began, nobody knows any more.
+                // If the stamps differ, the text at the time when the changes began is unknown.
                 let text = open.text.filter(|_| open.stamp == stamp);
                 OpenDocument { document, text, stamp, ..open }
             }
@@ -130,7 +132,8 @@ impl OpenDocument {
         }
     }
 
-    /// Creates the open document from one with this title that is in no file, and is to be saved.
+    /// Creates an open document with this title that belongs to no file yet and has unsaved
+    /// changes.
     pub fn unsaved(document: Document, title: String) -> Self {
         OpenDocument { document, ..Self::made_up(Document::default(), title) }
     }
@@ -140,8 +143,9 @@ impl OpenDocument {
         OpenDocument { forgiving: false, ..Self::of_step(document, title) }
     }
 
-    /// Closes the lesson: from now on, changes count as unsaved. The scene is the first of `known` that
-    /// the step shows just so, and else has no name.
+    /// Closes the lesson: from now on, changes count as unsaved. If a scene in `known` is exactly
+    /// the scene of the step, the document belongs to the first such scene; otherwise it has no
+    /// name.
     pub fn leave_lesson(&mut self, known: impl Iterator<Item = SceneSource>) {
         if !std::mem::take(&mut self.forgiving) {
             return;
@@ -186,21 +190,21 @@ impl OpenDocument {
         }
     }
 
-    /// Returns that of the source when it was read or written here.
+    /// Returns the source's stamp when this window read or wrote it.
     pub fn stamp(&self) -> Option<Stamp> {
         self.stamp
     }
 
-    /// Returns the stamps of the scene's file and of its table of spheres if one is another than when it
-    /// was read or written here. Asks for time and size alone.
+    /// Returns the present stamps of the scene's file and of its table of spheres if either differs
+    /// from the stamp when this window read or wrote it. Compares only time and size.
     pub fn touched(&self) -> Option<Stamps> {
         let scene = Stamp::of(self.scene_file()?)?;
         let now = [Some(scene), csv_stamp(&self.saved)];
         (now != [self.stamp, self.csv_stamp]).then_some(now)
     }
 
-    /// Returns the name of what another program has changed since it was read: the scene's file or its
-    /// table of spheres.
+    /// Returns the name of the file that another program has changed since it was read: the scene's
+    /// file or its table of spheres.
     pub fn changed_by_others(&mut self) -> Option<String> {
         if self.was_changed_by_others() {
             return Some(title_of(&self.origin));
@@ -209,8 +213,8 @@ impl OpenDocument {
         (csv_stamp(&self.saved) != self.csv_stamp).then(|| csv.path.clone())
     }
 
-    /// Returns true if another program has changed the content of the scene's file since it was read or
-    /// written here.
+    /// Returns true if another program has changed the content of the scene's file since this
+    /// window read or wrote it.
     pub fn was_changed_by_others(&mut self) -> bool {
         let Some(now) = self.scene_file().and_then(Stamp::of) else { return false };
         if self.stamp == Some(now) {
@@ -224,13 +228,13 @@ impl OpenDocument {
         !is_same
     }
 
-    /// Takes note of what another program has written: saving may replace it.
+    /// Accepts that another program has changed the file, so that saving may replace its changes.
     pub fn keep_mine(&mut self) {
         self.stamp = self.scene_file().and_then(Stamp::of);
         self.csv_stamp = csv_stamp(&self.saved);
     }
 
-    /// Refuses to write something else over a file that the scene is read from.
+    /// Checks that an output does not overwrite a file that the scene is read from.
     ///
     /// # Errors
     /// Returns the reason, as a sentence.
@@ -259,7 +263,7 @@ impl OpenDocument {
     }
 
     /// Writes the document to `path`, which becomes its origin. Keeps the comments of the file that
-    /// it came from, also if `path` is an existing other file.
+    /// the document came from, even if `path` is another existing file.
     ///
     /// # Errors
     /// Returns the reason if the file could not be written; the old file is then unchanged.
@@ -272,8 +276,8 @@ impl OpenDocument {
             None => scene_file::save(&self.document, path, self.text.as_deref()),
         };
         let saved = saved.map_err(|error| error.to_string())?;
-        // The document as written: its reference to a file of spheres is relative to the scene's
-        // new folder.
+        // Keep the document as written: its reference to a file of spheres is now relative to the
+        // scene's new folder.
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
@@ -283,8 +287,8 @@ impl OpenDocument {
         Ok(())
     }
 
-    /// Returns the present text of the file at `path` if the document came from that file: its
-    /// comments may have been edited since.
+    /// Returns the present text of the file at `path` if the document came from that file, because
+    /// its comments may have been edited since.
     fn text_on_disk(&self, path: &Path) -> Option<String> {
         self.is_own(path).then(|| limits::read_text(path).ok()).flatten()
     }
@@ -298,7 +302,7 @@ pub fn remember(recent: &mut Vec<PathBuf>, path: &Path) {
     recent.truncate(RECENT);
 }
 
-/// Returns true if a path can be remembered in a file: it is text.
+/// Returns true if a path is valid text, so that it can be stored in a file.
 pub fn is_text(path: &Path) -> bool {
     path.to_str().is_some()
 }

@@ -1,12 +1,12 @@
-//! The given numbers: those of the scene file and the selected ray, which everything else is worked
-//! out from.
+//! The given numbers: the numbers of the scene file and of the selected ray, from which everything
+//! else is calculated.
 
 use std::ops::RangeInclusive;
 
 use pinhole_core::{Camera, ImageSize, Object, Orientation, Selection};
 use pinhole_exchange::document::Document;
 
-/// A number that is given, and not worked out.
+/// A number that is given rather than calculated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Given {
     /// A coordinate of a vector or point: 0 is x, 1 is y, 2 is z.
@@ -49,7 +49,7 @@ impl Given {
     }
 }
 
-/// A vector or point that is given; those of objects have the object's index.
+/// A vector or point that is given; an object's vector also has the object's index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the lecture's own names")]
 pub enum GivenVector {
@@ -88,7 +88,7 @@ impl GivenVector {
     }
 }
 
-/// The document and the selected ray, which hold all given numbers.
+/// The document and the selected ray, which together hold all given numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Givens<'a> {
     /// The document.
@@ -100,8 +100,8 @@ pub struct Givens<'a> {
 }
 
 impl Givens<'_> {
-    /// Returns the number as it is shown; `None` if there is none, because the camera or the ray is
-    /// given in another way.
+    /// Returns the number as it is shown; `None` if it does not exist because the camera or the ray
+    /// is given in another way.
     pub fn value(&self, given: Given) -> Option<f64> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match (given, self.selection) {
@@ -117,7 +117,7 @@ impl Givens<'_> {
         }
     }
 
-    /// Returns the whole numbers that it may be; `None` if it may be any number.
+    /// Returns the range of whole numbers that it may have; `None` if it may be any number.
     pub fn whole_range(&self, given: Given) -> Option<RangeInclusive<f64>> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match given {
@@ -152,8 +152,8 @@ impl Givens<'_> {
     }
 }
 
-/// Sets a given number to a value as it is shown; nothing happens if there is no such number, or if
-/// it has to be whole and in a range and is not.
+/// Sets a given number to a value as it is shown. Does nothing if there is no such number, or if
+/// the number must be a whole number in a range and the value is not.
 pub fn set(
     given: Given,
     value: f64,
@@ -196,8 +196,8 @@ pub fn set(
     }
 }
 
-/// Returns the object that a number belongs to, or `Some(None)` for a number of the camera or of the
-/// ray; `None` if the document has no such object of its own.
+/// Returns the object that a number belongs to; `Some(None)` for a number of the camera or of the
+/// ray, and `None` if the object is not among the document's own.
 fn object_of(document: &Document, given: Given) -> Option<Option<Object>> {
     let Some(index) = given.object() else { return Some(None) };
     let index = index as usize;
@@ -207,7 +207,7 @@ fn object_of(document: &Document, given: Given) -> Option<Option<Object>> {
     }))
 }
 
-/// Returns where a number is stored that is no whole one.
+/// Returns a reference to a stored number that need not be whole.
 fn place<'a>(
     given: Given,
     camera: &'a mut Camera,

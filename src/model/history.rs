@@ -1,5 +1,5 @@
-//! The history of changes, for undo and redo: two stacks of moments, with a name for the step between
-//! each moment and the next, such as `move eye` or `add sphere 2`.
+//! The history of changes, for undo and redo. It consists of two stacks of moments; each step
+//! between two moments has a name, such as `move eye` or `add sphere 2`.
 
 use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
 use pinhole_exchange::document::{Document, Item};
@@ -7,8 +7,8 @@ use pinhole_exchange::document::{Document, Item};
 /// Maximum number of steps; the oldest are forgotten first.
 const LIMIT: usize = 500;
 
-/// The steps before and after the present, which is not stored here. `M` is the data that a moment
-/// is restored from.
+/// The steps before and after the present, which is not stored here. `M` is the data from which a
+/// moment is restored.
 #[derive(Clone, Debug)]
 pub struct History<M> {
     past: Vec<Step<M>>,
@@ -19,7 +19,8 @@ pub struct History<M> {
 #[derive(Clone, Debug)]
 struct Step<M> {
     name: String,
-    /// The moment before the step, in the past; the moment after it, in the future.
+    /// The moment before the step if the step is in the past, or after it if the step is in the
+    /// future.
     moment: M,
 }
 
@@ -30,7 +31,8 @@ impl<M> Default for History<M> {
 }
 
 impl<M> History<M> {
-    /// Records a step from the moment `before`, and forgets all steps that could be redone.
+    /// Records a step that began at the moment `before`, and forgets all steps that could be
+    /// redone.
     pub fn record(&mut self, name: String, before: M) {
         self.future.clear();
         if self.past.len() == LIMIT {
@@ -39,7 +41,8 @@ impl<M> History<M> {
         self.past.push(Step { name, moment: before });
     }
 
-    /// Extends the last step, which keeps its beginning. Forgets all steps that could be redone.
+    /// Extends the last step without changing where it began. Forgets all steps that could be
+    /// redone.
     pub fn extend(&mut self) {
         self.future.clear();
     }
@@ -54,14 +57,14 @@ impl<M> History<M> {
         self.future.last().map(|step| step.name.as_str())
     }
 
-    /// Returns the moment before the last step, which can then be redone. `now` creates the present
-    /// moment, of the same kind as the restored one, for redo to return to. Returns `None` if there
-    /// is nothing to undo.
+    /// Undoes the last step, which can then be redone, and returns the moment before it. `now`
+    /// creates the present moment, of the same kind as the restored one, so that redo can return to
+    /// it. Returns `None` if there is nothing to undo.
     pub fn undo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
         Self::step(&mut self.past, &mut self.future, now)
     }
 
-    /// Returns the moment after the step that was undone last; see [`History::undo`].
+    /// Redoes the step that was undone last and returns the moment after it; see [`History::undo`].
     pub fn redo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
         Self::step(&mut self.future, &mut self.past, now)
     }
@@ -82,7 +85,7 @@ impl<M> History<M> {
 pub struct StepName {
     /// The text after *Undo* in the menu.
     pub text: String,
-    /// True if only numbers or letters changed, so that further such changes extend the step.
+    /// True if only numbers or letters changed; further changes of this kind then extend the step.
     pub gradual: bool,
 }
 
@@ -127,8 +130,8 @@ fn camera_name(before: &Camera, after: &Camera) -> String {
     text.to_owned()
 }
 
-/// Returns true if at moved round the eye at a constant distance, as it does when the camera looks
-/// round.
+/// Returns true if only at moved, round the eye and at a constant distance, as when the camera
+/// looks round.
 fn is_turned_alone(before: &Camera, after: &Camera) -> bool {
     match (&before.orientation, &after.orientation) {
         (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
@@ -157,7 +160,8 @@ fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
     }
 }
 
-/// Returns the name of the only part that changed; `None` if several did.
+/// Returns the name of the part that changed if it is the only one; `None` if several parts
+/// changed.
 fn only<const N: usize>(is_other: [bool; N], names: [&'static str; N]) -> Option<&'static str> {
     let mut changed = is_other.into_iter().zip(names).filter(|(is_other, _)| *is_other);
     let (_, name) = changed.next()?;
@@ -178,7 +182,7 @@ fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
     })
 }
 
-/// Returns the name of a change of the objects; `None` if there is none.
+/// Returns the name of a change of the objects; `None` if the objects did not change.
 fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
     let spheres = change(&before.spheres, &after.spheres, sphere_name);
     let planes = change(&before.planes, &after.planes, plane_name);
@@ -208,7 +212,7 @@ enum Change {
     Added(usize),
     /// The object with this index was removed.
     Removed(usize),
-    /// Only the object with this index was edited, in this way.
+    /// Only the object with this index was edited; the text names the edit.
     Edited(usize, &'static str),
     /// Several objects changed.
     Many,
@@ -249,7 +253,7 @@ fn plane_name(before: &Plane, after: &Plane) -> &'static str {
 mod tests {
     use super::*;
 
-    /// Undoes or redoes from `now`, which becomes the restored moment.
+    /// Undoes or redoes a step from `now`, which becomes the restored moment.
     fn go(now: &mut u32, step: impl FnOnce(&mut u32) -> Option<u32>) -> bool {
         match step(now) {
             Some(moment) => {

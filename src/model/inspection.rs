@@ -1,5 +1,4 @@
-//! A view ray with all its intersections, as the readouts, the overlay and `pinhole inspect` show
-//! it.
+//! A view ray with all its intersections, for the readouts, the overlay and `pinhole inspect`.
 
 use pinhole_core::{
     DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, Ray, ResolvedCamera, Root, Scene,
@@ -8,7 +7,7 @@ use pinhole_core::{
 
 use crate::model::concept::Concept;
 
-/// Number of objects whose parts are kept: more than anybody reads.
+/// Number of objects whose intersection terms are kept; no reader needs more.
 pub const LISTED_OBJECTS: usize = 12;
 
 /// The numbers that decide hit or miss for one object.
@@ -20,14 +19,14 @@ pub enum ObjectTerms {
     Plane(PlaneTerms),
 }
 
-/// A view ray through the viewport, with everything that it meets.
+/// A view ray through the viewport, with all its intersections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inspection {
     /// The point (u, v) where the ray passes through the viewport.
     pub uv: DVec2,
     /// The position of that point in the image; `None` outside the image.
     pub image_position: Option<PixelOfUv>,
-    /// The view ray with its direction rounded. The intersections are those of the ray before
+    /// The view ray with its direction rounded. The intersections are calculated for the ray before
     /// rounding.
     pub ray: Ray,
     /// All roots of all objects, by ascending `t`, including negative ones. A `t` beyond the range of
@@ -37,7 +36,7 @@ pub struct Inspection {
     pub ranks: Vec<u32>,
     /// The distance of each root from the eye, negative behind it.
     pub distances: Vec<f64>,
-    /// The parts of the first [`LISTED_OBJECTS`] objects' intersections.
+    /// The terms of the intersections with the first [`LISTED_OBJECTS`] objects.
     pub terms: Vec<ObjectTerms>,
     /// Index of the first hit in `roots`.
     pub first: Option<usize>,
@@ -87,7 +86,7 @@ impl Inspection {
         }
     }
 
-    /// Returns the only pixel that the ray goes through; `None` outside the image and on an edge
+    /// Returns the only pixel that the ray passes through; `None` outside the image and on an edge
     /// between pixels.
     pub fn pixel(&self) -> Option<Pixel> {
         self.image_position?.only_pixel()
@@ -112,7 +111,7 @@ impl Inspection {
         own.nth(number.into())
     }
 
-    /// Returns the reason why a root, given by its index, is, or is not, the first hit.
+    /// Returns why the root with this index is, or is not, the first hit.
     pub fn verdict(&self, index: usize) -> &'static str {
         let t = self.roots[index].t;
         match self.first {
@@ -127,8 +126,8 @@ impl Inspection {
         }
     }
 
-    /// Returns why the first hit is the first where its t, as shown, does not tell: another object is
-    /// met at the same t, exactly or by all the digits that it has.
+    /// Returns why the first hit comes first if its printed t does not show it, because the ray
+    /// meets another object at the same t, either exactly or to all digits of t.
     pub fn why_first(&self) -> Option<&'static str> {
         let first = self.first?;
         let tied = |k: usize| self.ranks[k] == self.ranks[first];

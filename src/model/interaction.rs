@@ -1,15 +1,15 @@
-//! How far the mouse reaches, and how far a key, the wheel or a snapped drag moves.
+//! The reach of the mouse, and the steps of keys, the wheel and snapped drags.
 
-/// Maximum distance from a handle at which the mouse grabs it, in points.
+/// Maximum distance, in points, at which the mouse grabs a handle.
 pub const HANDLE_REACH: f64 = 11.0;
-/// Maximum distance from the point on the selected ray at which the mouse grabs it, in points.
+/// Maximum distance, in points, at which the mouse grabs the point on the selected ray.
 pub const RAY_POINT_REACH: f32 = 14.0;
-/// Maximum distance from a mark at which the mouse hovers it, in points.
+/// Maximum distance, in points, at which the mouse hovers a mark.
 pub const MARK_REACH: f32 = 8.0;
-/// Movement during a press on a handle, in points, below which it is a click.
+/// Maximum movement, in points, for which a press on a handle counts as a click.
 pub const CLICK: f32 = 2.0;
 
-/// Least length, in points, of a step to which values snap and by which keys move a handle.
+/// Minimum length, in points, of the steps by which keys move a handle and to which values snap.
 pub const STEP_POINTS: f64 = 10.0;
 /// Step to which angles snap, in degrees.
 pub const STEP_DEGREES: f64 = 15.0;
@@ -18,18 +18,19 @@ pub const STEP_DEGREES: f64 = 15.0;
 pub const KEY_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Angle by which a key rolls the camera, in degrees.
 pub const KEY_ROLL: f64 = 5.0;
-/// Step of a key that dollies or zooms the camera: the logarithm of its factor.
+/// Logarithm of the factor by which a key dollies or zooms the camera.
 pub const KEY_NEARER: f64 = 0.1;
-/// Share of the picture's height by which a key pans the observer.
+/// Distance by which a key pans the observer, as a share of the picture's height.
 pub const KEY_PAN: f64 = 0.05;
-/// Factor by which a key takes the observer nearer.
+/// Factor by which a key moves the observer nearer.
 pub const KEY_ZOOM: f64 = 1.15;
 
-/// Logarithm of the zoom factor of the observer and of the lab of lines, per point that the wheel scrolls.
+/// Logarithm of the zoom factor of the observer and of the lab of lines, for each point that the
+/// wheel scrolls.
 pub const WHEEL_ZOOM: f32 = 0.004;
-/// Scrolling that takes the loupe a step closer, in points.
+/// Scroll distance, in points, that increases the loupe's magnification by one step.
 pub const LOUPE_SCROLL: f32 = 40.0;
 
-/// Time after the last input of wheel or keys during which their effect is shown, and Escape takes
-/// it back; in seconds.
+/// Time, in seconds after the last wheel or key input, during which its effect is shown and Escape
+/// undoes it.
 pub const PAUSE: f64 = 1.2;

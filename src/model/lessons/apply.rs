@@ -1,5 +1,5 @@
-//! Applies a lesson's step to the document and the session: the only place where a step's fields
-//! become the window's state.
+//! Applies a lesson's step to the document and the session. This is the only place where a step's
+//! fields become the window's state.
 
 use pinhole_exchange::document::Document;
 
@@ -10,10 +10,11 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::MistakesView;
 use crate::model::session::Session;
 
-/// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
+/// Sets what the step specifies. Everything else stays unchanged, including the answers to its
+/// question.
 ///
-/// `seen_from` is the observer from which the step was first seen, if it was: the one that the step
-/// specifies, fitted to the view.
+/// `seen_from` is the observer that the step specifies, fitted to the view when the step was first
+/// shown; `None` if it has not been shown yet.
 pub fn apply(
     step: &Step,
     seen_from: Option<Observer>,
@@ -25,14 +26,14 @@ pub fn apply(
     set_view(step, seen_from, session);
 }
 
-/// Shows the answer to the step's question, and what it hid.
+/// Shows the answer to the step's question, and the items that the question hid.
 pub fn answer(step: &Step, session: &mut Session) {
     session.settings.items = items_to_frame(step, session);
     session.is_asking = false;
 }
 
-/// Returns the items that are drawn once the step's question is answered, so that the answer need not
-/// move the observer.
+/// Returns the items that are drawn once the step's question is answered. The observer is framed
+/// for them from the start, so that it need not move when the answer is shown.
 pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
     let mut shown = session.settings.items;
     if let (true, Some(question), Some(items)) =
@@ -68,7 +69,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
-    // A vote is about the picture before, and has the room of the step's text.
+    // A vote is about the picture of the step before, and takes up the space of the step's text.
     if session.mistakes_view.open_vote.is_some() {
         session.mistakes_view.close_vote();
     }
@@ -92,8 +93,8 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.teaching, view.teaching);
 }
 
-/// Restores what lessons set: the window as it was before the first lesson. Selection and observer
-/// stay with the step's scene, which stays open.
+/// Restores the window to its state before the first lesson. Selection and observer stay as they
+/// are, because the step's scene stays open.
 pub fn restore(before: &Session, session: &mut Session) {
     session.is_asking = false;
     session.revealed_lines = None;
@@ -103,7 +104,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
     session.mistakes_view = before.mistakes_view.clone();
-    // What was typed in a step's question is kept.
+    // The text typed in a step's question is kept.
     let exercises = &before.exercises;
     session.exercises.show(exercises.question().exercise, exercises.seed());
     let (before, settings) = (&before.settings, &mut session.settings);
@@ -129,7 +130,7 @@ pub fn differs(
     step.document != *document || as_step != *session
 }
 
-/// Returns the concepts of the viewport that the step's title or text names.
+/// Returns the concepts of the viewport that are named in the step's title or text.
 fn spoken_of(step: &Step) -> Vec<Concept> {
     const NAMES: [(&str, Concept); 3] = [
         ("width", Concept::Viewport),

@@ -32,14 +32,13 @@ pub struct Lesson {
 pub struct Step {
     /// The step's title.
     pub title: String,
-    /// The instructions to look at or drag something, with `*u*` for scalars and `**u**` for
-    /// vectors.
+    /// The instructions: what to look at or drag. `*u*` marks scalars and `**u**` marks vectors.
     pub text: String,
-    /// The question that the class thinks about before anything is printed.
+    /// The question that the class considers before any number is shown.
     pub question: Option<Question>,
     /// The document that the step opens.
     pub document: Document,
-    /// Index of the step that named the scene: all steps of one scene share an observer unless they
+    /// Index of the step that named the scene. All steps of one scene share an observer unless they
     /// specify another.
     pub scene_from: usize,
     /// The selected ray.
@@ -48,18 +47,19 @@ pub struct Step {
     pub view: StepView,
 }
 
-/// A question to the class, and its answer, with the same marks as a step's text.
+/// A question to the class and its answer, with the same marks for symbols as a step's text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
     /// The question.
     pub ask: String,
     /// The answer, which takes the question's position.
     pub answer: String,
-    /// The items of the overlay that would give the answer away.
+    /// The overlay items that would give the answer away.
     pub hidden: OverlayItems,
 }
 
-/// An exercise: the lecture's own question of its kind, or one with random numbers from a seed.
+/// An exercise: either the lecture's own question of its kind, or a question with random numbers
+/// from a seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AskedExercise {
     /// The kind of question.
@@ -68,7 +68,7 @@ pub struct AskedExercise {
     pub seed: Option<u64>,
 }
 
-/// The view of a step; `None` leaves a field of the window unchanged.
+/// The view of a step; a field that is `None` leaves that part of the window unchanged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepView {
     /// The observer of the world view.
@@ -169,7 +169,8 @@ impl OpenLesson {
         }
     }
 
-    /// Returns the id of the next step; after a lesson's last step, of the next lesson's first.
+    /// Returns the id of the next step. After a lesson's last step, it is the first step of the
+    /// next lesson.
     pub fn next(&self) -> Option<StepId> {
         if self.id.step + 1 < self.lesson.steps.len() {
             return Some(StepId { step: self.id.step + 1, ..self.id });
@@ -179,8 +180,8 @@ impl OpenLesson {
         Some(StepId { lesson: Which::Builtin(index + 1), step: 0 })
     }
 
-    /// Returns the id of the previous step; before a lesson's first step, of the previous
-    /// lesson's last.
+    /// Returns the id of the previous step. Before a lesson's first step, it is the last step of
+    /// the previous lesson.
     pub fn previous(&self) -> Option<StepId> {
         if let Some(step) = self.id.step.checked_sub(1) {
             return Some(StepId { step, ..self.id });
@@ -191,7 +192,7 @@ impl OpenLesson {
         Some(StepId { lesson: Which::Builtin(index), step })
     }
 
-    /// Returns true if both steps show the same scene, so that the world view keeps its observer.
+    /// Returns true if both steps show the same scene; the world view then keeps its observer.
     pub fn shares_scene_with(&self, other: &OpenLesson) -> bool {
         self.lesson == other.lesson && self.step().scene_from == other.step().scene_from
     }
@@ -215,14 +216,14 @@ pub enum LessonArgument {
 }
 
 impl LessonArgument {
-    /// Reads `7` (lesson 7), `7.3` (its third step), or the path of a lesson file.
+    /// Parses `7` (lesson 7), `7.3` (its third step), or the path of a lesson file.
     ///
     /// # Errors
-    /// Returns an error if there is no such lesson or step; the message lists those that there are.
+    /// Returns an error if there is no such lesson or step; the message lists the existing ones.
     pub fn parse(text: &str) -> Result<LessonArgument, String> {
         let whole = |text: &str| {
             let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            // A number that overflows usize is no lesson's number either.
+            // A number that overflows usize cannot be a lesson's number.
             digits.then(|| text.parse().unwrap_or(usize::MAX))
         };
         let lessons = builtin::all();
@@ -248,10 +249,10 @@ impl LessonArgument {
         Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step: step_index }))
     }
 
-    /// Returns the place to begin at, and the lesson if it comes from a file.
+    /// Returns the step to begin at, and the lesson if it comes from a file.
     ///
     /// # Errors
-    /// Returns an error if the file cannot be read or is no valid lesson.
+    /// Returns an error if the file cannot be read or is not a valid lesson.
     pub fn load(&self) -> Result<(StepId, Option<Arc<Lesson>>), FileError> {
         match self {
             LessonArgument::Builtin(id) => Ok((*id, None)),

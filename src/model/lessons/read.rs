@@ -28,7 +28,7 @@ pub const VERSION: i64 = 1;
 /// The keys at the top of a file.
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
-/// The keys of a step, besides the tables of a scene.
+/// The keys of a step, in addition to the tables of a scene.
 const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
                     count_from_one digits keep_picture teaching derivation highlight mistake t \
                     play lines exercise seed";
@@ -83,13 +83,13 @@ fn version(root: &Section) -> Result<(), FileError> {
     }
 }
 
-/// Maximum number of letters of a title and of a step's text: the strip above the views has room
-/// for no more.
+/// Maximum number of letters of a title and of a step's text, limited by the space of the strip
+/// above the views.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
 const LONGEST_ANSWER: usize = 300;
 
-/// Reads text that is not empty, joins its lines, and checks its length of at most `longest`
+/// Reads a text, which must not be empty, and joins its lines. Checks that it has at most `longest`
 /// letters.
 fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -102,7 +102,7 @@ fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     }
 }
 
-/// Reads a step; it takes over all that it does not specify from the step before it.
+/// Reads a step. Everything that the step does not specify comes from the step before it.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
     let known: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
@@ -128,7 +128,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     tables(section, &mut document)?;
     let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
     if is_new {
-        // Observer and t have a meaning in one scene only.
+        // The observer and t apply to one scene only.
         (view.observer, view.t) = (None, None);
     }
     let selection = match last.filter(|_| !is_new) {
@@ -139,7 +139,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
     let objects = document.object_count();
     if !is_in_scene(view.highlighted.flatten(), objects) {
-        // It referred to an object of the previous step's scene.
+        // The highlighted concept was an object of the previous step's scene.
         view.highlighted = Some(None);
     }
     read_view(section, &mut view, objects)?;
@@ -147,7 +147,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     Ok(Step { title, text, question, document, scene_from, selection, view })
 }
 
-/// Reads the question to the class. It is this step's alone.
+/// Reads the question to the class. Unlike other fields, it does not carry over to the next step.
 fn question(section: &Section) -> Result<Option<Question>, FileError> {
     let [ask, answer, hide] = ["ask", "answer", "hide"].map(|key| section.get(key));
     match (ask, answer) {
@@ -186,7 +186,7 @@ fn scene(field: &TomlField, base: Option<&Path>) -> Result<Document, FileError> 
     }
     source.load().map_err(|error| match error.location {
         Some(_) => error,
-        // The path is wrong, so the error points to the path's place in the lesson.
+        // The path is wrong, so the error points to the path in the lesson.
         None => field.error(&error.to_string()),
     })
 }
@@ -212,7 +212,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
 }
 
 fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(), FileError> {
-    /// Replaces the value of the previous step if the field is there.
+    /// Replaces the value of the previous step if the field is present.
     fn say<'a, T>(
         section: &Section<'a>,
         key: &str,
@@ -246,7 +246,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
     })?;
     say(section, "t", &mut view.t, TomlField::number)?;
-    // The camera is another one, so no animation is taken over from the previous step.
+    // The camera is a different one, so the previous step's animation does not carry over.
     view.play = None;
     say(section, "play", &mut view.play, |field| {
         choice(field, Kind::ALL.map(|one| (one.name(), one)))
@@ -256,8 +256,8 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     Ok(())
 }
 
-/// Reads the step's question. A seed is valid only beside its kind of question: another step's seed
-/// would give other numbers.
+/// Reads the step's exercise. A seed is valid only together with the kind of question, because the
+/// previous step's seed would give different numbers.
 fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let seed = section.get("seed");
     let Some(field) = section.get("exercise") else {
@@ -283,7 +283,7 @@ fn observer(section: &Section) -> Result<Observer, FileError> {
     ))
 }
 
-/// Reads one of the `known` values by its name.
+/// Reads one of the `known` values, given by its name.
 fn choice<T>(
     field: &TomlField,
     known: impl IntoIterator<Item = (&'static str, T)>,
@@ -318,7 +318,7 @@ fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     }
 }
 
-/// Reads a concept of a scene with this number of objects, or none.
+/// Reads a concept of a scene with this number of objects, or `nothing`.
 fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {
