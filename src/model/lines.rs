@@ -4,10 +4,11 @@
 use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-/// Maximum magnitude of the numbers in the lab's fields; all results are then finite.
+/// Maximum magnitude of the numbers in the lab's fields, so that all results are finite.
 pub(crate) const LARGEST: f64 = 1e6;
 
-/// The state of the lab: two lines and a t. Plain data; a lesson's step sets it as a whole.
+/// The state of the lab: two lines and a t. It is plain data, which a lesson's step sets as a
+/// whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinesLab {
     line: ImplicitLine,
@@ -64,10 +65,10 @@ pub enum Handle {
 }
 
 impl Handle {
-    /// All handles; a later one lies over an earlier one.
+    /// All handles; each lies over the handles before it.
     pub const ALL: [Handle; 5] = [Handle::Move, Handle::Turn, Handle::P, Handle::Tip, Handle::T];
 
-    /// Returns the handle's name for screen readers and under the pointer.
+    /// Returns the handle's name for screen readers and for its tooltip.
     pub fn name(self) -> &'static str {
         match self {
             Handle::Move => "move the implicit line",
@@ -88,7 +89,7 @@ impl Default for LinesLab {
 }
 
 impl LinesLab {
-    /// Grid of snapped drags: both coordinates are multiples of it.
+    /// Spacing of the grid to which drags snap: both coordinates become multiples of it.
     pub const GRID: f64 = 0.5;
 
     /// Returns one example for every verdict.
@@ -135,7 +136,7 @@ impl LinesLab {
             return;
         }
         self.grip = line.nearest_to(self.grip);
-        // A power of two makes the division of a turn exact.
+        // A power of two makes the division in a turn exact.
         let wanted = 0.7 * self.window.half_extent / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
@@ -166,7 +167,7 @@ impl LinesLab {
     }
 
     /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along
-    /// its line, by steps of t, towards the end that the steps point to.
+    /// its line by steps of t, in the direction that is closer to `steps`.
     pub fn nudge(&mut self, handle: Handle, steps: DVec2, fineness: f64) {
         let step = if self.snap { LinesLab::GRID } else { 0.1 };
         if handle == Handle::T {
@@ -183,8 +184,8 @@ impl LinesLab {
     }
 
     /// Drags a handle to a point of the plane. Rounds its coordinates to the grid if snapping is
-    /// on, and otherwise to multiples of `1 / fineness`, which are short numbers. Ignores a drag
-    /// that would leave no line.
+    /// on, and otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag
+    /// after which there would be no line.
     pub fn drag(&mut self, handle: Handle, to: DVec2, fineness: f64) {
         let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
         let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;

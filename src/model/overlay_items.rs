@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub enum Item {
     /// The camera's position.
     Eye,
-    /// The point that the camera looks at, if it is given by one.
+    /// The point that the camera looks at, if the camera is given by one.
     At,
     /// The view and up vectors as given.
     ViewAndUp,
@@ -100,8 +100,8 @@ pub struct OverlayItems {
 }
 
 impl Default for OverlayItems {
-    /// Returns all items except those that would cover the camera's picture: its axes and the
-    /// loupe.
+    /// Returns all items except the camera view's axes and the loupe, which would cover the
+    /// picture.
     fn default() -> Self {
         OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() }
     }

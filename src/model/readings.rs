@@ -16,7 +16,7 @@ pub struct NumberStyle {
     pub digits: usize,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// True for all digits and the minus sign that programs read: for the clipboard.
+    /// True for all digits and an ASCII minus sign, which programs read: for the clipboard.
     pub exact: bool,
 }
 
@@ -27,7 +27,7 @@ pub struct Reading {
     pub name: &'static str,
     /// The name in the text of `pinhole inspect`.
     pub long_name: &'static str,
-    /// The concept that the views highlight for it.
+    /// The concept that the views highlight for the reading.
     pub concept: Option<Concept>,
     /// The value.
     pub value: ReadingValue,
@@ -66,7 +66,7 @@ pub enum ReadingValue {
     Text(String),
 }
 
-/// Returns u, v, w, and how far up and view are apart if the camera is given by them.
+/// Returns u, v, w, and the angle between up and view if the camera is given by them.
 pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading> {
     let basis = camera.basis();
     let mut readings = vec![
@@ -110,7 +110,8 @@ impl Inspection {
         values.map(|(name, value)| Reading::new(name, name, self.concept_of(root), value))
     }
 
-    /// Returns the t and the title of what the ray hits, by the objects' titles.
+    /// Returns the t of the hit and the title of the object that the ray hits; `title` returns an
+    /// object's title.
     pub fn hit_readings(&self, title: impl Fn(usize) -> String) -> Vec<Reading> {
         let hit = |concept, text| Reading {
             name: "hit",
@@ -127,7 +128,7 @@ impl Inspection {
 }
 
 impl NumberStyle {
-    /// Returns the format that the settings ask for.
+    /// Returns the number style that the settings ask for.
     pub(crate) fn new(settings: &Settings) -> NumberStyle {
         let Settings { digits, count_from_one, .. } = *settings;
         NumberStyle { digits, count_from_one, exact: false }
@@ -138,7 +139,7 @@ impl NumberStyle {
         NumberStyle { exact: true, ..self }
     }
 
-    /// Returns the format with this number of digits at most.
+    /// Returns the style with at most this number of digits.
     pub(crate) fn at_most(self, digits: usize) -> NumberStyle {
         NumberStyle { digits: self.digits.min(digits), ..self }
     }
@@ -180,8 +181,8 @@ impl NumberStyle {
         }
     }
 
-    /// Writes the angle between up and view in degrees. Where there is a camera, it is below 180, so
-    /// an angle that rounds to 180 is written as 180 less what is missing.
+    /// Writes the angle between up and view in degrees. A valid camera's angle is below 180, so an
+    /// angle that rounds to 180 is written as 180 minus the difference.
     fn degrees(self, UpAngle { angle, conditioning }: UpAngle) -> String {
         let text = self.number(angle.to_degrees());
         if text != self.number(180.0) {

@@ -1,7 +1,8 @@
-//! Unsaved changes, written aside while they are made, for the next start to offer them.
+//! Recovery of unsaved changes. They are written to a separate file while they are made, and the
+//! next start offers them.
 //!
-//! Each window has a numbered slot in a folder: a scene file, which tells in its last line what it was
-//! made from, and a lock that the system releases however the window ends.
+//! Each window has a numbered slot in a folder. A slot is a scene file, whose last line names the
+//! source of the document, and a lock, which the system releases however the window ends.
 
 use std::fs::{self, File, TryLockError};
 use std::io::Write as _;
@@ -16,13 +17,13 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{OpenDocument, Stamp, argument_of, is_text, title_of};
 
-/// Maximum number of slots; windows beyond them write nothing aside.
+/// Maximum number of slots; any further window does not record its changes.
 const SLOTS: usize = 64;
 
-/// Begins the last line of a slot's scene file, a comment; a [`Source`] as JSON follows.
+/// Begins the last line of a slot's scene file, a comment. A [`Source`] as JSON follows.
 const SOURCE: &str = "\n# unsaved changes to: ";
 
-/// A window's slot, locked as long as this value lives.
+/// A window's slot, which stays locked as long as this value lives.
 #[derive(Debug)]
 pub struct Slot {
     scene: PathBuf,
@@ -30,14 +31,14 @@ pub struct Slot {
     _lock: File,
 }
 
-/// Unsaved changes of a window that ended without being asked.
+/// Unsaved changes of a window that ended without asking the user to save.
 #[derive(Debug)]
 pub struct Found {
     slot: Slot,
     /// The text of the scene file.
     text: Result<String, FileError>,
     source: Source,
-    /// Time that has passed since the last change was written.
+    /// Time since the last change was written.
     pub age: Duration,
 }
 
@@ -55,13 +56,13 @@ struct Source {
     title: String,
     /// The scene in the command line's notation.
     argument: Option<PathBuf>,
-    /// The state of its file when the changes began.
+    /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
-    /// Numbers of the document that no scene file may have.
+    /// Numbers of the document that are not valid in a scene file.
     faults: Faults,
 }
 
-/// Numbers at fault that somebody is about to type over, or is shown the reason for.
+/// Invalid numbers that the user is about to correct, or for which the window shows the reason.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Faults {
     /// Width, height and distance of the viewport.
@@ -73,7 +74,7 @@ struct Faults {
 }
 
 impl Faults {
-    /// Takes them out of a document; others are there instead.
+    /// Moves the invalid numbers out of a document and puts valid ones in their place.
     fn take(document: &mut Document) -> Faults {
         let mut faults = Faults::default();
         let viewport = &mut document.camera.viewport;
@@ -133,8 +134,8 @@ impl Unsaved {
     /// Writes the changes into a slot, completely or not at all.
     ///
     /// # Errors
-    /// Returns the reason if the file could not be written, or the document could not be read back from
-    /// it; what was there before then stays.
+    /// Returns the reason if the file could not be written, or if the document could not be read
+    /// back from it. The slot's previous content is then unchanged.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
         let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
         let prepared = scene_file::prepare(&self.document, &slot.scene, None);
@@ -145,8 +146,8 @@ impl Unsaved {
 }
 
 impl Slot {
-    /// Returns a free slot in this folder, if there is one, what ended windows have left in others, and
-    /// the first error, if a slot could not be opened.
+    /// Returns a free slot in this folder, if there is one; the changes that ended windows have
+    /// left in other slots; and the first error if a slot could not be opened.
     pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
         let (mut own, mut found, mut fault) = (None, Vec::new(), None);
         for number in 0..SLOTS {
@@ -181,7 +182,7 @@ impl Slot {
 
     /// Removes what was written.
     pub fn clear(&self) {
-        // What is not there needs no removing; what cannot be removed is offered once more.
+        // A missing file need not be removed; a file that cannot be removed is offered once more.
         let _ = fs::remove_file(&self.scene);
     }
 }
@@ -192,7 +193,8 @@ impl Found {
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
         let mut text = limits::read_text(&slot.scene);
         let source = text.as_mut().ok().and_then(|text| {
-            // Not left in the text: a name may have characters in it that no comment may.
+            // Cut this line off the text, because a name may contain characters that a comment may
+            // not.
             let line = text.split_off(text.rfind(SOURCE)?);
             serde_json::from_str(&line[SOURCE.len()..]).ok()
         });
@@ -210,11 +212,11 @@ impl Found {
         self.source.argument.as_deref().filter(|argument| argument.is_absolute())
     }
 
-    /// Returns the document with its changes, and the slot that holds them until they are written
-    /// elsewhere. `beside` leaves the scene that was changed alone: the document is in no file.
+    /// Returns the document with its changes, and the slot that holds them until they are saved.
+    /// With `beside`, the document belongs to no file and leaves the scene's file unchanged.
     ///
     /// # Errors
-    /// Returns the reason if it cannot be read; it is then kept.
+    /// Returns the reason if the changes cannot be read; they are then kept.
     pub fn restore(self, beside: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
@@ -236,7 +238,7 @@ impl Found {
     }
 }
 
-/// Returns a duration in the largest unit that it fills, such as `3 minutes`.
+/// Formats a duration in the largest unit that it fills, such as `3 minutes`.
 pub fn in_words(age: Duration) -> String {
     let seconds = age.as_secs();
     let (count, unit) = match seconds {
@@ -290,7 +292,7 @@ mod tests {
         assert!(message.contains(": cannot be written: "), "{message}");
     }
 
-    /// On disk, and in the line that tells of it.
+    /// Any name is possible on disk and in the line that records it.
     #[cfg(unix)]
     #[test]
     fn changes_to_a_file_of_any_name_are_found() {

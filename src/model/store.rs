@@ -1,5 +1,5 @@
-//! The state that one run remembers for the next: settings, window, recent files and the last
-//! scene.
+//! The state that one run of the program stores for the next: settings, window, recent files and
+//! the last scene.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ pub struct Remembered {
     /// The renderer of the window, for bug reports.
     pub renderer: String,
     /// The scene that was open, in the command line's notation; if a lesson was open, the scene
-    /// before it.
+    /// that was open before it.
     pub last: Option<PathBuf>,
     /// The lesson that was open and its step, both counted from 1.
     pub lesson: Option<(usize, usize)>,
@@ -70,7 +70,7 @@ impl From<RememberedRay> for Selection {
     }
 }
 
-/// Reads as much as possible of a partly wrong file: each valid value on its own.
+/// Reads as much as possible of a partly invalid file, by checking each value separately.
 fn readable(text: &str) -> Remembered {
     let read: Value = serde_json::from_str(text).unwrap_or_default();
     let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
@@ -80,7 +80,8 @@ fn readable(text: &str) -> Remembered {
     serde_json::from_value(kept).unwrap_or_default()
 }
 
-/// Copies the value `read` at a position (a JSON pointer) into `kept`, as far as the result is valid.
+/// Copies the value `read` at a position (a JSON pointer) into `kept`, as far as the result is
+/// valid.
 fn keep(kept: &mut Value, pointer: &str, read: &Value) {
     if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(pointer)) {
         let known: Vec<String> = known.keys().cloned().collect();
@@ -135,8 +136,7 @@ impl Store {
         !self.path.exists()
     }
 
-    /// Loads the remembered state; uses the default for every value that is missing or cannot be
-    /// read.
+    /// Loads the stored state, with the default for every value that is missing or cannot be read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();
         serde_json::from_str(&text).unwrap_or_else(|_| readable(&text))
@@ -176,14 +176,14 @@ impl Default for WindowGeometry {
 }
 
 impl WindowGeometry {
-    /// Returns the scale of the screen, within what screens have.
+    /// Returns the scale of the screen, clamped to the range of real screens.
     pub fn screen_scale(&self) -> f32 {
         self.scale.clamp(0.5, 8.0)
     }
 
-    /// Takes over the window's present place and size. Called each frame, so that it holds the
-    /// geometry to save on exit. Ignores the size and place of a maximised, minimised or
-    /// full-screen window, so that the normal ones are kept.
+    /// Stores the window's present position and size. It is called each frame, so that the store
+    /// holds the geometry to save on exit. A maximised, minimised or full-screen window is ignored,
+    /// so that the normal position and size are kept.
     pub fn update(&mut self, ctx: &egui::Context) {
         let zoom = ctx.zoom_factor();
         ctx.input(|input| {
@@ -196,7 +196,7 @@ impl WindowGeometry {
             if self.maximized {
                 return;
             }
-            // Wayland reports no position, and then neither rectangle.
+            // Wayland reports no position, so neither rectangle is available there.
             let size = viewport.inner_rect.map_or(input.viewport_rect().size(), |r| r.size());
             if size.x >= 1.0 && size.y >= 1.0 {
                 self.inner_size = [size.x * zoom, size.y * zoom];

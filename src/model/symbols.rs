@@ -1,7 +1,7 @@
-//! The lecture's symbols: the only table of their meanings, one sentence each, and their letters in
-//! plain text, from Unicode's block *Mathematical Alphanumeric Symbols*.
+//! The lecture's symbols: the only table of their meanings, each in one sentence, and their letters
+//! in plain text, from Unicode's block *Mathematical Alphanumeric Symbols*.
 
-/// The kind of a symbol: the vector u and the scalar u are two symbols.
+/// The kind of a symbol. The vector u and the scalar u are two different symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A vector or a point, bold.
@@ -104,7 +104,7 @@ pub(crate) fn bold(letter: char) -> char {
     }
 }
 
-/// Returns the text with plain letters instead of italic ones, for programs that read or store it.
+/// Returns the text with plain letters in place of italic ones, for programs that read or store it.
 pub(crate) fn plain_scalars(text: &str) -> String {
     let plain = |c: char| match u32::from(c) {
         0x210e => 'h',

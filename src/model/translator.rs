@@ -1,4 +1,5 @@
-//! The translator: the camera in another program's terms, the table of conventions, and pasted cameras.
+//! The translator: the camera in another program's notation, the table of conventions, and pasted
+//! cameras.
 
 use std::ops::Range;
 use std::path::Path;
@@ -23,9 +24,9 @@ pub struct Translator {
     pub target: &'static str,
     /// True if the objects are written, too.
     pub objects: bool,
-    /// True if numbers are shown to the last digit, as they are always copied and saved.
+    /// True if numbers are shown with all digits. Copied and saved numbers always have all digits.
     pub every_digit: bool,
-    /// What was done last, while it is shown.
+    /// The notice about the last action, while it is shown.
     pub notice: Option<Notice>,
 }
 
@@ -42,27 +43,28 @@ impl Translator {
     }
 }
 
-/// What was done, to be read in passing: the result of a paste, or of a file that was read again.
+/// A brief notice about a finished action: a paste, or a file that was read again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// The result in a few words.
     pub title: String,
-    /// More about it: the parts that were not taken over, or the error in the text.
+    /// Further details: the parts that were left out, or the error in the text.
     pub notes: Vec<String>,
     /// True if it went well.
     pub worked: bool,
-    /// The camera after that, if it is about the camera; the notice is outdated once it has changed.
+    /// The camera after the action, if the action was about the camera. The notice is outdated once
+    /// the camera has changed.
     pub camera: Option<Camera>,
     /// Time in seconds at which this was first shown.
     pub shown_at: Option<f64>,
 }
 
-/// The note on a left-handed camera among objects that stay as they are.
+/// The note for a left-handed camera whose objects stay as they are.
 const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
                      but the objects are not: negate their z, too, for the same picture";
 
-/// Reads the camera in a text. Fields that the text leaves open stay as in the camera `at_hand`;
-/// objects are not taken over. Returns no camera if the text has none or an invalid one.
+/// Reads the camera in a text. Fields that the text does not specify stay as in the camera
+/// `at_hand`; objects are ignored. Returns no camera if the text contains none or an invalid one.
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     let failed = |title: &str, note: String| {
         let (title, notes) = (title.to_owned(), vec![note]);
@@ -109,30 +111,31 @@ fn taken_over(title: String, camera: Camera, notes: Vec<String>) -> (Option<Came
     (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
 }
 
-/// Reads a scene file of this program, if the text is one.
+/// Reads a scene file of this program; `None` if the text is not one.
 fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
     let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
     is_one.then(|| scene_file::parse_alone(text, Path::new("pasted")))
 }
 
-/// Returns what is written with the camera: the objects if they are wanted and not too many.
+/// Returns which parts are written with the camera. The objects are included if the user wants them
+/// and there are not too many.
 pub fn with(document: &Document, objects: bool) -> Include {
     let few = document.object_count() <= MOST_OBJECTS;
     if objects && few { Include::Meshes } else { Include::CameraAlone }
 }
 
-/// A camera in the terms of a format.
+/// A camera in the notation of a format.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
     /// The text, or the reason why there is none.
     pub written: Result<Exported, Unsupported>,
-    /// The table of conventions; empty if there is no camera, and for code, which has
-    /// the lecture's own.
+    /// The table of conventions; empty if there is no camera, and for code, which uses the
+    /// lecture's own conventions.
     pub rows: Vec<Row>,
 }
 
 impl Translation {
-    /// Translates a document's camera; the table has the numbers of `pixel`.
+    /// Translates a document's camera. The table's numbers are those of `pixel`.
     pub fn new(
         document: &Document,
         format: &Format,
@@ -151,7 +154,7 @@ impl Translation {
     }
 }
 
-/// Returns the text with long numbers cut to `digits` significant digits, for reading.
+/// Returns the text with long numbers cut to `digits` significant digits, for readers.
 pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
     let mut from = 0;
@@ -166,7 +169,8 @@ pub fn shortened(text: &Text, digits: usize) -> Text {
     short
 }
 
-/// Adds a part of the text with its long numbers cut. A digit after a letter begins no number.
+/// Appends a part of the text with its long numbers cut. A digit that follows a letter does not
+/// begin a number.
 fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
     let bytes = &text.as_bytes()[..part.end];
     let (mut from, mut at) = (part.start, part.start);
@@ -222,8 +226,8 @@ fn letter(axis: Axis) -> String {
     axis.name.chars().map(bold).collect()
 }
 
-/// Returns the rule by which pixels are counted, and the centre of a pixel of an image of W x H in
-/// numbers.
+/// Returns the rule by which pixels are counted, and the numbers of a pixel's centre in an image of
+/// W x H.
 fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
@@ -265,8 +269,8 @@ fn flips(pixels: PixelConvention) -> bool {
     matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
 }
 
-/// Returns the table for a camera: a format's conventions beside those here. The row on pixels has the
-/// numbers of `pixel`; `digits` is the number of significant digits.
+/// Returns the table for a camera, which compares a format's conventions with Pinhole's. The row on
+/// pixels has the numbers of `pixel`; `digits` is the number of significant digits.
 fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
     let image = subject.resolve().image();
     let size = [image.width(), image.height()];
@@ -332,7 +336,7 @@ fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: 
     table
 }
 
-/// Returns the rows on the camera's axes, with their vectors.
+/// Returns the rows about the camera's axes, with their vectors.
 fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {
@@ -358,7 +362,7 @@ fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<
 mod tests {
     use super::*;
 
-    /// Clipboards have what pages and editors put there.
+    /// Web pages and editors put such characters on the clipboard.
     #[test]
     fn a_paste_with_characters_of_more_bytes_is_read_or_told() {
         let text = "glm::mat4\u{a0}view =\u{a0}glm::lookAt(glm::vec3(4, 3, 3),\u{a0}glm::vec3(0), \

@@ -23,23 +23,26 @@ const MARGIN_AT_TIPS: f64 = 0.02;
 const ASKED_SPHERES: usize = 2048;
 const ASKED_PLANES: usize = 64;
 
-/// Angles, in degrees, of the observer beside the line behind the camera, and above it.
+/// Candidate angles of the observer, in degrees: to the side of the line behind the camera, and
+/// above it.
 const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
 const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 
-/// Length of the frustum that should be in sight: this share of the way to the farthest sphere, and
-/// at most this multiple of the viewport's distance.
+/// Part of the frustum that should be in sight: this share of the distance to the farthest sphere,
+/// and at most this multiple of the viewport's distance.
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// Size of the camera, as a share of the picture's height or width, above which larger is no better.
+/// Size of the camera, as a share of the picture's height or width, above which a larger one scores
+/// no better.
 const LARGE_ENOUGH: f64 = 0.15;
 
-/// Maximum distance of the observer's target from the eye, in near sizes: around something far away
-/// the observer would lose the camera.
+/// Maximum distance of the observer's target from the eye, in near sizes. An observer around
+/// something farther away would lose sight of the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// Number of times that the arrows, which keep their size on the screen, are measured for a fit.
+/// Number of iterations of a fit. The arrows keep their size on the screen, so each iteration
+/// measures them anew.
 const ROUNDS: usize = 6;
 
 /// Ratio of width to height of a view for which the observers of lessons are chosen.
@@ -66,7 +69,7 @@ impl ViewSize {
         ViewSize { width: 480.0 * tame_aspect(aspect), height: 480.0 }
     }
 
-    /// Returns the ratio of width to height, within reason.
+    /// Returns the ratio of width to height, clamped to a sensible range.
     pub fn aspect(self) -> f64 {
         tame_aspect(self.width / self.height)
     }
@@ -97,21 +100,21 @@ struct Subject {
 }
 
 impl Observer {
-    /// Returns an observer behind the camera's shoulder that has in sight the eye, the viewport,
-    /// the basis arrows, at, and all spheres that are not out of scale. It stands as far to the
-    /// side as the camera's size in the picture allows.
+    /// Returns an observer behind the camera's shoulder. In sight are the eye, the viewport, the
+    /// basis arrows, at, and all spheres that are not out of scale. The observer stands as far to
+    /// the side as the camera's size in the picture allows.
     ///
-    /// Perspective makes this possible: an observer close behind a small camera also sees what the
-    /// camera looks at from afar, small, in the distance, as on a whiteboard.
+    /// Perspective makes this possible: an observer close behind a small camera also sees the
+    /// distant objects that the camera looks at; they appear small, as on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         let subject = Subject::new(camera, scene, OverlayItems::ALL);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
-            // The camera looks straight up or down: behind is the direction of right x up.
+            // The camera looks straight up or down, so the direction behind it is right x up.
             _ => (-subject.right.z).atan2(subject.right.x),
         };
         let mut best: Option<(f64, Observer)> = None;
-        // Prefer the right side, from where the camera looks to the right in the picture.
+        // Prefer the right side, from which the camera looks to the right in the picture.
         for side in [1.0, -1.0] {
             for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
                 let azimuth = behind + side * beside.to_radians();
@@ -126,16 +129,16 @@ impl Observer {
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
 
-    /// Returns an observer in the same direction that has everything in sight, in a view of another
+    /// Returns an observer in the same direction that has everything in sight in a view of another
     /// size.
     pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         Subject::new(camera, scene, OverlayItems::ALL).fit(self, size)
     }
 
-    /// Returns an observer in the same direction that has in sight, in a view of this size, the whole
-    /// camera, those of its arrows that are among the `items`, with their labels, and whatever else this
-    /// one sees in an ordinary view. It stays if all of that fills the view as it is, or if it is so near
-    /// that eye or viewport are meant to be out of sight.
+    /// Returns an observer in the same direction for a view of this size. It has in sight the whole
+    /// camera, its arrows among the `items` with their labels, and everything else that this
+    /// observer sees in an ordinary view. Returns this observer unchanged if all of that already
+    /// fills the view, or if it is so near that eye or viewport are meant to be out of sight.
     pub fn framing_the_same(
         &self,
         camera: &Camera,
@@ -162,8 +165,8 @@ impl Observer {
         if fills && is_whole { *self } else { fitted.in_range() }
     }
 
-    /// Returns true if the camera's eye, and the point that it looks at if it is given by one, are in
-    /// sight in a view of this size.
+    /// Returns true if the camera's eye is in sight in a view of this size, and also the point that
+    /// it looks at if the camera is given by one.
     pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
         let at = match camera.orientation {
             Orientation::At { at, .. } => Some(at),
@@ -187,8 +190,9 @@ impl Observer {
         Subject::new(&alone, &Scene::default(), OverlayItems::ALL).fit(self, size)
     }
 
-    /// Moves the observer straight back until the eyes and viewports of all these cameras are in
-    /// sight. The observer stays if they are already, or if those of `camera` are not.
+    /// Returns the observer moved straight back until the eyes and viewports of all these cameras
+    /// are in sight. It does not move if they already are, or if the eye and viewport of `camera`
+    /// are not.
     pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
         let needed = |camera: &Camera| self.distance_for(camera, tame_aspect(aspect));
         if needed(camera) > self.distance {
@@ -269,8 +273,8 @@ impl Subject {
         Subject { balls, arrows, eye, back, right, near_size, walls, middle }
     }
 
-    /// Returns the nearest observer in this direction that has every ball and the tips of all arrows
-    /// in sight.
+    /// Returns the nearest observer in this direction that has every ball and the tips of all
+    /// arrows in sight.
     fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {
         let mut observer = self.fit_around(direction, size.aspect(), &[]);
         for _ in 0..ROUNDS {
@@ -315,8 +319,9 @@ impl Subject {
         Observer { target, distance, ..*direction }.in_range()
     }
 
-    /// Returns the score of an observer. It is better if the camera is large enough, its view is
-    /// seen from the side, its picture and the walls are seen from the front, and nothing hides it.
+    /// Returns the score of an observer. The score is higher if the camera is large enough, its
+    /// view is seen from the side, its picture and the walls are seen from the front, and nothing
+    /// hides it.
     fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -340,7 +345,7 @@ fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
     rays_around(resolved, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
 }
 
-/// Returns the points where the rays half way to the corners meet planes within the distance
+/// Returns the points where the rays half way to the corners meet planes, within the distance
 /// `farthest`.
 fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
@@ -353,15 +358,15 @@ fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Ro
     rays_around(resolved, 0.5).iter().filter_map(first_wall).collect()
 }
 
-/// Returns the four rays through the viewport at this share of the way from its middle to its
-/// corners.
+/// Returns the four rays through the viewport's points at this share of the way from its middle to
+/// its corners.
 fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
     let half = 0.5 * share * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
         .map(|(x, y)| resolved.ray(half * DVec2::new(x, y)))
 }
 
-/// Returns the spheres around the camera, which are drawn cut away.
+/// Returns the spheres that surround the camera, which are drawn cut away.
 fn spheres_around(scene: &Scene, eye: DVec3) -> impl Iterator<Item = Ball> {
     let balls = scene.spheres().iter().take(ASKED_SPHERES);
     balls
@@ -369,8 +374,8 @@ fn spheres_around(scene: &Scene, eye: DVec3) -> impl Iterator<Item = Ball> {
         .filter(move |ball| ball.center.distance(eye) <= ball.radius)
 }
 
-/// Returns the spheres by ascending size, up to the first that is out of scale with those before
-/// it.
+/// Returns the spheres by ascending size, up to the first sphere that is out of scale with the
+/// smaller ones.
 fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
     let mut balls: Vec<Ball> = scene
         .spheres()
@@ -406,43 +411,45 @@ fn lies_between(ball: &Ball, a: DVec3, b: DVec3) -> bool {
     ball.radius > 0.0 && (a + share * along).distance(ball.center) < ball.radius
 }
 
-/// Length of the basis arrows on the screen, in points: at least and at most. Between the two it is
-/// one world unit.
+/// Minimum and maximum length of the basis arrows on the screen, in points. Between the two, the
+/// arrows are one world unit long.
 const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
-/// Their least length in a small view, as a share of its height or width.
+/// Minimum length of the basis arrows in a small view, as a share of its height or width.
 const ARROW_SHARE: f64 = 0.28;
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;
 
-/// Length of the view arrow, likewise. It differs from the others' so that arrows in one direction do
-/// not hide each other.
+/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the other
+/// lengths so that arrows in one direction do not hide each other.
 pub const VIEW_LENGTH: f64 = 1.6;
 
-/// Length of the arrows of the world's axes, likewise.
+/// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
-/// Room beyond an arrow's tip for its handle and its label, in points, and at most as a share of the
+/// Space beyond an arrow's tip for its handle and its label, in points; at most this share of the
 /// view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
 impl ViewSize {
-    /// Returns the length of the basis arrows, in points: at least and at most. Normals have the least.
+    /// Returns the minimum and maximum length of the basis arrows, in points. Normals have the
+    /// minimum.
     pub fn arrow_points(self) -> (f64, f64) {
         let (least, most) = ARROW_POINTS;
         (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
     }
 
-    /// Returns the world length that covers a point on the screen at this depth.
+    /// Returns the world length that covers one point of the screen at this depth.
     fn world_per_point(self, depth: f64) -> f64 {
         extent_of_fov(FOV, depth) / self.height.max(1.0)
     }
 }
 
-/// The arrows that are drawn: the unit vectors of those at the eye, with their lengths as multiples
-/// of the basis arrows'; and the axes at the origin, if they are beside the camera.
+/// The arrows that are drawn. For the arrows at the eye it holds unit vectors, and lengths as
+/// multiples of the basis arrows' length; the axes at the origin are included if they are near the
+/// camera.
 pub(super) struct Arrows {
     at_eye: Vec<(DVec3, f64)>,
     has_axes: bool,
@@ -474,7 +481,7 @@ impl Arrows {
         Arrows { at_eye, has_axes }
     }
 
-    /// Returns the tips, with room for their labels, for an observer at this depth from the eye.
+    /// Returns the tips, with space for their labels, for an observer at this depth from the eye.
     pub(super) fn tips(
         &self,
         eye: DVec3,

@@ -1,5 +1,5 @@
-//! The observer of the world view, a camera that moves around its target and is independent of the
-//! edited camera, and the scene that its picture is traced with.
+//! The observer of the world view, and the scene that its picture is traced with. The observer is a
+//! camera that moves around its target, independently of the edited camera.
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Sphere, Viewport, extent_of_fov};
 
@@ -23,7 +23,7 @@ pub struct Observer {
 /// The vertical field of view.
 const FOV: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
-/// Maximum elevation: straight above or below the target, up would be parallel to the view
+/// Maximum elevation. Straight above or below the target, up would be parallel to the view
 /// direction.
 const STEEPEST: f64 = 89.0 * std::f64::consts::PI / 180.0;
 
@@ -104,8 +104,8 @@ impl Observer {
         *self = self.in_range();
     }
 
-    /// Moves sideways, as a hand drags the picture: the target moves by these shares of the
-    /// picture's height to the right and down.
+    /// Moves sideways, as a hand drags the picture. The picture's content moves by these shares of
+    /// the picture's height to the right and down.
     pub fn pan(&mut self, right: f64, down: f64) {
         let per_height = extent_of_fov(FOV, self.distance);
         let (to_right, to_up) = self.right_and_up();
@@ -113,7 +113,7 @@ impl Observer {
         *self = self.in_range();
     }
 
-    /// Moves towards the target (factor above 1) or away from it.
+    /// Moves towards the target if the factor is above 1, and away from it otherwise.
     pub fn zoom(&mut self, factor: f64) {
         if factor > 0.0 {
             self.distance /= factor;
@@ -122,8 +122,8 @@ impl Observer {
     }
 }
 
-/// Returns the indices, ascending, of the spheres that would hide the camera from the observer:
-/// those that contain the camera's eye but not the observer's.
+/// Returns the indices, ascending, of the spheres that would hide the camera from the observer.
+/// They contain the camera's eye but not the observer's.
 pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u32> {
     let mut around = scene.spheres_around(camera_eye);
     around.retain(|index| scene.spheres()[*index as usize].implicit(observer_eye) >= 0.0);
@@ -133,15 +133,16 @@ pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u
 /// Returns the scene that the world view traces: the spheres without the planes, with the same
 /// indices.
 ///
-/// A plane has no end. Traced, it would fill the picture up to its horizon and, seen from behind,
-/// hide the camera; the overlay draws the part of it near the target instead. A sphere
-/// [around the camera](enclosing) would hide it too, and is [`hidden`] so that the others keep
-/// their indices; the overlay draws its outline.
+/// A plane is infinite. If it were traced, it would fill the picture up to its horizon and, seen
+/// from behind, hide the camera. The overlay draws the part of it near the target instead. A sphere
+/// [around the camera](enclosing) would hide it too, and is [`hidden`] so that the other spheres
+/// keep their indices; the overlay draws its outline.
 pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
     let mut seen = scene.without_planes();
     for &index in enclosing {
         if let Some(sphere) = scene.spheres().get(index as usize) {
-            // A checked sphere stays valid; if one is not replaced, the picture is still correct.
+            // A valid sphere stays valid when hidden; if one is not replaced, the picture is still
+            // correct.
             let _ = seen.replace_sphere(index, hidden(sphere));
         }
     }

@@ -116,7 +116,7 @@ fn every_scale_is_framed_alike() {
     };
     let ordinary = framed(1.0, DVec3::ZERO);
     for scale in [1e-6, 1e-3, 1e3, 1e9] {
-        // The arrows, one unit long, keep to a range of lengths on the screen.
+        // The arrows are one unit long but stay within a range of lengths on the screen.
         assert!(framed(scale, DVec3::ZERO).distance(ordinary) < 0.3, "{scale}");
     }
     assert!(framed(1.0, DVec3::new(1e9, -1e9, 1e9)).distance(ordinary) < 0.3);
@@ -288,7 +288,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
             }
         }
     }
-    // One that looks closely at something else stays.
+    // An observer that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
     assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::ALL), close);
 }

@@ -1,5 +1,5 @@
-//! Animations. The state at a phase depends only on the start and on the phase: no frame depends on
-//! the one before it, so that the window and exported frames show the same.
+//! Animations. The state at a phase depends only on the start and on the phase, never on the
+//! previous frame, so that the window and exported frames show the same.
 
 mod player;
 
@@ -21,12 +21,12 @@ pub enum Kind {
     SwingUp,
     /// The eye moves once around at.
     Orbit,
-    /// The view goes up until it meets up, and over it: the picture flips. By at, the eye goes round
-    /// at; by view, it stays.
+    /// The view turns upwards until it meets up, and beyond it: the picture flips. If the camera is
+    /// given by at, the eye moves round at; if it is given by view, the eye stays.
     OverTheTop,
-    /// A point runs along the selected ray, from the eye to what the ray hits.
+    /// A point moves along the selected ray, from the eye to the object that the ray hits.
     Walk,
-    /// The rays go out one after another, as a renderer sends them, and the picture appears.
+    /// The rays are sent one after another, as a renderer sends them, and the picture appears.
     Scan,
 }
 
@@ -68,7 +68,7 @@ impl Kind {
         Kind::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// Returns the name of the step in the history that keeps the state where the animation
+    /// Returns the name that the history gives to the step from before the animation to where it
     /// stopped.
     pub fn step_name(self) -> &'static str {
         self.texts()[2]
@@ -83,8 +83,8 @@ impl Kind {
         }
     }
 
-    /// Returns true if the animation moves the camera, which is a part of the document. It then ends
-    /// where it began.
+    /// Returns true if the animation moves the camera, which is a part of the document. Such an
+    /// animation ends where it began.
     pub fn moves_camera(self) -> bool {
         matches!(self, Kind::SwingUp | Kind::Orbit | Kind::OverTheTop)
     }
@@ -94,13 +94,13 @@ impl Kind {
         if self == Kind::Scan { start.pixels() } else { STEPS }
     }
 
-    /// Returns the phase of frame `k` of `n`: the last frame of a turn is one step before the
-    /// first, the last frame of the others is the end.
+    /// Returns the phase of frame `k` of `n`. The last frame of a turn is one step before the
+    /// first; the last frame of any other animation is its end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
         let intervals = if self.moves_camera() { n } else { n.saturating_sub(1) };
         let phase = |k: f64| k / f64::from(intervals.max(1));
         let phases = [phase(k.into()), phase(f64::from(k) + 0.5)];
-        // Where the view meets up, there is no picture: that frame shows it just after.
+        // Where the view meets up, there is no picture, so that frame shows the moment just after.
         let meets = self == Kind::OverTheTop && [0.25, 0.75].contains(&phases[0]);
         phases[usize::from(meets)]
     }
@@ -117,7 +117,7 @@ pub struct Start {
     pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
-    /// The distance of the point that a camera not given by `at` orbits; `None` for that of
+    /// The distance of the point that a camera not given by `at` orbits; `None` for the point of
     /// [`Camera::pivot`].
     pub orbit: Option<f64>,
 }
@@ -136,7 +136,7 @@ pub struct Still {
 }
 
 impl Still {
-    /// Sets all that an animation of this kind moves, and nothing else.
+    /// Sets everything that an animation of this kind moves, and nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
         match kind {
             Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => {
@@ -152,7 +152,7 @@ impl Still {
 }
 
 impl Start {
-    /// Creates the start from the present state. `inspection` is that of the selected ray.
+    /// Creates the start from the present state and the selected ray's inspection.
     pub fn new(
         document: &Document,
         session: &Session,
@@ -168,7 +168,8 @@ impl Start {
         }
     }
 
-    /// Returns the camera at every step of an animation; empty if it moves no camera.
+    /// Returns the camera at every step of an animation; empty if the animation does not move the
+    /// camera.
     pub fn cameras(&self, kind: Kind) -> Vec<Camera> {
         let steps = if kind.moves_camera() { STEPS } else { 0 };
         let phases = (0..steps).map(|k| k as f64 / STEPS as f64);
@@ -218,14 +219,15 @@ impl Start {
     }
 }
 
-/// Returns the camera on its way over the top, at a share of the turn. The direction backwards is
+/// Returns the camera at a share of the turn over the top. The backward direction is
 ///
 /// ```text
 /// -view = |view| (cos(b) up/|up| + sin(b) e),   e perpendicular to up,
 /// ```
 ///
-/// with b from its first value to 0 at a quarter, where the view meets up, to -pi at three quarters, and
-/// back to the first value; there and at the end without rounding.
+/// where b goes from its first value to 0 at a quarter of the turn, where the view meets up, then
+/// to -pi at three quarters, and back to the first value. At these two points and at the end,
+/// nothing is rounded.
 fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let (view, up) = (camera.view(), camera.up());
     if let Orientation::Basis(_) = camera.orientation {
@@ -240,7 +242,7 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let first = (-view).dot(across).atan2((-view).dot(top));
     let back = match turn {
         0.25 | 0.75 => {
-            // With few digits, so that the product is not rounded where up is a short vector.
+            // The factor has few digits, so that its product with a short up vector is not rounded.
             let factor = length / up.length();
             let digit = 2_f64.powf(factor.log2().floor() - 8.0);
             let factor = digit * (factor / digit).round();
@@ -267,8 +269,8 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
 }
 
 impl Start {
-    /// Returns the camera after it has orbited by an angle, in radians. What it is given by keeps its
-    /// length.
+    /// Returns the camera after it has orbited by an angle, in radians. The vectors that it is
+    /// given by keep their lengths.
     fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
         let camera = self.camera;
         match (camera.orientation, self.orbit) {
@@ -289,9 +291,9 @@ impl Start {
     }
 }
 
-/// Returns the distance along view of what a camera looks at: the first hit in the middle of its
-/// picture, or else the middle of the spheres ahead. `None` for a camera given by `at`, which says so
-/// itself, and where nothing is ahead.
+/// Returns the distance, along view, of the object that a camera looks at: the first hit in the
+/// middle of its picture, or otherwise the middle of the spheres ahead. Returns `None` for a camera
+/// given by `at`, which already names the point, and if nothing is ahead.
 fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     const ASKED_SPHERES: usize = 4096;
     if camera.orientation.has_at() {
@@ -310,7 +312,7 @@ fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     (distance.is_finite() && distance > 0.0).then_some(distance)
 }
 
-/// Returns the t at which a walk along a ray ends: that of its first hit.
+/// Returns the t at which a walk along a ray ends: the t of its first hit.
 pub(crate) fn ray_point_end(inspection: Option<&Inspection>) -> f64 {
     inspection.and_then(Inspection::first_hit).map_or(WALK_TO, |hit| hit.t)
 }

@@ -6,8 +6,8 @@ use pinhole_core::steering::SteerError;
 use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
 
-/// Maximum time between two frames that counts, in seconds: after the window was hidden, the
-/// animation continues where it was.
+/// Maximum time between two frames that counts, in seconds. With it, the animation continues from
+/// where it was after the window has been hidden.
 const LONGEST: f64 = 0.5;
 
 /// Number of steps per second with reduced motion.
@@ -16,7 +16,7 @@ const REDUCED: f64 = 2.0;
 /// Tolerance, as a share of a step, within which a phase counts as being on the step.
 const ON_STEP: f64 = 1e-6;
 
-/// The player of an animation, running or not.
+/// The player of an animation, which may be running or paused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     /// The kind of animation.
@@ -25,7 +25,8 @@ pub struct Player {
     pub start: Start,
     /// The phase, from 0, the start, to 1, the end.
     pub phase: f64,
-    /// True once the animation has run or was moved: one that was only opened changes nothing.
+    /// True once the animation has run or has been moved; an animation that was only opened changes
+    /// nothing.
     pub begun: bool,
     /// True while the animation is running.
     pub running: bool,
@@ -33,13 +34,14 @@ pub struct Player {
     pub speed: f64,
     /// True if the animation begins again after its end.
     pub loops: bool,
-    /// True if only whole steps are shown, two a second.
+    /// True if only whole steps are shown, two per second.
     pub reduced: bool,
     /// The reason why it does not move.
     pub fault: Option<SteerError>,
-    /// The camera that it showed last; if the document has another one, the camera was edited.
+    /// The camera that the player showed last; if the document has another one, the camera was
+    /// edited.
     pub(crate) shown: Camera,
-    /// The observer before it moved back to see the whole animation, and after.
+    /// The observer before and after it moved back to see the whole animation.
     pub(crate) stepped_back: Option<[Observer; 2]>,
     /// Time of the last advance, in the window's seconds.
     time: Option<f64>,
@@ -67,8 +69,8 @@ impl Player {
         }
     }
 
-    /// Returns the present state; if the animation cannot move, stores the fault and returns the
-    /// start.
+    /// Returns the present state. If the animation cannot move the camera, stores the fault and
+    /// returns the start.
     pub fn still(&mut self) -> Still {
         if !self.begun {
             return self.start.still();
@@ -90,7 +92,7 @@ impl Player {
         }
     }
 
-    /// Advances to this time, if it is running.
+    /// Advances the animation to this time if it is running.
     pub fn go_on(&mut self, now: f64) {
         let before = self.time.replace(now);
         let (true, Some(before)) = (self.running, before) else { return };
@@ -106,7 +108,7 @@ impl Player {
         };
     }
 
-    /// Starts or pauses the animation. At the end it begins again.
+    /// Starts or pauses the animation. An animation at its end starts again from the beginning.
     pub fn toggle(&mut self) {
         (self.begun, self.running) = (true, !self.running);
         self.time = None;
@@ -115,7 +117,7 @@ impl Player {
         }
     }
 
-    /// Pauses, and moves by this number of single steps.
+    /// Pauses the animation and moves it by this number of single steps.
     pub fn step(&mut self, by: i64) {
         (self.begun, self.running) = (true, false);
         let steps = self.kind.steps(&self.start) as f64;

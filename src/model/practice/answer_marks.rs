@@ -1,5 +1,5 @@
-//! Answers as marks in the world view: those typed in the open exercise, and the right ones as soon as
-//! they are no secret any more.
+//! Answers as marks in the world view: the answers typed in the open exercise, and the right
+//! answers once they are no longer secret.
 
 use pinhole_core::{DVec2, DVec3, Ray};
 use pinhole_lecture::exercises::{Answer, Asked, Given};
@@ -7,14 +7,14 @@ use pinhole_lecture::exercises::{Answer, Asked, Given};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
 
-/// A student's answer or the right one, as the world view draws it, with its label.
+/// A student's answer or the right answer, as the world view draws it, with its label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnswerMark {
     /// The shape that is drawn.
     pub shape: MarkShape,
     /// The label beside it.
     pub label: String,
-    /// True for a student's answer, which is dashed; the right one is not.
+    /// True for a student's answer, which is drawn dashed; false for the right answer.
     pub is_dashed: bool,
 }
 
@@ -23,9 +23,9 @@ pub struct AnswerMark {
 pub enum MarkShape {
     /// u, v or w (0, 1 or 2), as an arrow from the eye.
     BasisVector(usize, DVec3),
-    /// A direction from a point, as an arrow of its own length.
+    /// A direction, drawn from a point as an arrow of the direction's own length.
     Direction(Ray),
-    /// A ray up to this t; without one, up to the object that it hits.
+    /// A ray up to this t, or up to the object that it hits if there is no t.
     Ray(Ray, Option<f64>),
     /// The point of a ray at this t.
     OnRay(Ray, f64),
@@ -66,14 +66,14 @@ const BASIS: [Asked; 3] = [Asked::U, Asked::V, Asked::W];
 struct Answered<'a> {
     typed: Option<Vec<f64>>,
     is_judged: bool,
-    /// The right numbers, as soon as they may be seen.
+    /// The right numbers, once they may be seen.
     right: Option<&'a [f64]>,
     /// The typed numbers, unless they are known to be right.
     yours: Option<Vec<f64>>,
 }
 
 impl Answered<'_> {
-    /// Returns `u?` until the answer was checked, and then `your u`.
+    /// Returns `u?` until the answer has been checked, and `your u` afterwards.
     fn label(&self, name: &str) -> String {
         if self.is_judged { format!("your {name}") } else { format!("{name}?") }
     }
@@ -115,7 +115,7 @@ impl Exercises {
         Some(Answered { typed, is_judged: answer.is_judged, right, yours })
     }
 
-    /// Returns the overlay items that give away no answer.
+    /// Returns those of the `usual` overlay items that do not give the answers away.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
         let hidden = [
             Item::Handles,
@@ -153,7 +153,7 @@ impl Exercises {
         marks
     }
 
-    /// Returns the ray that the question gives, or that an earlier question was about.
+    /// Returns the ray that the question gives, or the ray of its camera through its (u, v).
     fn given_ray(&self) -> Option<Ray> {
         match self.question().given {
             Given::Sphere { ray, .. } => Some(ray),
@@ -161,7 +161,7 @@ impl Exercises {
         }
     }
 
-    /// Adds the rays, and the points at the t on them.
+    /// Adds the rays, and the points on them at the answered t.
     fn mark_rays(&self, marks: &mut Vec<AnswerMark>) {
         let Some(given) = self.given_ray() else { return };
         let t = self.answered(Asked::T);
@@ -193,7 +193,7 @@ impl Exercises {
         }
     }
 
-    /// Adds the points that are hit, and the normals there.
+    /// Adds the points that the rays hit, and the normals there.
     fn mark_hits(&self, marks: &mut Vec<AnswerMark>) {
         let point = self.answered(Asked::Point);
         let right = point.as_ref().and_then(Answered::right_vector);
@@ -204,7 +204,7 @@ impl Exercises {
             marks.push(AnswerMark::yours(MarkShape::Point(at), point.label("hit")));
         }
         let Some(normal) = self.answered(Asked::Normal) else { return };
-        // The typed point, if there is one, gives nothing away.
+        // The typed point, if there is one, gives no answer away.
         let typed = point.as_ref().and_then(Answered::typed_vector);
         if let (Some(at), Some(n)) = (right, normal.right_vector()) {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));

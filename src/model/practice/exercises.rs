@@ -1,5 +1,5 @@
 //! The open exercise, the typed answers, and the feedback on them. The questions and their answers
-//! are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
+//! come from [`pinhole_lecture`]; nothing is counted, stored or sent.
 
 use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::exercises::{
@@ -19,7 +19,7 @@ pub struct Exercises {
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
-    /// The other questions in which something was typed; they keep none themselves.
+    /// The other questions with typed answers. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
 
@@ -28,11 +28,11 @@ pub struct Exercises {
 pub(crate) struct TypedAnswer {
     /// The texts of the fields, one for each number.
     pub(crate) fields: Vec<String>,
-    /// The answer to a question for yes or no.
+    /// The answer to a yes-or-no question.
     pub(crate) yes: Option<bool>,
-    /// The feedback of the last check, if nothing was changed since.
+    /// The feedback of the last check, if nothing has changed since.
     pub(crate) feedback: Option<Feedback>,
-    /// True once an answer was judged: the right one is no secret any more.
+    /// True once an answer was judged; the right one is then no longer secret.
     pub(crate) is_judged: bool,
 }
 
@@ -43,11 +43,11 @@ pub(crate) enum Feedback {
     NotAnswered,
     /// Some of the numbers are missing.
     Missing,
-    /// The typed text is no number, for this reason.
+    /// The typed text is not a number, for this reason.
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
-    /// The mistake follows from one in another part, which is described there.
+    /// The mistake follows from a mistake in another part, and is described there.
     Follows(Asked),
 }
 
@@ -85,7 +85,8 @@ impl Exercises {
         Exercises { question, seed, answers, is_solved: false, kept: Vec::new() }
     }
 
-    /// Opens this question, with what was typed in it before. What was typed in the open one is kept.
+    /// Opens this question with the answers typed in it before, and keeps the answers of the
+    /// question that was open.
     pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
         if (self.question.exercise, self.seed) == (exercise, seed) {
             return;
@@ -104,7 +105,7 @@ impl Exercises {
         self.kept = kept;
     }
 
-    /// Opens the question from this seed without answers; those to other questions are kept.
+    /// Opens the question from this seed without answers. The answers to other questions are kept.
     pub(crate) fn renew(&mut self, seed: u64) {
         self.show(self.question.exercise, Some(seed));
         self.clear();
@@ -163,7 +164,7 @@ impl Exercises {
 }
 
 impl TypedAnswer {
-    /// Returns the numbers, if all are given and can be calculated.
+    /// Returns the numbers if all fields are filled and can be evaluated.
     pub(crate) fn numbers(&self) -> Option<Vec<f64>> {
         match self.answer() {
             Ok(Answer::Numbers(numbers)) => Some(numbers),
@@ -187,13 +188,13 @@ impl TypedAnswer {
         numbers.map(Answer::Numbers).map_err(Feedback::NoNumber)
     }
 
-    /// Distributes the numbers of a vector that was pasted into one field, `(1, 2, 3)`, over all fields.
+    /// Distributes a vector that was pasted into one field, such as `(1, 2, 3)`, over all fields.
     pub(crate) fn spread(&mut self) {
         let count = self.fields.len();
         let whole = self.fields.iter().find(|field| field.matches(',').count() + 1 == count);
         let Some(whole) = whole.filter(|_| count > 1) else { return };
         let inside = whole.trim().trim_start_matches('(').trim_end();
-        // The bracket that closes the vector, not the last number's.
+        // Strip a bracket that closes the vector, but not one that belongs to the last number.
         let unbalanced = inside.matches(')').count() > inside.matches('(').count();
         let inside = if unbalanced { inside.strip_suffix(')').unwrap_or(inside) } else { inside };
         self.fields = inside.split(',').map(|field| field.trim().to_owned()).collect();

@@ -1,4 +1,4 @@
-//! The practice of a student: exercises, classic mistakes, and answers to be graded.
+//! A student's practice: exercises, classic mistakes, and answers to be graded.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -10,10 +10,10 @@ use pinhole_lecture::mistakes::{Mistake, Vote};
 pub mod answer_marks;
 pub mod exercises;
 
-/// Largest seed of a question or a vote. Its field calculates in `f64`, which is exact up to 2^53.
+/// Maximum seed of a question or a vote. Its field calculates in `f64`, which is exact up to 2^53.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
 
-/// Returns the seed after this one; after the largest comes 0.
+/// Returns the next seed; after the maximum comes 0.
 pub(crate) fn next_seed(seed: u64) -> u64 {
     if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
@@ -27,11 +27,11 @@ pub struct MistakesView {
     pub open_vote: Option<OpenVote>,
     /// The seed of the open vote, or of the next one.
     pub seed: u64,
-    /// True if a vote was asked for, but no two mistakes can be told apart in the picture.
+    /// True if a vote was requested, but no two mistakes can be distinguished in the picture.
     pub nothing_shows: bool,
-    /// True if a vote is to be opened as soon as there is a picture.
+    /// True if a vote will open as soon as there is a picture.
     pub wants_vote: bool,
-    /// True if the map of the pixels that differ is wanted in place of the wrong picture.
+    /// True if the user wants the map of differing pixels in place of the wrong picture.
     pub wants_differences: bool,
 }
 
@@ -91,7 +91,7 @@ impl MistakesView {
         }
     }
 
-    /// Goes back to the gallery, with the mistake of the vote chosen if it was revealed.
+    /// Returns to the gallery. If the vote's mistake was revealed, it becomes the chosen one.
     pub fn close_vote(&mut self) {
         if self.is_revealed() {
             self.chosen = self.shown();
@@ -108,7 +108,7 @@ pub struct AnswersFile {
     pub path: PathBuf,
     /// The file's content.
     pub bytes: Vec<u8>,
-    /// The kind of answers, by the first bytes.
+    /// The kind of answers, as determined by the file's first bytes.
     pub kind: Option<AnswerKind>,
 }
 
@@ -128,7 +128,8 @@ impl StudentAnswers {
         name.to_string_lossy().into_owned()
     }
 
-    /// Returns true if the answers name rows and columns by number; a basis and a picture do not.
+    /// Returns true if the answers refer to rows and columns by number; a basis and a picture do
+    /// not.
     pub fn are_numbered(&self) -> bool {
         !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
     }

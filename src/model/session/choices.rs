@@ -1,5 +1,5 @@
-//! The choices that the settings hold: workspaces and layouts, the boundaries between the window's areas,
-//! shadings, and the colours that tell objects and vectors apart.
+//! The choices stored in the settings: workspaces and layouts, the boundaries between the window's
+//! areas, shadings, and the colours that distinguish objects and vectors.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -48,7 +48,7 @@ impl Workspace {
         }
     }
 
-    /// Returns its pages; the first one is shown when it is opened.
+    /// Returns the workspace's pages; the first one is shown when the workspace opens.
     pub fn pages(self) -> &'static [ViewLayout] {
         match self {
             Workspace::Scene => {
@@ -63,11 +63,11 @@ impl Workspace {
     }
 }
 
-/// The layouts that are tools, apart from the workspaces.
+/// The layouts that are tools and belong to no workspace.
 pub const TOOLS: &[ViewLayout] = &[ViewLayout::Translator, ViewLayout::Accuracy];
 
-/// A layout of the window, with its label, its description, and its name in lesson files, which
-/// is empty if no lesson can show it.
+/// A layout of the window, with its label, its description, and its name in lesson files. The name
+/// is empty if no lesson can show the layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum ViewLayout {
     /// World view and camera view side by side.
@@ -100,8 +100,8 @@ pub enum ViewLayout {
 }
 
 impl ViewLayout {
-    /// The layouts to choose from. The derivation alone is for presenting, and answers are shown
-    /// only once there are some.
+    /// The layouts that the user can choose. The derivation alone is for presenting, and the layout
+    /// for graded answers appears only once there are answers.
     pub const LISTED: [ViewLayout; 11] = {
         use ViewLayout::*;
         [
@@ -146,7 +146,8 @@ impl ViewLayout {
         Some(self.texts()[2]).filter(|name| !name.is_empty())
     }
 
-    /// Returns the workspace that it is a page of; `None` of tools, and of what only presenter mode shows.
+    /// Returns the workspace that the layout is a page of; `None` for tools and for layouts that
+    /// only presenter mode shows.
     pub fn workspace(self) -> Option<Workspace> {
         Workspace::ALL.into_iter().find(|workspace| workspace.pages().contains(&self))
     }
@@ -207,17 +208,17 @@ pub fn shade_about(shade: Shade) -> &'static str {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Split {
-    /// The world view's share of the width, beside the camera view.
+    /// The world view's share of the width when it is to the left of the camera view.
     Views,
-    /// The world view's share of the height, above the camera view.
+    /// The world view's share of the height when it is above the camera view.
     Stack,
-    /// The world view's share of the width, where the ghost's picture is beside the camera's.
+    /// The world view's share of the width when the ghost's picture is shown.
     CompareViews,
     /// The same in practice.
     PracticeViews,
-    /// The views' share of the width, beside the derivation or the translator.
+    /// The views' share of the width, to the left of the derivation or the translator.
     Derivation,
-    /// The readouts' height, in points. All that follow are heights, too.
+    /// The readouts' height, in points. All following values are heights in points, too.
     Readouts,
     /// Plot and table in the accuracy view.
     Accuracy,
@@ -260,12 +261,12 @@ impl Splits {
         self.0[split as usize]
     }
 
-    /// Returns true if a boundary is where it is by default.
+    /// Returns true if a boundary is at its default position.
     pub fn is_default(&self, split: Split) -> bool {
         self.get(split) == TABLE[split as usize].1
     }
 
-    /// Moves a boundary, clamped to its range; to its default if `to` is not finite.
+    /// Moves a boundary to `to`, clamped to its range, or to its default if `to` is not finite.
     pub fn set(&mut self, split: Split, to: f32) {
         let (_, first, range) = &TABLE[split as usize];
         let to = if to.is_finite() { to } else { *first };
@@ -298,14 +299,15 @@ impl From<Splits> for BTreeMap<Split, f32> {
 /// The greys of objects; neighbours in the list differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
-/// A choice of colours that tell objects and vectors apart, with its name in a menu and its
+/// A colour scheme that distinguishes objects and vectors, with its name in a menu and its
 /// description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Scheme {
     /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
     #[default]
     Standard,
-    /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
+    /// Colours that viewers with any kind of colour blindness can distinguish, by hue and by
+    /// lightness.
     ColourBlind,
     /// Greys only, for print: u, v, w differ by their dashes, heads and names.
     Grey,
@@ -336,7 +338,7 @@ impl Scheme {
     }
 
     /// Returns the colour of the object with this index, whose own colour is `own`. A grey object
-    /// stays grey: floors and walls need not be told apart.
+    /// stays grey, because floors and walls need not be distinguished.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {
         let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
         match self {

@@ -1,4 +1,4 @@
-//! The state of the views of a document, which a scene file does not hold, and the settings.
+//! The state of a document's views, which a scene file does not store, and the settings.
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
@@ -25,7 +25,7 @@ mod choices;
 pub mod handles;
 pub mod presenting;
 
-/// Everything about the window that is not the document. Changing it never marks the document as
+/// Everything about the window that is not the document. A change to it never marks the document as
 /// edited.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Session {
@@ -47,16 +47,16 @@ pub struct Session {
     pub hovered: Option<Hovered>,
     /// The concept that is highlighted while none is hovered.
     pub highlighted: Option<Concept>,
-    /// True while Alt is held: what is pointed at in the views dims everything else.
+    /// True while Alt is held: pointing at a concept in the views dims everything else.
     pub alt_dims: bool,
     /// True while the question of a lesson's step waits for its answer: no number is shown.
     pub is_asking: bool,
-    /// The concepts that the lesson's step speaks of, as far as they have handles; `None` while no lesson is open.
+    /// The concepts with handles that the lesson's step mentions; `None` while no lesson is open.
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
-    /// The number of the derivation's lines that are shown, from its first one; `None` shows all. The
-    /// derivation tells how many it has.
+    /// The number of the derivation's lines that are shown, counted from the first one; `None`
+    /// shows all. The derivation determines how many lines there are.
     pub revealed_lines: Option<usize>,
     /// The wrong camera beside the right one.
     pub mistakes_view: MistakesView,
@@ -68,7 +68,7 @@ pub struct Session {
     pub presenting: Option<Presenting>,
     /// True if everything but the pointer's surroundings is dimmed.
     pub spotlight: bool,
-    /// The pen that draws over the views while presenting, while it is in use.
+    /// The pen that draws over the views while presenting; `None` while it is not in use.
     pub pen: Option<Pen>,
     /// The state of the handles.
     pub handles: HandleState,
@@ -107,11 +107,11 @@ pub struct Settings {
     pub count_from_one: bool,
     /// True if a change of viewport or image keeps the pixels' shape.
     pub keep_pixel_shape: bool,
-    /// True if distance, width and height change together: the picture stays.
+    /// True if distance, width and height change together, so that the picture stays the same.
     pub keep_picture: bool,
-    /// True if up stays as it is given while eye and at are dragged, also where the view comes near it.
+    /// True if up stays as given while eye and at are dragged, even if the view comes near it.
     pub keep_up: bool,
-    /// The quantity that stays when the eye is moved in the world view.
+    /// The quantity that stays the same when the eye is moved in the world view.
     pub eye_keeps: Keep,
     /// True if the camera panel's part for teaching is unfolded.
     pub teaching: bool,
@@ -123,8 +123,8 @@ pub struct Settings {
     pub splits: Splits,
     /// True if the plot of f(p + t d) compresses values beyond 1 unit.
     pub plot_compressed: bool,
-    /// The method that draws the camera's picture: the ladder, unless another one's errors are to be
-    /// seen.
+    /// The method that draws the camera's picture: the ladder, unless the user wants to see another
+    /// method's errors.
     pub method: Method,
     /// The method of the error map.
     pub compared: Method,
@@ -132,10 +132,10 @@ pub struct Settings {
     pub theme: ThemeName,
     /// The colour scheme.
     pub scheme: Scheme,
-    /// True if nothing moves by itself: no transitions, and animations advance in steps.
+    /// True if nothing moves by itself: there are no transitions, and animations advance in steps.
     pub reduced_motion: bool,
-    /// Least size of text while presenting, in points of a window of 1024 × 768; larger in proportion
-    /// in a larger one.
+    /// Minimum text size while presenting, in points of a window of 1024 × 768; in a larger window
+    /// it is larger in proportion.
     pub smallest_text: f32,
     /// True if the numbers are shown below the views while presenting.
     pub presents_numbers: bool,
@@ -155,7 +155,7 @@ pub struct Unfolded {
     pub ray: bool,
     /// The scene's objects.
     pub objects: bool,
-    /// All numbers below the views, in place of one line.
+    /// True if all numbers are shown below the views rather than one line of them.
     pub numbers: bool,
 }
 
@@ -196,8 +196,8 @@ impl Settings {
         if self.plot_compressed { Heights::Compressed } else { Heights::Even }
     }
 
-    /// Returns the settings with every value clamped to its range: they come from a file that anyone
-    /// may have edited.
+    /// Returns the settings with every value clamped to its range, because they come from a file
+    /// that anyone may have edited.
     #[must_use]
     pub fn in_range(mut self) -> Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
@@ -217,14 +217,14 @@ impl Session {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
     }
 
-    /// Returns the concepts that are spoken of or pointed at.
+    /// Returns the concepts that the step mentions or that are highlighted.
     pub fn spoken_of(&self) -> Vec<Concept> {
         let spoken = self.spoken.iter().flatten().copied();
         spoken.chain(self.highlighted()).chain(self.highlighted).collect()
     }
 
-    /// Returns true if everything but the highlighted concept is dimmed: what the derivation or a
-    /// lesson's step speaks of. Pointing in a view is quiet, unless Alt is held.
+    /// Returns true if everything but the highlighted concept is dimmed. The derivation and a
+    /// lesson's step dim everything else; pointing in a view does so only while Alt is held.
     pub fn dims(&self) -> bool {
         self.alt_dims || self.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
     }
@@ -243,7 +243,7 @@ impl Session {
 }
 
 impl Session {
-    /// Keeps the selected position where it is seen after an edit of the camera.
+    /// Keeps the selected position at the same place in the picture after an edit of the camera.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         self.selection = self.selection.in_another_image(before.image, now.image);
         if self.settings.keep_picture {
@@ -255,10 +255,10 @@ impl Session {
 /// A scale that turns a value of f, in its curve's unit, into a height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heights {
-    /// The value itself: a plane's line is straight, a sphere's parabola is one.
+    /// The value itself: a plane's curve is a straight line and a sphere's is a parabola.
     Even,
-    /// The value up to 1, compressed beyond: 1 more is e times as much, so that far values are in
-    /// sight, too.
+    /// The value up to 1, compressed logarithmically beyond: a height larger by 1 means a value e
+    /// times as large, so that distant values are visible, too.
     Compressed,
 }
 
@@ -277,11 +277,11 @@ impl Heights {
 pub struct Ghost {
     /// The camera as given.
     pub camera: Camera,
-    /// True if the map of the pixels that see another object is shown in place of its picture.
+    /// True if the ghost's picture is replaced by the map of the pixels that see another object.
     pub shows_differences: bool,
 }
 
-/// Resolves the ghost with the current camera's image size, as the comparison needs it.
+/// Resolves the ghost with the current camera's image size, which the comparison needs.
 ///
 /// # Errors
 /// Returns an error if the ghost is an invalid camera.

@@ -1,11 +1,12 @@
-//! Presenter mode: the size of its text, the state to return to, and the pen's strokes over the views.
+//! Presenter mode: the size of its text, the state that it returns to, and the pen's strokes over
+//! the views.
 
 use crate::model::session::ViewLayout;
 
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
-    /// The layout that fills the window since a key was pressed, and the one that it replaced.
+    /// The layout that fills the window after a key press, and the layout that it replaced.
     replaced: Option<(ViewLayout, ViewLayout)>,
     /// True if the spotlight was on before.
     spotlight: bool,
@@ -23,7 +24,8 @@ impl Presenting {
         *layout = full;
     }
 
-    /// Returns the layout to return to. One that a lesson's step has set in the meantime stays.
+    /// Returns the layout to return to. If a lesson's step has set another layout in the meantime,
+    /// that one stays.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
     }
@@ -50,15 +52,15 @@ pub struct Range {
 /// The range of [`crate::model::session::Settings::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
 
-/// Size of the smallest text while presenting, in points before zoom: an index in a formula's
-/// fraction.
+/// Size of the smallest text while presenting, in points before zoom. It is the size of an index in
+/// a formula's fraction.
 pub const WRITTEN: f32 = 12.0;
 
 /// Size of the projector that [`crate::model::session::Settings::smallest_text`] refers to, in
 /// points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
 
-/// Returns the window's zoom while presenting: no text is smaller than the setting, and in a window
+/// Returns the window's zoom while presenting. No text is smaller than the setting, and in a window
 /// larger than the projector everything keeps its share of the window. `window` is the window's
 /// size in points without zoom.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
@@ -66,10 +68,10 @@ pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     larger * smallest_text / WRITTEN
 }
 
-/// What the pen has drawn, while it is in use.
+/// The strokes that the pen has drawn while it is in use.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pen {
-    /// Lines through these points, as shares of the drawn-on area's width and height.
+    /// Polylines through these points, as shares of the drawing area's width and height.
     pub lines: Vec<Vec<[f32; 2]>>,
 }
 
@@ -79,7 +81,7 @@ impl Pen {
         self.lines.push(vec![at]);
     }
 
-    /// Draws the last line on to this point.
+    /// Extends the last line to this point.
     pub fn draw_to(&mut self, to: [f32; 2]) {
         if let Some(line) = self.lines.last_mut().filter(|line| line.last() != Some(&to)) {
             line.push(to);
