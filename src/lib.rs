@@ -3,11 +3,11 @@
 //!
 //! # Floors
 //!
-//! Each folder uses only folders below it, and no two folders use one another. `tests/layout.rs` reads
-//! that off the code's own `use` lines.
+//! Each folder uses only folders below it; `exchange` also uses `lecture`, and `report` uses `figures`. No two
+//! folders use one another. `tests/layout.rs` checks this from the code's own `use` lines.
 //!
 //! ```text
-//! platform                         the window, the graphics driver, the CPU painter
+//! platform                         the window on the screen, and what draws it: wgpu or the CPU
 //! ui, cli                          what is in the window; the commands, a file each
 //! figures, report                  SVG, PDF and PNG; error against run time
 //! view                             from document and session to what is shown: pure
@@ -28,8 +28,8 @@
 //!    the part that owns the state.
 //! 3. *Derive*: [`view::derive`] makes everything that is shown from the document and the session
 //!    ([`model::session`]), and caches it by its inputs: an idle window does no work.
-//! 4. *Outputs*: views, readouts and textures get the [`Derived`](view::derive::Derived) and nothing
-//!    else, so that all of them show the same frame.
+//! 4. *Outputs*: views, readouts and textures show one [`Derived`](view::derive::Derived), which they cannot
+//!    change, so all of them show the same frame.
 //!
 //! A camera without a basis is a typed error on this path, and reaches the screen as a reason over the
 //! last good picture.
@@ -43,14 +43,16 @@
 //!
 //! # Where to look
 //!
+//! Paths are below `src/`, except for `tests/` and `assets/`.
+//!
 //! | for | open |
 //! | --- | --- |
-//! | how a hit gets its colour | `core/render/shade/shade_rows.rs`; the kinds of shading in `core/render/shade/paint.rs` |
-//! | the error bound of the `f32` row kernel | `core/render/rows/span.rs` |
+//! | how a hit gets its colour | `core/render/shade/shade_rows.rs`, for single hits `core/render/shade/mod.rs`; the kinds of shading in `core/render/shade/paint.rs` |
+//! | the error bound of the `f32` row kernel | `core/render/rows/span.rs`; kept by `core/render/outline/mod.rs` |
 //! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
 //! | a mistake, its name and its texts | `lecture/mistakes/table.rs` |
-//! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` beside it |
-//! | a line of the derivation | `lecture/derivation.rs` for its numbers, `view/derivation/` for its form |
+//! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` in the same folder |
+//! | a line of the derivation | `view/derivation/camera.rs` and `view/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
@@ -58,18 +60,21 @@
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
-//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
+//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
 //! | a workspace of the window | `ui/workspaces.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
-//! | a command, its key and its menu | `ui/commands_table/table.rs` |
+//! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
+//! | what the window opens with | `platform/mod.rs` |
+//! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |
+//! | unsaved changes | when they are written: `ui/app/recovery.rs`; what: `model/recovery.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name; `export` and `import` in `cli/other_programs.rs` |
-//! | the built-in scenes and lessons | `exchange/scenes/builtin/`, `assets/lessons/` |
-//! | tests | `tests/` for the program, `tests/` in the folder of each crate |
+//! | the built-in scenes and lessons | `exchange/scenes/builtin/`, listed in `exchange/scenes.rs`; `assets/lessons/`, listed in `model/lessons/builtin.rs` |
+//! | tests | `tests/` for the program, `tests/` or `tests.rs` in the folder of each crate |
 //!
-//! Pure functions stand in the middle; clocks, files and the display at the edge (`model/files.rs`,
-//! `model/store.rs`, `cli`, `platform`).
+//! Pure functions are in the middle; clocks, files and the display are at the edge (`model/files.rs`,
+//! `model/store.rs`, `model/recovery.rs`, `cli`, `platform`).
 
 pub mod cli;
 pub mod figures;
