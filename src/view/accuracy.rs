@@ -1,5 +1,5 @@
-//! Error maps: another method's picture compared with the ladder's pixel by pixel, as colours.
-//! This module is pure.
+//! Error maps: compare another method's picture with the ladder's, pixel by pixel, and show the errors as
+//! colours. This module is pure.
 
 use egui::Color32;
 use pinhole_core::methods::Traced;
@@ -10,9 +10,9 @@ use pinhole_core::{Frame, NO_OBJECT, Raster};
 pub enum PixelError {
     /// The ray hits nothing, and the method agrees.
     Miss,
-    /// The object is right; the value is the error of t in ulps of `f64`, at most [`f64::MAX`].
+    /// Both methods find the same object. The value is the error of t in ulps of `f64`, at most [`f64::MAX`].
     Ulps(f64),
-    /// The method finds another object, a false hit or a false miss.
+    /// The method finds a different object: a false hit or a false miss.
     Wrong,
 }
 
@@ -23,8 +23,7 @@ pub struct Comparison {
     pub errors: Vec<PixelError>,
     /// Number of wrong pixels.
     pub wrong: usize,
-    /// Largest error in t where the object is right, in ulps of `f64`; `None` if there is no such
-    /// pixel.
+    /// Largest error of t in ulps, among the pixels whose object is right; `None` if there is no such pixel.
     pub largest: Option<f64>,
 }
 
@@ -61,7 +60,7 @@ fn ulp(t: f64) -> f64 {
     (t.next_up() - t).max(f64::from_bits(1))
 }
 
-/// Upper end of the colour scale, in powers of ten of an ulp of `f64`: no digit of t is right.
+/// Upper end of the colour scale, in powers of ten of an ulp of `f64`; there, no digit of t is right.
 pub(crate) const DECADES: f64 = 16.0;
 
 /// Colour of pixels where nothing is hit.
@@ -70,8 +69,8 @@ const NOTHING: Color32 = Color32::from_rgb(0x2a, 0x2d, 0x33);
 /// Colour of wrong pixels, in the map and in its legend.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xff, 0x2d, 0x55);
 
-/// The colour map Viridis (van der Walt and Smith 2015): perceptually uniform, also for
-/// colour-blind viewers, and of increasing brightness.
+/// The colour map Viridis (van der Walt and Smith 2015). It is perceptually uniform, even for colour-blind
+/// viewers, and its brightness increases steadily.
 const VIRIDIS: [[u8; 3]; 10] = [
     [68, 1, 84],
     [72, 40, 120],
@@ -85,7 +84,7 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [253, 231, 37],
 ];
 
-/// Returns the colour of an error: the darkest for up to one ulp, the brightest if no digit is right.
+/// Returns the colour of an error: the darkest for one ulp or less, the brightest if no digit is right.
 pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     let share = (ulps.max(1.0).log10() / DECADES).clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let index = (share as usize).min(VIRIDIS.len() - 2);
@@ -107,11 +106,12 @@ pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     comparison.errors.iter().map(color).collect()
 }
 
-/// Least size of a mark, in points, so that it is visible from the back row even if a pixel is one dot.
+/// Minimum size of a mark, in points, so that it is visible from the back row even if a pixel is a single
+/// dot.
 const MARK: f32 = 5.0;
 
-/// Marks the wrong pixels in a buffer of `width` dots a row that shows the whole raster. The marks
-/// are squares with a white edge, so that they differ from the map by shape, too.
+/// Marks the wrong pixels in a buffer of `width` dots per row that shows the whole raster. The marks are
+/// squares with a white edge, so their shape also distinguishes them from the map.
 pub(crate) fn mark_wrong(
     comparison: &Comparison,
     raster: &Raster,
@@ -124,7 +124,7 @@ pub(crate) fn mark_wrong(
     mark(&wrong, raster, (width, scale), dots);
 }
 
-/// Marks these pixels of the raster in the same way as [`mark_wrong`], each in its own colour.
+/// Marks the given pixels of the raster as [`mark_wrong`] does, each in its own colour.
 pub(crate) fn mark(
     pixels: &[(usize, Color32)],
     raster: &Raster,
@@ -149,7 +149,7 @@ pub(crate) fn mark(
             (rows, across(index % columns, columns, width), color)
         })
         .collect();
-    // All edges are painted first: where many pixels are marked, the marks merge into one area with
+    // All edges are painted first, so that where many pixels are marked, the marks merge into one area with
     // one edge.
     for (grow, same) in [(edge, Some(Color32::WHITE)), (0, None)] {
         for ((top, bottom), (left, right), own) in &marks {

@@ -1,6 +1,6 @@
-//! Adaptive resolution: while something is dragged in a scene that is too slow to trace in one frame,
-//! pictures are traced with fewer pixels. As soon as the drag rests, they are traced with all pixels,
-//! unless the window would stop responding.
+//! Adaptive resolution: while the user drags something in a scene that is too slow to trace in one frame,
+//! pictures are traced with fewer pixels. As soon as the drag rests, they are traced with all pixels, unless
+//! the window would stop responding.
 
 use std::time::Duration;
 
@@ -20,10 +20,10 @@ impl Subsampling {
     /// Full resolution: all pixels that can be shown are traced.
     pub const NONE: Subsampling = Subsampling(1);
 
-    /// Lowest resolution: one row and column in 8 is traced; motion can still be followed.
+    /// Lowest resolution: one row and one column in 8 are traced, so that motion can still be followed.
     pub const MOST: Subsampling = Subsampling(8);
 
-    /// Returns the pixels to trace of an image shown on `columns` x `rows` dots.
+    /// Returns the pixels to trace for an image shown on `columns` x `rows` dots.
     pub(crate) fn raster(self, image: ImageSize, [columns, rows]: [u32; 2]) -> Raster {
         let some = |dots: u32, count: u32| dots.min(count).div_ceil(self.0);
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
@@ -41,20 +41,20 @@ impl Subsampling {
     }
 }
 
-/// Longest time for tracing a picture during a drag: it leaves time for the rest of a frame at 60 Hz.
+/// Longest time to trace a picture during a drag. It leaves enough time for the rest of a frame at 60 Hz.
 const BUDGET: Duration = Duration::from_millis(8);
 
-/// Greatest share of the budget that a finer picture may take. A share near 1 would make the next
-/// frame coarser again.
+/// Largest share of the budget that a finer picture may take. With a share near 1, the next frame would
+/// become coarser again.
 const COMFORT: f64 = 0.6;
 
-/// Longest time for tracing a picture at rest, during which the window does not respond.
+/// Longest time to trace a picture at rest; the window does not respond during it.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Least number of objects with which tracing all pixels may take longer than [`LONGEST`].
+/// Minimum number of objects for which tracing all pixels may take longer than [`LONGEST`].
 const MANY: usize = 200;
 
-/// Seconds without a move after which a drag counts as resting.
+/// Seconds without movement after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
 /// Chooses the subsampling from the times of earlier pictures.
@@ -67,7 +67,7 @@ pub(crate) struct AdaptiveResolution {
     resting: Subsampling,
     /// Estimated time for tracing all pixels, at most.
     full: Duration,
-    /// Number of objects in the scene that the times are of.
+    /// Number of objects in the scene whose times were measured.
     objects: usize,
     /// Time of the last move, in seconds.
     moved_at: f64,
@@ -92,14 +92,14 @@ impl AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
-    /// Returns the current subsampling; `moves` is true if the view is being moved right now.
+    /// Returns the current subsampling; `moves` is true if the view is moving right now.
     pub(crate) fn now(&mut self, moves: bool, time: f64, objects: usize) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
         if objects != self.objects {
             self.objects = objects;
-            // The first picture is coarse, and shows how long all pixels would take.
+            // The first picture is coarse; its time predicts how long all pixels would take.
             if objects >= MANY {
                 (self.moving, self.resting) = (Subsampling::MOST, Subsampling::MOST);
             }
@@ -107,7 +107,7 @@ impl AdaptiveResolution {
         if self.is_followed(time) { self.moving } else { self.resting }
     }
 
-    /// Returns true if a picture with this subsampling is refined as soon as the drag rests.
+    /// Returns true if a picture with this subsampling is traced more finely as soon as the drag rests.
     pub(crate) fn is_made_finer(&self, shown: Subsampling) -> bool {
         shown > self.resting
     }
@@ -132,7 +132,7 @@ impl AdaptiveResolution {
     /// Records the time in which new pictures were traced.
     pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
         let step = f64::from(subsampling.0);
-        // The time is at most proportional to the number of pixels, and so to 1 / step^2.
+        // The time is at most proportional to the number of pixels, which is proportional to 1 / step^2.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
         let next = if share > 1.0 {
             (step * share.sqrt()).ceil()
@@ -196,7 +196,7 @@ mod tests {
     fn what_would_take_long_stays_coarse_at_rest_and_says_so() {
         let mut adaptive_resolution = AdaptiveResolution::default();
         assert_eq!(adaptive_resolution.now(false, 0.0, 10_000), Subsampling::MOST, "not known yet");
-        // An eighth of rows and columns in 100 ms: all in 6.4 s, and a third in 0.7.
+        // One eighth of the rows and columns takes 100 ms, so all take 6.4 s, and one third takes 0.7 s.
         adaptive_resolution.took(Subsampling::MOST, 100 * MS);
         let now = adaptive_resolution.now(false, 0.2, 10_000);
         assert_eq!(now, Subsampling(3));
@@ -205,7 +205,7 @@ mod tests {
             adaptive_resolution.message(now).as_deref(),
             Some("every 3rd row and column: all of them would take up to 7 s")
         );
-        // A scene that turns out to be light is fine again.
+        // A scene that turns out to be fast is traced finely again.
         adaptive_resolution.took(now, MS);
         assert!(adaptive_resolution.is_made_finer(now));
         assert_eq!(adaptive_resolution.now(false, 0.4, 10_000), Subsampling::NONE);

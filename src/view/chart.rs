@@ -1,11 +1,11 @@
 //! Charts: a scale along each side, grid lines with their numbers, and strokes that end at the edge.
-//! Everything goes to an egui painter: the window paints it, and figures write it to files.
+//! Everything is drawn with an egui painter: the window paints it, and figures write it to files.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
 use pinhole_lecture::numbers::{power_of_ten, short, written};
 
-/// Maps values to positions along an edge of a chart, in points, possibly backwards.
+/// Maps values to positions along an edge of a chart, in points. The direction may be reversed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     is_logarithmic: bool,
@@ -51,7 +51,7 @@ impl Scale {
     /// Returns the position of a value, or of a decimal logarithm on a logarithmic scale.
     fn place(&self, value: f64) -> f32 {
         let ([low, high], [from, to]) = (self.range, self.edge);
-        // Positions far outside look the same, and f32 has a limited range.
+        // Positions far outside the chart look the same, and `f32` has a limited range.
         let share = ((value - low) / (high - low)).clamp(-1e4, 1e4);
         from + share as f32 * (to - from)
     }
@@ -87,7 +87,7 @@ impl Scale {
         values.map(tick).collect()
     }
 
-    /// Returns powers of ten and, if there is room, other numbers between them.
+    /// Returns the ticks at powers of ten and, if there is room, at other numbers between them.
     fn powers(&self, least: f64) -> Vec<Tick> {
         const DIGITS: [&[f64]; 3] = [&[1.0, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0, 3.0]];
         let closest = |digits: &[f64]| {
@@ -135,8 +135,8 @@ pub(crate) struct GridInk {
     pub(crate) size: f32,
 }
 
-/// Draws a line from top to bottom at each tick, and the numbers below the chart. Leaves out a number
-/// that would touch the one before it or extend too far beyond the right edge.
+/// Draws a line from top to bottom at each tick, and the numbers below the chart. Leaves out a number that
+/// would touch the previous one or extend too far beyond the right edge.
 pub(crate) fn columns(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk) {
     let gap = ink.size - 8.0;
     let mut free = rect.left() - 2.0 * gap;
@@ -159,7 +159,7 @@ pub(crate) fn rows(painter: &Painter, rect: Rect, ticks: &[Tick], color: Color32
     }
 }
 
-/// Writes the numbers of ticks to the left of the chart.
+/// Writes the numbers of the ticks to the left of the chart.
 pub(crate) fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: GridInk) {
     for Tick { at, text, .. } in ticks {
         let font = FontId::proportional(ink.size);
@@ -170,7 +170,7 @@ pub(crate) fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: Gri
 /// Dash and gap of an unbroken line.
 pub(crate) const SOLID: [f32; 2] = [0.0; 2];
 
-/// Draws a chain of straight lines. Dash and gap are in points; see [`SOLID`].
+/// Draws a polyline. The dash and the gap are in points; see [`SOLID`].
 pub(crate) fn line(
     painter: &Painter,
     points: &[Pos2],
@@ -184,14 +184,14 @@ pub(crate) fn line(
     }
 }
 
-/// Draws the head of an arrow, which has the direction and the length of `forwards`.
+/// Draws an arrowhead with the direction and the length of `forwards`.
 pub(crate) fn arrowhead(painter: &Painter, tip: Pos2, forwards: Vec2, color: Color32) {
     let (back, side) = (tip - forwards, 0.5 * forwards.rot90());
     let corners = vec![tip, back + side, back - side];
     painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
 }
 
-/// Returns the parts of a chain of straight lines that lie inside a rectangle.
+/// Returns the parts of a polyline that lie inside a rectangle.
 pub(crate) fn parts_inside(rect: Rect, points: &[Pos2]) -> Vec<Vec<Pos2>> {
     let mut parts: Vec<Vec<Pos2>> = Vec::new();
     for pair in points.windows(2) {

@@ -1,4 +1,4 @@
-//! The effect of a handle's drag: converts the pointer's position to a point of the world, and that to
+//! The effect of dragging a handle: converts the pointer's position to a point of the world, and the point to
 //! the values that the handle changes.
 
 use std::f64::consts::PI;
@@ -39,13 +39,13 @@ pub struct HandleDrag<'a> {
 pub struct Dragged {
     /// The changed values.
     pub values: HandleValues,
-    /// Unit vector from a sphere's centre to the held point of its surface.
+    /// Unit vector from the centre of a sphere to the point of its surface that is being dragged.
     pub toward: DVec3,
-    /// True if up was turned as well, because the view came near it.
+    /// True if up was turned too, because the view direction came near it.
     pub up_went_along: bool,
 }
 
-/// Returns the step for values at a point of the world: 1, 2 or 5 times a power of ten.
+/// Returns the step by which values change at a point of the world: 1, 2 or 5 times a power of ten.
 ///
 /// # Errors
 /// Returns an error if the point is not in front of the observer.
@@ -53,7 +53,7 @@ pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Result<f64, 
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at)?)
 }
 
-/// Returns the position of the tip of v after a roll of the camera by `degrees`.
+/// Returns the position of the tip of v after the camera rolls by `degrees`.
 pub fn turned_by(drag: &Drag, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let Basis { u, v, .. } = drag.before.camera.basis().ok()?;
@@ -61,7 +61,7 @@ pub fn turned_by(drag: &Drag, degrees: f64) -> Option<DVec3> {
 }
 
 impl HandleDrag<'_> {
-    /// Returns the result of a drag to `uv` in the observer's viewport.
+    /// Returns the result of dragging the handle to `uv` in the observer's viewport.
     ///
     /// # Errors
     /// Returns an error if the handle cannot be dragged there.
@@ -70,10 +70,10 @@ impl HandleDrag<'_> {
         self.put(self.observer.dragged(at, begun_at, uv, self.along()?)?)
     }
 
-    /// Returns the result of moving the handle to a point of the world, or as near to it as possible.
+    /// Returns the result of moving the handle to a point of the world, or as close to it as possible.
     ///
     /// # Errors
-    /// Returns an error if it cannot be there.
+    /// Returns an error if the handle cannot be moved there.
     pub fn put(&self, point: DVec3) -> Result<Dragged, SteerError> {
         let Drag { before: values, at, toward, .. } = *self.drag;
         let mut dragged = Dragged { values, toward, up_went_along: false };
@@ -125,7 +125,7 @@ impl HandleDrag<'_> {
         })
     }
 
-    /// Rounds a number to the precision of the pointer, or snaps it; `per` is its change per world
+    /// Rounds a number to the precision of the pointer, or snaps it; `per` is the number's change per world
     /// unit.
     fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
         match (self.snaps, self.handle) {
@@ -135,7 +135,7 @@ impl HandleDrag<'_> {
         }
     }
 
-    /// Rounds or snaps a number if the drag changed it; otherwise it stays the same to the bit.
+    /// Rounds or snaps a number if the drag changed it; otherwise returns it unchanged, to the last bit.
     fn changed(&self, from: f64, to: f64, per: f64) -> Result<f64, SteerError> {
         if from == to { Ok(to) } else { self.number(to, per) }
     }
@@ -167,8 +167,8 @@ impl HandleDrag<'_> {
         self.aimed(Camera { orientation, ..camera }, camera.with_at(point))
     }
 
-    /// Returns the steered camera. If it has no basis, returns `set` instead, whose fields then show the
-    /// fault; if up is kept, always returns `set`.
+    /// Returns the steered camera. If that camera has no basis, returns `set` instead, so that the fields
+    /// show the fault. If the settings keep up fixed, always returns `set` for a camera with an up vector.
     fn aimed(
         &self,
         set: Camera,
@@ -182,8 +182,8 @@ impl HandleDrag<'_> {
         steered
     }
 
-    /// Returns the camera with the dragged up, even if it is parallel to the view: the fields then show
-    /// the fault.
+    /// Returns the camera with the dragged up vector, even if it is parallel to the view: the fields then
+    /// show the fault.
     fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
         let (camera, length) = (self.drag.before.camera, self.drag.length);
         let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
@@ -204,7 +204,7 @@ impl HandleDrag<'_> {
         camera.swung(self.number(degrees, 180.0 / (PI * self.drag.length))?)
     }
 
-    /// Returns the camera moved along w by as much as the tip of w.
+    /// Returns the camera moved along w by the same distance as the tip of w.
     fn dolly(&self, tip: DVec3) -> Result<Camera, SteerError> {
         let camera = self.drag.before.camera;
         let back = self.number((tip - self.drag.at).dot(camera.basis()?.w), 1.0)?;
@@ -216,9 +216,9 @@ impl HandleDrag<'_> {
         })
     }
 
-    /// Returns the camera with a corner of its viewport at (or nearest to) a point; its middle stays.
-    /// To keep the pixels' shape, the corner is the point nearest to the pointer on the diagonal. An
-    /// invalid size is kept as it is, so that the fields show the fault.
+    /// Returns the camera with a corner of its viewport at a point, or as close to it as possible; the
+    /// viewport's centre stays. To keep the pixels' shape, the corner moves to the point of the diagonal
+    /// nearest to the pointer. An invalid size is kept as it is, so that the fields show the fault.
     fn corner(&self, corner: Corner, point: DVec3) -> Result<Camera, SteerError> {
         if self.settings.keep_picture {
             return self.distance(point);
@@ -250,12 +250,12 @@ impl HandleDrag<'_> {
         Ok(Camera { viewport, ..camera })
     }
 
-    /// Returns the camera with the plane of its viewport through a point.
+    /// Returns the camera with the plane of its viewport moved to pass through a point.
     fn distance(&self, point: DVec3) -> Result<Camera, SteerError> {
         let camera = self.drag.before.camera;
         let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        // An invalid distance is set as it is, without the lock, so that the fields show the fault.
+        // An invalid distance is set unchanged, without the lock, so that the fields show the fault.
         let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
         Ok(scaled.flatten().unwrap_or(set))
     }

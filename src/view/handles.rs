@@ -1,10 +1,10 @@
-//! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
-//! planes. This module is pure; pointer input is handled in `ui::scene::dragging`.
+//! Handles that the user drags in the world view: eye, at, the tip of up, the viewport, spheres and planes.
+//! This module is pure; `ui::scene::dragging` handles pointer input.
 //!
-//! It has the handles' positions on the screen, the hit test, their names and values, and the marks that
-//! the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates the effect of a drag.
+//! This module places the handles on the screen, hit-tests them, gives their names and values, and makes the
+//! marks that the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates the effect of a drag.
 //!
-//! No gizmo crate is used: those for egui edit one transform at a time, but a viewport has corners and a
+//! No gizmo crate is used: the gizmos for egui edit one transform at a time, but a viewport has corners and a
 //! sphere has a radius. They also do not draw through the overlay, whose marks go into figures.
 
 use pinhole_core::{Basis, DVec2, DVec3, Object, Orientation, Plane, ResolvedCamera, Selection};
@@ -20,7 +20,7 @@ use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 /// Distance from an arrow's tip to its handle, in points.
 const BEYOND: f64 = 10.0;
 
-/// Greatest distance of two handles that count as overlapping, as a share of the pointer's reach.
+/// Maximum distance between two handles that count as overlapping, as a share of the pointer's reach.
 const TOGETHER: f64 = 0.4;
 
 /// The document and the observer for which handles are placed.
@@ -49,7 +49,7 @@ pub struct PlacedHandle {
     pub at: DVec3,
     /// The position on the observer's screen, in dots.
     pub spot: DVec2,
-    /// Length in the world at which an arrow of length 1 is drawn, if this is its tip.
+    /// If this handle is the tip of an arrow: the length in the world at which an arrow of length 1 is drawn.
     pub length: f64,
     /// Unit vector from a sphere's centre to its radius handle.
     pub toward: DVec3,
@@ -64,7 +64,7 @@ impl PlacedHandle {
     }
 }
 
-/// Returns all handles in the observer's picture, drawn or not. Of several at the same position, the
+/// Returns all handles in the observer's picture, drawn or not. If several are at the same position, the
 /// first one is preferred.
 pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     if !stage.items.shows(Item::Handles) {
@@ -79,7 +79,7 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
             [Handle::Point(k), Handle::Normal(k)]
         }
     };
-    // The user who has chosen an object wants to move it, even if at is its centre.
+    // A user who has chosen an object wants to move it, even if at lies in its centre.
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
     let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
@@ -100,8 +100,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     placed.collect()
 }
 
-/// Returns the handle nearest to a position, at most `reach` away, all in dots. If others overlap it,
-/// returns the first of them, or the one after the handle that was clicked last.
+/// Returns the handle nearest to a position, at most `reach` away; both are in dots. If other handles overlap
+/// it, returns the first of them, or the one after the handle that was clicked last.
 pub fn hit(
     placed: &[PlacedHandle],
     at: DVec2,
@@ -129,14 +129,14 @@ impl Stage<'_> {
         a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
     }
 
-    /// Returns the distance, in the world, of a handle from its arrow's tip; the arrow's head stays
+    /// Returns the distance in the world between a handle and the tip of its arrow; it keeps the arrowhead
     /// visible.
     fn beyond(&self, base: DVec3) -> f64 {
         overlay::length_of_points(self.observer, base, BEYOND, self.scale)
     }
 
-    /// Returns the world length of an arrow of length 1, if this handle is an arrow's tip, and 1 for other
-    /// handles; `None` if the arrow is not visible.
+    /// Returns the length in the world of an arrow of length 1 if this handle is the tip of an arrow, and 1
+    /// for other handles; `None` if the arrow is not visible.
     fn length(&self, handle: Handle) -> Option<f64> {
         let per_length = |drawn: f64, vector: DVec3| {
             let length = vector.length();
@@ -246,8 +246,8 @@ fn vector(v: DVec3, digits: usize) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// Returns a handle's value: `eye = (1, 0, 0)`. Rows and columns are counted from 1 if `from_one`
-/// is set.
+/// Returns the text of a handle's value, such as `eye = (1, 0, 0)`. Rows and columns are counted from 1 if
+/// `from_one` is set.
 pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
     let number = |x: f64| written(x, digits);
@@ -300,11 +300,12 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
     }
 }
 
-/// Length of the lines along which a handle moves, to either side, in points.
+/// Length, in points, of the lines along which a handle moves, on each side of the handle.
 const GUIDE_POINTS: f64 = 46.0;
 
-/// Returns the marks that the overlay draws for the handles: eye, at and the tip of up always, and the
-/// others if they are hovered, held or chosen, or change one of the concepts in `spoken`.
+/// Returns the marks that the overlay draws for the handles. The handles of eye, at and the tip of up are
+/// always drawn. Other handles are drawn if they are hovered, held or chosen, or if they change one of the
+/// concepts in `spoken`.
 pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());
@@ -343,13 +344,13 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
     }
 }
 
-/// Returns true for the handles of the camera's inputs and of objects: only objects that are chosen or
-/// hovered have handles.
+/// Returns true for the handles of the camera's inputs and of objects. Only chosen or hovered objects have
+/// handles.
 fn is_always_drawn(handle: Handle) -> bool {
     matches!(handle, Handle::Eye | Handle::At | Handle::Up) || handle.object().is_some()
 }
 
-/// Returns true for a handle itself, and for the handles of one viewport.
+/// Returns true if both handles are the same, or belong to the same viewport.
 fn belong_together(handle: Handle, other: Handle) -> bool {
     let is_of_viewport = |handle| matches!(handle, Handle::Corner(_) | Handle::Distance);
     handle == other || (is_of_viewport(handle) && is_of_viewport(other))
@@ -375,7 +376,7 @@ fn knob(handle: Handle) -> Knob {
     }
 }
 
-/// Returns the lines or the ring along which a handle moves; none for one that moves freely.
+/// Returns the lines or the ring along which a handle moves; none for a handle that moves freely.
 fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
     let PlacedHandle { handle, at, .. } = *over;
     let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);

@@ -5,7 +5,7 @@ use egui::{Color32, RawInput, Rect, Vec2, ViewportId};
 
 use super::painter::SoftwarePainter;
 
-/// One pass of a user interface: the shapes it drew, and the data to paint them into pixels.
+/// One pass of a user interface: the shapes that it drew, and the data needed to paint them into pixels.
 #[derive(Debug)]
 pub struct UiPass {
     shapes: Vec<ClippedShape>,
@@ -15,8 +15,8 @@ pub struct UiPass {
 }
 
 impl UiPass {
-    /// Runs the first pass of a context, on a screen of `size` pixels with `pixels_per_point`
-    /// pixels per point. Later passes would lack the glyphs that the first one uploads.
+    /// Runs the first pass of a context, on a screen of `size` pixels with `pixels_per_point` pixels per
+    /// point. A later pass would lack the glyphs that the first one uploads.
     pub fn draw(
         ctx: &egui::Context,
         size: [usize; 2],

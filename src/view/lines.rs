@@ -1,5 +1,5 @@
-//! The lab of lines: the plane with both lines and their handles, and the substitution of one line
-//! into the other, step by step in words and numbers.
+//! The lab of lines: draws both lines in the plane with their handles, and substitutes one line into the
+//! other, step by step in words and numbers.
 
 use std::cmp::Ordering;
 
@@ -22,7 +22,7 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// Maximum width of the numbers next to the drawing, in points and as a share of the whole width.
+/// Maximum width of the numbers next to the drawing, in points and as a share of the total width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text, with its formulas typeset.
@@ -30,8 +30,7 @@ pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
-/// Draws the plane with both lines, and the substitution, without a background and without
-/// interaction.
+/// Draws the plane with both lines, and the substitution. Draws no background and takes no input.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (left, right) = parts(area);
@@ -47,7 +46,7 @@ pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
-/// Shows the substitution step by step, where both lines meet, and f at the current t.
+/// Shows, step by step, the substitution, the point where both lines meet, and f at the current t.
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
@@ -88,7 +87,7 @@ pub(crate) struct LabStep {
     pub(crate) text: String,
 }
 
-/// Formats a factor behind a multiplication sign, in parentheses if it is negative.
+/// Formats a factor that follows a multiplication sign, in parentheses if it is negative.
 fn factor(x: f64, digits: usize) -> String {
     let text = number(x, digits);
     if text.starts_with('−') { format!("({text})") } else { text }
@@ -176,13 +175,13 @@ const SMALL: f32 = 15.0;
 const NAMES: f32 = 19.0;
 const REGIONS: f32 = 23.0;
 
-/// Half the side of the square around a handle that takes the pointer, in points.
+/// Half the side of the square around a handle that reacts to the pointer, in points.
 pub(crate) const GRASP: f32 = 13.0;
 
 /// Maximum number of points drawn.
 const MOST_POINTS: usize = 400;
 
-/// A part of the plane in a rectangle, with y upwards and the same scale on both axes.
+/// A part of the plane, drawn in a rectangle with y upwards and the same scale on both axes.
 pub(crate) struct PlaneView {
     painter: Painter,
     pub(crate) rect: Rect,
@@ -201,8 +200,8 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     plane.coordinates(&mut plane.labels());
 }
 
-/// Draws the plane for an exercise: the line, p, and the typed answers as rings. The solution is drawn
-/// only if it `may_be_seen`.
+/// Draws the plane for an exercise: the line, p, and rings at the typed answers. Draws the solution only if
+/// `may_be_seen` is true.
 pub(crate) fn draw_exercise(
     ui: &Ui,
     rect: Rect,
@@ -280,8 +279,8 @@ impl PlaneView {
         LabelLayout::new(self.painter.clone(), self.colors.halo, self.rect.shrink(3.0))
     }
 
-    /// Paints everything but the background. Returns a description of the generated points, if the
-    /// ray is valid.
+    /// Paints everything except the background. Returns a description of the generated points, if the ray is
+    /// valid.
     pub(crate) fn paint(
         &self,
         lab: &LinesLab,
@@ -389,7 +388,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws the numbers of the grid along the axes, or along the edge if an axis is out of sight.
+    /// Draws the numbers of the grid along the axes, or along the edge if an axis is not visible.
     fn coordinates(&self, labels: &mut LabelLayout) {
         let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
         let axis = pos2(
@@ -421,7 +420,7 @@ impl PlaneView {
         let direction = line.direction().normalize_or_zero();
         let normal = direction.perp();
         let middle = line.nearest_to(self.center());
-        // Positions along the line; the first ones are well away from its handles.
+        // Positions along the line; the first ones are far from its handles.
         let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
         let anchors = |points: f64| {
             let half = 0.5 * f64::from(self.rect.height()) / self.unit();
@@ -438,7 +437,7 @@ impl PlaneView {
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 
-    /// Draws the parametric line, dashed behind p and solid from p on; then the generated points, and d.
+    /// Draws the parametric line, dashed before p and solid from p onwards; then the generated points, and d.
     fn parametric(&self, lab: &LinesLab) {
         let (ParametricLine { p, d }, ray) = (lab.ray, self.colors.ray);
         let (first, last) = self.range_of_t(&lab.ray);
@@ -454,7 +453,7 @@ impl PlaneView {
             let stroke = Stroke::new(1.5, self.colors.halo);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
-        // d is an arrow; the size of its head is in points of the screen.
+        // d is an arrow; its head has a size in screen points.
         let [from, to] = [p, p + d].map(|end| self.to_screen(end));
         let size = 26.0_f32.min(0.8 * from.distance(to));
         let head = size * (to - from).normalized();
@@ -477,7 +476,7 @@ impl PlaneView {
         (middle - reach, middle + reach)
     }
 
-    /// Writes t at the generated points where there is room. Returns a description of the points.
+    /// Writes t at the generated points that have room for it. Returns a description of the points.
     fn trail(&self, lab: &LinesLab, labels: &mut LabelLayout) -> String {
         let font = Font { size: SMALL, color: self.colors.ray, bold: false };
         let left = left_of(lab.ray.d);
@@ -510,7 +509,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws a cross where both lines meet, and writes its t.
+    /// Draws a cross where both lines meet, and writes t of that point.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
             Substitution::new(lab.line(), lab.ray)
@@ -534,7 +533,7 @@ impl PlaneView {
         labels.write(&text, font, below(17.0).chain(below(30.0)));
     }
 
-    /// Returns the position of a handle on the screen, if it can be reached.
+    /// Returns the position of a handle on the screen, if the user can reach it.
     pub(crate) fn in_sight(&self, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
         let at = self.to_screen(lab.position_of(handle)?);
         self.rect.expand(GRASP).contains(at).then_some(at)

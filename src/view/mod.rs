@@ -1,5 +1,5 @@
-//! Everything shown, as pure functions of the document and the session. [`derive`](mod@derive)
-//! combines them and remembers what has not changed.
+//! Everything that the window shows, as pure functions of the document and the session.
+//! [`derive`](mod@derive) combines them and caches what has not changed.
 
 pub mod accuracy;
 pub mod adaptive_resolution;

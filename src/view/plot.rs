@@ -14,7 +14,7 @@ use crate::model::session::Heights;
 /// Maximum number of curves, so that their dashes can be distinguished.
 pub const MOST: usize = 8;
 
-/// Multiple of the first hit's t beyond which zeros are only described in words.
+/// Multiple of the first hit's t beyond which zeros are described only in words.
 const FAR: f64 = 8.0;
 
 /// Number of intervals between the samples of a curve.
@@ -70,8 +70,8 @@ pub struct Named {
     pub color: Rgb,
 }
 
-/// Returns the objects to show: all if they are few; otherwise those that the ray meets first, then
-/// those behind the eye.
+/// Returns the objects to show: all of them if there are only a few; otherwise the objects that the ray meets
+/// first, then the objects behind the eye.
 pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     if scene.len() <= MOST {
         return (0..scene.len() as u32).collect();
@@ -127,8 +127,8 @@ pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f6
     curves.iter().map(|curve| value(curve).unwrap_or(f64::NAN)).collect()
 }
 
-/// Returns the plot's range of t. It contains all zeros that are not far away, the eye, the viewport,
-/// and the point marked on the ray.
+/// Returns the plot's range of t. It contains the eye, the viewport, the point marked on the ray, and all
+/// zeros that are not too far away.
 pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
@@ -148,7 +148,7 @@ impl Curve {
         self.vertex.is_none()
     }
 
-    /// Returns the t of the zeros, or of the parabola's vertex if the ray misses the sphere.
+    /// Returns the t of each zero, or of the parabola's vertex if the ray misses the sphere.
     fn landmarks(&self) -> Vec<f64> {
         let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
         if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
@@ -170,7 +170,7 @@ impl Curve {
         heights.height(f / self.unit.value)
     }
 
-    /// Returns samples by ascending t: evenly spaced, and denser around a parabola's vertex.
+    /// Returns samples in ascending order of t, evenly spaced but denser around a parabola's vertex.
     fn samples(
         &self,
         along: &AlongRay,

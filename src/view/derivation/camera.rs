@@ -1,5 +1,5 @@
-//! Derivation of the camera: u, v, w from view and up, or the checks of a basis that is set by
-//! hand; then the view ray of a pixel or of a position (u, v).
+//! Derivation of the camera: u, v, w from view and up, or the checks of a basis that the user gives directly;
+//! then the view ray of a pixel or of a position (u, v).
 
 use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
@@ -80,7 +80,7 @@ fn given_line(
     DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
-/// Returns the line of w, or the reason why there is no w.
+/// Returns the line that derives w, or the reason why there is no w.
 fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<DerivedLine> {
     let formula = equation(W, normalize(negative(VIEW)));
     let (Some(view), Some(backwards), Some(w)) =
@@ -92,7 +92,7 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Derived
     Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
-/// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
+/// Returns the lines of `up x w` and of its length, which is the area of the parallelogram.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     let substituted =
         times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
@@ -110,8 +110,8 @@ fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     lines
 }
 
-/// Returns a vector divided by its length, in numbers. A vector of length 1 whose coordinates would be
-/// rounded stays in its exact form.
+/// Returns a vector divided by its length, in numbers. If the vector has length 1 and its coordinates would
+/// be rounded, it keeps its exact form.
 fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
     if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
@@ -120,8 +120,7 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     fraction(decimals, divisor)
 }
 
-/// Returns the symbols, the substituted numbers, and the result. The numbers are left out if they
-/// equal the result.
+/// Returns the symbols, the substituted numbers, and the result. Omits the numbers if they equal the result.
 fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
     if result == related(substituted.clone()) {
         return row([symbols, result]);
@@ -177,8 +176,8 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
     lines
 }
 
-/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no
-/// ray, so that a number that was dragged too far can be dragged back.
+/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no ray, so
+/// that the user can drag back a number that was dragged too far.
 pub(super) fn ray_givens(
     camera: &Camera,
     selection: Selection,
@@ -276,7 +275,7 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
     joined(p, Operator::Plus, row([t, d]))
 }
 
-/// Derives u and v from the pixel's fractions of the image's width and height.
+/// Derives u and v from the pixel's position as fractions of the image's width and height.
 fn of_pixel(
     resolved: &ResolvedCamera,
     pixel: Pixel,
@@ -285,8 +284,8 @@ fn of_pixel(
 ) -> Vec<DerivedLine> {
     let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
-    // Counted from 0, the pixel's centre lies half a pixel after its index; counted from 1, half a
-    // pixel before it.
+    // If pixels are counted from 0, the centre of a pixel lies half a pixel after its index; if they are
+    // counted from 1, it lies half a pixel before it.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
     let (viewport, image) = (resolved.viewport(), resolved.image());

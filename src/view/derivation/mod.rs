@@ -30,7 +30,7 @@ mod camera;
 mod numbers;
 mod objects;
 
-/// Maximum number of listed objects. If there are more, those that the ray hits first are listed.
+/// Maximum number of listed objects. If there are more, the objects that the ray hits first are listed.
 pub const LISTED: usize = 6;
 
 /// The whole derivation.
@@ -47,7 +47,7 @@ pub struct Derivation {
 pub struct DerivedSection {
     /// The kind of section.
     pub section: DerivationSection,
-    /// The index of the object, if the section is about one.
+    /// The index of the object, if the section is about an object.
     pub object: Option<u32>,
     /// The title above it.
     pub title: String,
@@ -81,7 +81,7 @@ impl DerivedLine {
         }
     }
 
-    /// Returns the line of an equation with several sides, followed by the result.
+    /// Returns the line of an equation with several sides; the last side is the result.
     fn chain<const N: usize>(
         concept: Concept,
         sides: [Formula; N],
@@ -107,8 +107,7 @@ impl DerivedLine {
 }
 
 impl fmt::Display for DerivedLine {
-    /// Writes the formula and the note behind it. A note may contain brackets, so it is not put in
-    /// brackets.
+    /// Writes the formula, followed by the note. A note may contain brackets, so it is not put in brackets.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let DerivedLine { formula, note, .. } = self;
         match note.is_empty() {
@@ -124,8 +123,8 @@ impl Derivation {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
-    /// Returns the number of lines up to the last one about this concept, or about the basis vector that
-    /// is derived from it. If there is no such line, returns the number of all lines.
+    /// Returns the number of lines up to the last one about this concept, or about the basis vector that is
+    /// derived from it. If there is no such line, returns the total number of lines.
     pub fn lines_through(&self, concept: Option<Concept>) -> usize {
         let concept = concept.map(|concept| match concept {
             Concept::View | Concept::Backwards => Concept::W,
@@ -187,7 +186,7 @@ pub struct DerivationSettings {
     pub sections: DerivationSections,
     /// The format of numbers.
     pub numbers: NumberFormat,
-    /// The reason why there is no new picture, if there is none.
+    /// The reason why there is no new picture; `None` if there is one.
     pub fault: Option<Fault>,
 }
 
@@ -304,8 +303,8 @@ fn add_objects(
     }
 }
 
-/// Returns all objects if they are few; otherwise those that the ray hits first, then the first ones
-/// of the scene.
+/// Returns all objects if there are only a few. Otherwise returns the objects that the ray hits first, then
+/// the first objects of the scene.
 fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     let count = scene.len() as u32;
     if scene.len() <= LISTED {

@@ -1,10 +1,10 @@
 //! Numbers, vectors and the lecture's names as formulas.
 //!
-//! A number is written in its exact form if the user wants that and the form is recognised and
-//! short ([`NumberForm::is_short`]), otherwise as a decimal.
+//! A number is written in its exact form if the user wants exact forms, and if the form is recognised and
+//! short ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
 //!
-//! `=` stands only before the exact value: an exact form, a given number with all its digits, or a
-//! decimal that ends. All other decimals are rounded and stand behind `≈`.
+//! `=` is used only for an exact value: an exact form, a given number with all its digits, or a decimal that
+//! terminates. All other decimals are rounded and follow `≈`.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::numbers::Rounding;
@@ -21,14 +21,14 @@ use crate::view::formula::{
 pub struct NumberFormat {
     /// The rounding of decimals.
     pub rounding: Rounding,
-    /// True if short exact forms are written in place of decimals.
+    /// True if short exact forms are written instead of decimals.
     pub exact: bool,
     /// True if rows and columns are counted from 1, as some courses do.
     pub from_one: bool,
 }
 
-/// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as
-/// rounded. Among numbers with random digits, about one in a thousand has no more than this.
+/// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as rounded.
+/// Of all numbers with random digits, about one in a thousand has this few digits.
 const EXACT_DIGITS: usize = 12;
 
 impl NumberFormat {
@@ -38,7 +38,7 @@ impl NumberFormat {
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns true if the shown digits are the exact number, apart from rounding errors.
+    /// Returns true if the displayed digits are the exact number, except for rounding errors.
     fn is_whole(self, x: f64) -> bool {
         let digits = self.rounding.text(x);
         let shown = digits.parse();
@@ -47,7 +47,7 @@ impl NumberFormat {
             || recognised().is_some_and(|form| shown == Ok(form.value()))
     }
 
-    /// Returns a given number; it is exact if all its digits are shown.
+    /// Returns a given number as a formula; it is exact if all its digits are shown.
     pub(super) fn given(self, name: Given, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         let shown = match self.form(x) {
@@ -73,7 +73,7 @@ impl NumberFormat {
         v.to_array().into_iter().all(|x| self.is_whole(x))
     }
 
-    /// Returns the number's exact form, if it is short and the digits are not exact.
+    /// Returns the number's exact form, if that form is short and the digits are not exact.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
         if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
@@ -94,18 +94,18 @@ impl NumberFormat {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// Returns the number as a denominator: in its exact form unless that is a fraction itself.
+    /// Returns the number as a denominator: in its exact form, unless that form is itself a fraction.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below() && form.denominator() == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the result of a derivation in one form: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
+    /// Returns the relation and the result of a derivation, in one form: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
     pub(super) fn equals(self, x: f64) -> Formula {
         related(self.scalar(x))
     }
 
-    /// Returns the result of a derivation for a vector, in one form.
+    /// Returns the relation and the result of a derivation of a vector, in one form.
     pub(super) fn equals_vector(self, v: DVec3) -> Formula {
         related(self.vector(v))
     }
@@ -140,7 +140,7 @@ impl NumberFormat {
     }
 }
 
-/// Puts `=` before a value, or `≈` if the value is rounded.
+/// Puts `=` before an exact value and `≈` before a rounded one.
 pub(super) fn related(value: Formula) -> Formula {
     let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([relation.into(), value])

@@ -1,5 +1,4 @@
-//! Intersection of the selected ray with one object: the coefficients, the roots, the hit, the
-//! normal.
+//! Intersection of the selected ray with one object: the coefficients, the roots, the hit and the normal.
 
 use pinhole_core::{Plane, Ray, Root, Sphere};
 use pinhole_exchange::document::Document;
@@ -33,8 +32,7 @@ struct ObjectLines<'a> {
     lines: Vec<DerivedLine>,
 }
 
-/// Returns the lines of an object's given numbers. The numbers of spheres from a CSV file cannot be
-/// changed here.
+/// Returns the lines of an object's given numbers. Spheres from a CSV file cannot be changed here.
 pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<DerivedLine> {
     let index = object as usize;
     let line = |name, right| DerivedLine::new(Concept::Object(object), equation(name, right));
@@ -87,7 +85,7 @@ impl ObjectLines<'_> {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
-    /// Describes the role of this root on the ray, such as the first hit.
+    /// Describes what this root is on the ray, such as the first hit.
     fn verdict(&self, number: usize) -> &'static str {
         let index = self.inspection.index_of(self.object, number as u8);
         index.map_or("", |index| self.inspection.verdict(index))

@@ -1,5 +1,5 @@
-//! Caches that hold the value of the last input, and the memory of a view's pictures, which is used
-//! again: new memory costs as much as painting it.
+//! Caches: each holds the value of the last input. Also reuses the memory of a view's pictures, because new
+//! memory costs as much as painting into it.
 
 use std::sync::Arc;
 
@@ -20,8 +20,7 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V: Clone> Memo<K, V> {
-    /// Returns the value made from `key`; it is made again only if the key differs from the last
-    /// one.
+    /// Returns the value made from `key`. Calls `make` only if the key differs from the last one.
     pub(super) fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
         if let Some(value) = self.known(|known| *known == key) {
             return value.clone();
@@ -33,14 +32,14 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
 }
 
 impl<K: PartialEq, V> Memo<K, V> {
-    /// Takes the cached value out, unless it was made from `key`.
+    /// Removes and returns the cached value, unless it was made from `key`.
     pub(super) fn take_other(&mut self, key: &K) -> Option<V> {
         self.0.take_if(|(known, _)| known != key).map(|(_, value)| value)
     }
 }
 
 impl<K, V> Memo<K, V> {
-    /// Returns the cached value if it was made from a key that `is_same`.
+    /// Returns the cached value if `is_same` holds for the key that it was made from.
     pub(super) fn known(&self, is_same: impl FnOnce(&K) -> bool) -> Option<&V> {
         self.0.as_ref().filter(|(key, _)| is_same(key)).map(|(_, value)| value)
     }
@@ -66,8 +65,8 @@ impl<K: PartialEq> Fineness<K> {
     }
 }
 
-/// Largest number of a view's pictures in use at a time: one is being painted, the window still shows
-/// the last one, and the texture of a third may be uploading.
+/// Maximum number of a view's pictures in use at a time: one is being painted, the window still shows the
+/// last one, and the texture of a third may be uploading.
 const MOST: usize = 3;
 
 /// The last pictures of a view. A new picture takes the memory of one that is no longer shown.
@@ -87,7 +86,7 @@ impl SpareImages {
         }
     }
 
-    /// Returns a finished view of `size` pixels, and keeps its memory for later pictures.
+    /// Returns a finished view of `size` pixels, and keeps its memory so that later pictures can reuse it.
     pub(super) fn shown(
         &mut self,
         size: [u32; 2],

@@ -1,5 +1,5 @@
-//! Derivation of everything shown from the document: a pure function, with caches keyed by its
-//! inputs, so that an idle window does no work and a drag recomputes only what it changes.
+//! Derivation of everything that the window shows from the document. It is a pure function, with caches keyed
+//! by its inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ mod picture;
 mod second_picture;
 mod views;
 
-/// Computes [`Derived`] values. The result depends on the arguments alone; the caches only save work.
+/// Computes [`Derived`] values. The result depends only on the arguments; the caches only save work.
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Objects,
@@ -51,15 +51,15 @@ impl Deriver {
         self.pictures.traced + self.world_views.pictures.traced + self.second.count
     }
 
-    /// Derives everything to show of a document.
+    /// Derives everything that is shown of a document.
     ///
-    /// A caller may keep [`Derived::scene`], which never changes; but then the next edit of an object
-    /// copies the scene.
+    /// A caller may keep [`Derived::scene`], which never changes; but then the next edit of an object copies
+    /// the scene.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
         self.derive_watched(document, session, sizes, &|_| ())
     }
 
-    /// Does the same as [`Deriver::derive`] and reports to `watch` what the time is spent on.
+    /// Does the same as [`Deriver::derive`], and reports to `watch` which kind of work takes the time.
     pub fn derive_watched(
         &mut self,
         document: &Document,
@@ -68,8 +68,8 @@ impl Deriver {
         watch: OnWork<'_>,
     ) -> Derived {
         let inputs = Inputs { document, session, sizes, watch };
-        // Starts on one of rayon's threads: from another thread, each parallel step would have to wake
-        // them and wait.
+        // Runs on one of rayon's threads. From another thread, each parallel step would have to wake those
+        // threads and wait for them.
         rayon::join(|| self.derived(inputs), || ()).0
     }
 
@@ -112,7 +112,7 @@ impl Deriver {
         derived
     }
 
-    /// Derives the views, the derivation and the plot in parallel: none depends on another.
+    /// Derives the views, the derivation and the plot in parallel, since none depends on another.
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
         let good = self.last_good.as_ref();
@@ -180,14 +180,14 @@ pub struct ViewSizes {
     pub purpose: Purpose,
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
-    /// True if something is being dragged: slow work is then postponed if possible.
+    /// True if the user is dragging something; slow work is then postponed if possible.
     pub under_hand: bool,
 }
 
 /// The purpose of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Purpose {
-    /// A view of the window: marks are painted into the picture.
+    /// A view of the window; the marks are painted into the picture.
     #[default]
     Window,
     /// A figure: marks stay apart from the picture.
@@ -204,8 +204,7 @@ impl Purpose {
     }
 }
 
-/// Everything that one frame shows. Panels, views and readouts only read it, so all of them show the
-/// same frame.
+/// Everything that one frame shows. Panels, views and readouts only read it, so they all show the same frame.
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
     /// The camera with its basis.
@@ -222,13 +221,13 @@ pub struct Derived {
     pub camera_view: Option<Shown>,
     /// The world view: the scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// Number of decisions at each step of the ladder for the camera's picture.
+    /// Number of hit-or-miss decisions made at each step of the ladder for the camera's picture.
     pub steps: Option<Steps>,
-    /// Counts of the objects that the camera's picture dropped and looked at.
+    /// Numbers of objects that the renderer dropped and tested for the camera's picture.
     pub counts: Option<Counts>,
     /// The subsampling of the camera's and of the observer's picture.
     pub subsampling: [Subsampling; 2],
-    /// The reason why only the ladder drew the scene, if another method should have.
+    /// The reason why only the ladder drew the scene although another method was chosen.
     pub too_many: Option<TooMany>,
     /// The ladder's answer for the shown pixels, if another method is compared with it.
     pub truth: Option<Arc<Frame>>,
@@ -253,7 +252,7 @@ pub struct Shown {
     pub image: Arc<ColorImage>,
     /// The labels, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
-    /// The regions that can be hovered, in physical pixels of the image.
+    /// The regions that react to the pointer, in physical pixels of the image.
     pub targets: Arc<Vec<Target>>,
     /// The marks painted over the image, or to be painted by a figure.
     pub marks: Arc<Vec<Mark>>,

@@ -1,4 +1,5 @@
-//! The scene made of the document's objects. It is kept, and changed in place while they are edited.
+//! The scene made of the document's objects. It is kept between frames, and changed in place while the
+//! objects are edited.
 
 use std::sync::Arc;
 
@@ -33,11 +34,12 @@ pub(super) struct Objects {
     csv: Option<CsvSpheres>,
     /// The colour scheme of the good world.
     scheme: Scheme,
-    /// The good world's scene as the observer sees it, without the given enclosing spheres.
+    /// The scene of the good world as the observer sees it, without the spheres of these indices.
     observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
-/// Maximum number of changed objects that are replaced; with more, the scene is built again.
+/// Maximum number of changed objects that are replaced one by one; if more have changed, the scene is built
+/// again.
 const FEW: usize = 64;
 
 impl Objects {
@@ -46,8 +48,8 @@ impl Objects {
         self.good.as_ref()
     }
 
-    /// Updates the scene from the document. The cost is proportional to the number of objects made by
-    /// hand, unless objects were added or removed.
+    /// Updates the scene from the document. The cost is proportional to the number of objects that are not
+    /// from a file, unless objects were added or removed.
     ///
     /// # Errors
     /// Returns the first invalid object; the good world then stays as it was.
@@ -75,7 +77,7 @@ impl Objects {
         Ok(())
     }
 
-    /// Returns the good world's scene without planes and without spheres that hide the camera: see
+    /// Returns the scene of the good world without planes and without the spheres that hide the camera; see
     /// [`traced_scene`].
     pub(super) fn observed(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
@@ -132,7 +134,7 @@ fn colors(document: &Document, scheme: Scheme) -> Vec<Rgb> {
     all.map(|index| scheme.object(index, document.color_of(index))).collect()
 }
 
-/// Checks the objects that can be edited; the CSV file's spheres were checked when they were read.
+/// Checks the objects that can be edited. The spheres of the CSV file were checked when they were read.
 fn check(document: &Document) -> Result<(), SceneError> {
     for (index, item) in document.spheres.iter().enumerate() {
         item.shape.check().map_err(|error| SceneError::Sphere { index, error })?;
@@ -143,7 +145,7 @@ fn check(document: &Document) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Returns the items whose shape differs from the known one, with their indices.
+/// Returns the items whose shape differs from that in the good world, with their indices.
 fn different<'a, S: Copy + PartialEq>(
     items: &'a [Item<S>],
     known: &'a [S],

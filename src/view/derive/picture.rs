@@ -1,6 +1,5 @@
-//! The camera's picture: by the ladder, by another method that the user compares with it, and their
-//! difference. Tracing reports its work to an [`OnWork`] callback, so the caller measures the time and
-//! this module needs no clock.
+//! The camera's picture: as the ladder draws it, as another method draws it, and their difference. Tracing
+//! reports its work to an [`OnWork`] callback. The caller measures the time, so this module needs no clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -23,12 +22,12 @@ use crate::view::derive::second_picture::SecondPicture;
 use crate::view::derive::{Derived, Inputs, opaque};
 use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
-/// Maximum number of intersection tests that a method may do for one picture: about a second of
-/// work, during which the window does not respond.
+/// Maximum number of intersection tests that a method may do for one picture. This is about a second of work,
+/// during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// The reason why only the ladder draws a picture: every other method tests every object at every
-/// pixel, which is more than [`MOST_QUESTIONS`] tests.
+/// The reason why only the ladder draws a picture: every other method tests every object at every pixel,
+/// which would take more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooMany {
     /// Number of objects in the scene.
@@ -77,7 +76,7 @@ pub(super) struct GoodPicture {
     pub(super) steps: Steps,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
-    /// Counts of the objects that the picture dropped and looked at.
+    /// Numbers of objects that the renderer dropped and tested for the picture.
     pub(super) counts: Counts,
     /// The answers of other methods.
     pub(super) others: OtherMethods,
@@ -85,11 +84,11 @@ pub(super) struct GoodPicture {
     pub(super) loupe: Option<Arc<Loupe>>,
 }
 
-/// The method that draws the picture, and the answers of methods that are compared with the ladder's.
+/// The method that draws the picture, and the answers of the methods that are compared with the ladder.
 #[derive(Clone, Debug)]
 pub(super) struct OtherMethods {
     method: Method,
-    /// The reason why no other method is compared with the ladder, if one should be.
+    /// The reason why no other method is compared with the ladder although the user asked for one.
     too_many: Option<TooMany>,
     /// The ladder's answers, if another method is compared with them.
     truth: Option<Arc<Frame>>,
@@ -110,23 +109,24 @@ impl GoodPicture {
     }
 }
 
-/// The inputs of a trace: a camera, the generation of the objects, and the pixels.
+/// The inputs of a trace: the camera, the generation number of the objects, and the pixels.
 type TraceKey = (ResolvedCamera, u64, Raster);
 
-/// The inputs of a picture's colours: the method, the trace, the shading, the number of the
-/// palette, and true if the picture is transparent where nothing is hit.
+/// The inputs of a picture's colours: the method, the trace, the shading, the generation number of the
+/// palette, and whether the picture is transparent where nothing is hit.
 type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
-/// A picture, its decisions at each step of the ladder, and its counts of objects.
+/// A picture, the number of decisions at each step of the ladder, and its counts of objects.
 type MadePicture = (Arc<Picture>, Steps, Counts);
 
 /// A cache of the camera's pictures.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<TraceKey, Arc<Frame>>,
-    /// Frames that can be recoloured without a trace: objects, and `t` if the shading reads it.
+    /// Frames that can be recoloured without tracing. They have the objects and, if the shading reads it,
+    /// `t`.
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
-    /// Frames traced by the picture's method, and by the map's method if it differs.
+    /// Frames traced by the picture's method, and by the error map's method if that is a different one.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, MadePicture>,
     /// The last two pictures. Tracing into new memory takes twice as long, so the next picture reuses
@@ -150,7 +150,7 @@ impl Pictures {
     ) -> GoodPicture {
         let selection = session.shown_selection().inside(resolved.image());
         let inspection = self.inspected(resolved, world, selection);
-        // If only the world view is open, its viewport still shows the picture.
+        // If only the world view is open, the picture is still shown on the viewport there.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
@@ -202,7 +202,8 @@ impl Pictures {
         })
     }
 
-    /// Returns the ladder's and the other methods' answers, if the picture or the error map needs them.
+    /// Returns the answers of the ladder and of the other methods, if the picture or the error map needs
+    /// them.
     fn other_methods(
         &mut self,
         seen: &TraceKey,
@@ -234,7 +235,7 @@ impl Pictures {
         OtherMethods { method, too_many, truth, drawn_by, compared }
     }
 
-    /// Returns the camera's picture, by the ladder or by the other method.
+    /// Returns the camera's picture, drawn by the ladder or by the other method.
     fn picture(
         &mut self,
         key: &PictureKey,
@@ -273,7 +274,7 @@ impl Pictures {
     }
 }
 
-/// Takes the pixels of a picture that is no longer shown.
+/// Takes the memory of a picture that is no longer shown.
 fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
@@ -330,14 +331,14 @@ pub enum WorkKind {
     Rest,
 }
 
-/// A callback that is told the kind of the work just done.
+/// A callback that receives the kind of work that was just finished.
 pub type OnWork<'a> = &'a (dyn Fn(WorkKind) + Sync);
 
 /// A picture's frame and its opaque pixels.
 pub(super) type PaintedFrame = (Frame<f32>, Vec<egui::Color32>);
 
-/// Traces a frame with the `outputs` and returns it with the opaque pixels of the picture. Both reuse
-/// the memory of `spare` if it has the same size.
+/// Traces a frame with the given `outputs`. Returns the frame and the opaque pixels of the picture, which
+/// both reuse the memory of `spare` if it has the same size.
 pub(super) fn trace_picture(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -368,7 +369,7 @@ pub(super) fn trace_picture(
     traced
 }
 
-/// Returns opaque pixels of a frame, which must have all outputs that the shading reads.
+/// Returns the opaque pixels of a frame, which must have all outputs that the shading reads.
 pub(super) fn repainted<T: Depth>(
     frame: &Frame<T>,
     scene: &Scene,
@@ -399,13 +400,13 @@ pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -
     done
 }
 
-/// Colours of unscanned pixels: squares in two greys, which no picture of spheres has.
+/// Colours of pixels not scanned yet: squares in two greys, which no picture of spheres contains.
 const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 
 /// Number of squares along a picture's shorter side.
 const SQUARES: usize = 16;
 
-/// Returns the picture with only the first `scanned_pixels` pixels of the image, row by row.
+/// Returns the picture with only the first `scanned_pixels` pixels of the image, in row order.
 pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());

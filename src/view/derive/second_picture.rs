@@ -1,6 +1,6 @@
-//! The second picture, next to the camera's: the errors of another method, the picture of a wrong camera
-//! or of the ghost, or a student's wrong answers. The world view draws that camera, its ray and the
-//! student's answer together with the right ones.
+//! The second picture, next to the camera's. It shows the errors of another method, the picture of a wrong
+//! camera or of the ghost, or a student's wrong answers. The world view draws that camera, its ray, and the
+//! student's answer together with the right answer.
 
 use std::sync::Arc;
 
@@ -58,7 +58,7 @@ pub struct Second {
 pub enum SecondData {
     /// The method of the error map, and its errors.
     ErrorMap(Arc<Compared>),
-    /// The wrong camera and the right one, or the reason why there is no wrong one.
+    /// The wrong camera and the right one, or the reason why there is no wrong camera.
     WrongCamera(Arc<ComparedCamera>),
     /// The camera compared with the ghost.
     Ghost(Arc<AgainstGhost>),
@@ -69,11 +69,12 @@ pub enum SecondData {
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
-    /// The ghost, with the edited camera's image, so that they are compared pixel by pixel.
+    /// The ghost with the image size of the edited camera, so that the two are compared pixel by pixel.
     pub ghost: ResolvedCamera,
     /// The difference from the ghost to the edited camera.
     pub difference: CameraDifference,
-    /// Number of shown pixels, and number of those that see another object.
+    /// The number of compared pixels, and the number of those pixels in which the cameras see different
+    /// objects.
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
@@ -122,7 +123,7 @@ impl Derived {
     }
 }
 
-/// The inputs of a second picture, with the objects and their colours by number.
+/// The inputs of a second picture; the objects and their colours are identified by generation numbers.
 #[derive(Debug, PartialEq)]
 enum SecondKey {
     ErrorMap(Same<Compared>),
@@ -131,8 +132,8 @@ enum SecondKey {
     Answers(Camera, [u64; 2], StudentAnswers),
 }
 
-/// The data of a second picture, and the picture; of two cameras, also the map of the pixels that
-/// differ. The map of answers is made for the size of the view, and so has a cache of its own.
+/// The data of a second picture, and the picture itself. When two cameras are compared, there is also the map
+/// of the pixels that differ. The map of answers depends on the size of the view, and so has its own cache.
 type SecondMade = (SecondData, Vec<Arc<Picture>>);
 
 /// A cache of the second pictures: the last one of each kind, and the view of the current one.
@@ -196,8 +197,7 @@ impl SecondPictures {
             }
             (SecondPicture::Answers, Some(numbers)) => {
                 let key = SecondKey::Answers(camera, numbers, session.answers.clone()?);
-                // Grading traces many variants of the student's program, so it waits until the drag
-                // rests.
+                // Grading traces many variants of the student's program, so it waits until the drag rests.
                 if sizes.under_hand && memo.known(|known| *known == key).is_none() {
                     return None;
                 }
@@ -254,7 +254,7 @@ impl SecondPictures {
         })
     }
 
-    /// Draws the picture in `size` dots, with the overlay items of the camera it belongs to.
+    /// Draws the picture at a size of `size` dots, with the overlay items that belong to its camera.
     fn view(
         &mut self,
         (number, (data, pictures)): (u64, &SecondMade),
@@ -285,7 +285,7 @@ impl SecondPictures {
             }
             SecondData::WrongCamera(_) => {
                 shows_differences = session.mistakes_view.shows_differences();
-                // Both belong to the right camera; in this picture they would be elsewhere.
+                // Both items belong to the right camera; in this picture their positions would be wrong.
                 view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
             }
             SecondData::Ghost(against) => {
@@ -383,8 +383,8 @@ fn ghost_picture(
     Some((SecondData::Ghost(Arc::new(against)), pictures.into()))
 }
 
-/// Returns the map of differences between what two cameras see: equal pixels are pale, pixels that see
-/// another object are dark.
+/// Returns the map of differences between the pictures of two cameras. Pixels with equal objects are pale,
+/// and pixels with different objects are dark.
 fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
@@ -409,8 +409,8 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
 }
 
-/// Returns the map of the answers with as many pixels as the screen shows. If one of them stands for
-/// several answers, it is wrong as soon as one of these is.
+/// Returns the map of the answers, with as many pixels as the screen shows. A pixel that stands for several
+/// answers is wrong if any of these is wrong.
 fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image = graded.image;
@@ -427,7 +427,7 @@ fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     Some(Picture { pixels, image, raster })
 }
 
-/// Returns the camera to compare with in the world view: a mistake's, or the frozen one.
+/// Returns the camera with which the world view compares the edited one: a mistake's, or the frozen one.
 pub(super) fn ghost_camera(
     Inputs { document, session, .. }: Inputs<'_>,
     derived: &Derived,
@@ -497,7 +497,8 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
     (0..count).find(|index| graded.pixel(*index) == Some(pixel))
 }
 
-/// Returns an answer's own ray or hit. If only t of a hit is given, the hit lies on the right ray.
+/// Returns the ray or the hit that an answer gives. If the answer gives only t of a hit, the hit lies on the
+/// right ray.
 fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {

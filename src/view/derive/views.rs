@@ -1,9 +1,10 @@
-//! The views with their caches: the world view, which is the observer's picture with the camera and
-//! everything else drawn in it, the camera view, the derivation, and the plot of f(p + t d).
+//! The views with their caches: the world view (the observer's picture, with the camera and everything else
+//! drawn in it), the camera view, the derivation, and the plot of f(p + t d).
 //!
 //! The camera's own picture is lit from its eye, so a ball is brightest in its middle and looks flat. The
-//! observer's picture is lit from above the observer's left shoulder, as in a printed figure. Light goes
-//! around a ball and through others: no ray to the light is traced, so there are no shadows.
+//! observer's picture is lit from above the observer's left shoulder, as in a printed figure. The light
+//! reaches around a ball and passes through other objects: no ray to the light is traced, so there are no
+//! shadows.
 
 use std::sync::Arc;
 
@@ -32,7 +33,7 @@ use crate::view::handles::{self, Stage};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
-/// Caches of the world view and of the pictures it is drawn over.
+/// Caches of the world view and of the pictures that it is drawn over.
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
@@ -48,8 +49,7 @@ pub(super) struct ShownWorld {
 }
 
 impl WorldViews {
-    /// Returns the world view with the last good picture on its viewport; `None` if the view is not
-    /// shown.
+    /// Returns the world view with the last good picture on the viewport; `None` if the view is not shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -117,7 +117,7 @@ pub(super) struct CameraViews {
 }
 
 impl CameraViews {
-    /// Returns the camera view of a good picture, if the view is shown.
+    /// Returns the camera view with a good picture, if the view is shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -134,8 +134,7 @@ impl CameraViews {
             size: size.map(|n| n as usize),
             scale: sizes.scale,
             style: sizes.style,
-            // A highlighted concept belongs to the current document; an older picture does not show
-            // it.
+            // A highlighted concept belongs to the current document, so it is not shown in an older picture.
             highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
             loupe: good.loupe.clone(),
             is_apart: sizes.purpose != Purpose::Window,
@@ -163,7 +162,7 @@ pub(super) struct WorldPicture {
     pub(super) subsampling: Subsampling,
 }
 
-/// The inputs of a trace: the observer, the generation of the objects, and the hidden spheres.
+/// The inputs of a trace: the observer, the generation number of the objects, and the hidden spheres.
 type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 
 /// A cache of the observer's pictures.
@@ -173,7 +172,7 @@ pub(super) struct WorldPictures {
     fineness: Fineness<WorldTraceKey>,
     /// Frames that can be recoloured without a trace.
     frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
-    /// The picture; the last part of the key is the palette's number.
+    /// The picture; the last part of the key is the generation number of the palette.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     /// Number of times the observer's view was traced.
@@ -287,7 +286,7 @@ pub(super) fn paint_key_light(
     });
 }
 
-/// Returns the light, 0 to 1, where a pixel's ray meets a sphere at `t`.
+/// Returns the brightness, from 0 to 1, of the point where a pixel's ray meets a sphere at `t`.
 fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward: DVec3) -> f64 {
     let ray = camera.ray_of_pixel(pixel);
     let out = (ray.at(t) - center).normalize_or_zero();
@@ -297,7 +296,7 @@ fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward
     (FROM_EYE * facing.abs() + (1.0 - FROM_EYE) * wrapped).clamp(0.0, 1.0)
 }
 
-/// Decimals of the derivation's numbers while presenting: few enough to be read from the back row.
+/// Number of decimals in the derivation while presenting: few enough to be read from the back row.
 const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
@@ -349,17 +348,17 @@ impl Derivations {
     }
 }
 
-/// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
-/// curve.
+/// The inputs of the curves: the camera, the generation number of the objects, the ray, and the objects that
+/// have a curve.
 type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 
-/// A cache of the curves, their samples, and their values at the moving point.
+/// A cache of the curves, their samples, and their values at the point marked on the ray.
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that curves were made; it identifies the current ones.
+    /// Number of times that curves were made; it identifies the current curves.
     made: u64,
 }
 

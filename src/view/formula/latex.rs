@@ -32,8 +32,8 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// Writes a formula for math mode with `&` before its first relation, where an `align` environment
-/// aligns the lines.
+/// Writes a formula for math mode, with `&` before its first relation so that an `align` environment aligns
+/// the lines there.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {

@@ -1,15 +1,14 @@
-//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX, but
-//! without TeX's refinements; and line breaking.
+//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX, but without
+//! TeX's refinements. Also breaks formulas into lines.
 //!
-//! [`lines`] aligns formulas at their first relation: the part before it ends at the column's
-//! indent, and every later line begins there with a relation. A line holds at most one form of a
-//! vector. The next form begins a new line even if there is room, so that nothing jumps while
-//! numbers change.
+//! [`lines`] aligns formulas at their first relation: the part before it ends at the column's indent, and
+//! every later line begins there with a relation. A line holds at most one form of a vector. The next form
+//! begins a new line even if there is room, so that nothing jumps while numbers change.
 //!
-//! A formula that is too wide is broken before `=` and other relations. A piece that is still too
-//! wide is broken before `+`, `×` and other operators. A term that is only a little too wide is
-//! then set a little smaller; otherwise its vectors are written as columns; if that is not
-//! enough, its text shrinks until it fits. No line is wider than the column.
+//! A formula that is too wide is broken before `=` and other relations. A piece that is still too wide is
+//! broken before `+`, `×` and other operators. A term that is only a little too wide is then set a little
+//! smaller; otherwise its vectors are written as columns; if that is not enough, its text shrinks until it
+//! fits. No line is wider than the column.
 
 use crate::model::given::Given;
 use crate::model::symbols;
@@ -28,7 +27,7 @@ pub enum Face {
 
 /// Measures the width of text.
 pub trait TextMeasure {
-    /// Returns the width of `text` in a font whose em is `size`. Both have the same unit.
+    /// Returns the width of `text` in a font whose em is `size`. The width has the same unit as `size`.
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
@@ -59,7 +58,7 @@ pub struct Rule {
     pub ink: SymbolInk,
 }
 
-/// The box of a given number, around its baseline like the boxes of texts.
+/// The box of a given number, around its baseline like the box of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenBox {
     /// The number.
@@ -74,15 +73,14 @@ pub struct GivenBox {
     pub descent: f32,
 }
 
-/// A formula with positions, in a box that extends above its baseline by `ascent` and below it by
-/// `descent`.
+/// A formula with positions. Its box extends `ascent` above its baseline and `descent` below it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Width of the box.
     pub width: f32,
     /// Extent above the baseline.
     pub ascent: f32,
-    /// Extent below the baseline; of several lines, below the first baseline.
+    /// Extent below the baseline; with several lines, below the first baseline.
     pub descent: f32,
     /// The text.
     pub runs: Vec<TextRun>,
@@ -92,8 +90,8 @@ pub struct Layout {
     pub givens: Vec<GivenBox>,
 }
 
-/// Lengths in ems: extents of text above and below its baseline; height of fraction bars, of the
-/// minus and of the middle of brackets (`AXIS`); gaps; width of strokes.
+/// Lengths in ems: the extents of text above and below its baseline; the height of fraction bars, of the
+/// minus sign and of the middle of brackets (`AXIS`); gaps; the width of strokes.
 const ASCENT: f32 = 0.76;
 const DESCENT: f32 = 0.24;
 const AXIS: f32 = 0.34;
@@ -107,7 +105,7 @@ const FRACTION: f32 = 0.88;
 /// Height, in ems, above which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
-/// Lays a formula out in one line with an em of `size`.
+/// Lays out a formula in one line, with an em of `size`.
 pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> Layout {
     match formula {
         Formula::Scalar(name) => {
@@ -349,16 +347,16 @@ pub struct Column {
     pub size: f32,
     /// Width of the column.
     pub width: f32,
-    /// Position of the first relation, and of the start of every later line. If the part before the
-    /// first relation is wider, the relation moves to the right.
+    /// Position of the first relation, where every later line begins. If the part before the first relation
+    /// is wider, the relation moves to the right.
     pub indent: f32,
 }
 
 /// Distance between two lines, in ems.
 const LEADING: f32 = 0.42;
 
-/// Returns the width of the part before a formula's first relation, with the gap behind it; 0 if
-/// there is no such part.
+/// Returns the width of the part before a formula's first relation, including the gap after it; 0 if there is
+/// no such part.
 pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> f32 {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -369,7 +367,7 @@ pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -
     }
 }
 
-/// Lays a formula out in as many lines as it needs.
+/// Lays out a formula in as many lines as it needs.
 pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -> Layout {
     let Column { size, width, indent } = column;
     let left = left_width(formula, size, measure);
@@ -398,8 +396,8 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -
     set.stacked()
 }
 
-/// Returns true if two pieces that begin with relations must not share a line: two forms of a vector;
-/// and `≈ a = b`, which seems to say that a equals b, although b equals the left side.
+/// Returns true if two pieces that begin with relations must not share a line. This holds for two forms of a
+/// vector, and for `≈ a = b`: it would say that a equals b, although b equals the left side.
 fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
@@ -407,7 +405,7 @@ fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
         || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }
 
-/// Splits the parts before each part that `begins` a new piece.
+/// Splits a row into pieces, each of which starts at a part for which `begins` holds.
 fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
     let mut cuts = vec![0];
     cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
@@ -418,8 +416,8 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
 /// Relative size of a piece that is a little too wide.
 const TIGHT: f32 = 0.88;
 
-/// Lays out a piece that is too wide for a line: a little smaller if that is enough, otherwise with
-/// vectors as columns, and even smaller if that is not enough.
+/// Lays out a piece that is too wide for a line. Sets it a little smaller if that is enough; otherwise writes
+/// vectors as columns, and shrinks the text further if necessary.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeasure) -> Layout {
     let tight = row(parts, TIGHT * size, measure);
     if tight.width <= width {
@@ -430,7 +428,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
     if single.width <= width {
         return single;
     }
-    // Widths are proportional to the size, apart from rounding in the fonts.
+    // Widths are proportional to the size, except for rounding in the fonts.
     let mut smaller = size;
     let mut single = single;
     for _ in 0..8 {
@@ -489,7 +487,7 @@ impl<'a> LineBuilder<'a> {
         }
     }
 
-    /// Adds a piece to the open line if it fits, otherwise to a new line.
+    /// Adds a piece to the open line if it fits there, otherwise to a new line.
     fn add(&mut self, parts: &'a [Formula], piece: Layout) {
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
         let indent = if self.done.is_empty() { self.start } else { self.column.indent };

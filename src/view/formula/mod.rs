@@ -1,13 +1,13 @@
 //! Formulas in the lecture's notation: a tree, its layout, and its text forms.
 //!
-//! - this file: the tree, without fonts and colours, and the tree in one line of plain text, for
-//!   screen readers, the clipboard and tests;
+//! - this file: the tree, without fonts and colours, and its form as one line of plain text for screen
+//!   readers, the clipboard and tests;
 //! - `latex`: the tree as LaTeX;
 //! - `layout`: the tree as positioned text and strokes, in lines of a given width.
 //!
-//! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has its
-//! colour from the views, a [`Formula::Scalar`] is italic. Plain text writes vectors with a name
-//! of one letter in Unicode's bold letters, so that `𝐮` and `u` differ. Nothing is painted here.
+//! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has its colour from
+//! the views, a [`Formula::Scalar`] is italic. Plain text writes vectors whose name is a single letter in
+//! Unicode's bold letters, so that `𝐮` and `u` differ. Nothing is painted here.
 
 use std::fmt::{self, Write as _};
 
@@ -52,7 +52,7 @@ pub enum Formula {
     Norm(Box<Formula>),
     /// Parentheses, `(x)`.
     Parentheses(Box<Formula>),
-    /// The coordinates of a vector, side by side or one below the other.
+    /// The coordinates of a vector, side by side or stacked.
     Tuple(Vec<Formula>, Arrangement),
 }
 
@@ -113,13 +113,13 @@ impl Operator {
         }
     }
 
-    /// Returns true for a relation between two sides. Lines are preferably broken before it.
+    /// Returns true for a relation between two sides. Lines are broken before relations first.
     pub fn is_relation(self) -> bool {
         matches!(self, Operator::Equals | Operator::Approximately)
     }
 
-    /// Returns true for an operator between two terms or factors. Lines are broken before it only if
-    /// they must be.
+    /// Returns true for an operator between two terms or factors. Lines are broken before such an operator
+    /// only if necessary.
     fn is_binary(self) -> bool {
         use Operator::{Dot, Minus, Plus, Times};
         matches!(self, Plus | Minus | Times | Dot)
@@ -219,8 +219,7 @@ pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 impl Formula {
-    /// Returns true if the formula begins with a minus, so that it needs parentheses after an
-    /// operator.
+    /// Returns true if the formula begins with a minus and so needs parentheses after an operator.
     pub fn is_negative(&self) -> bool {
         match self {
             Formula::Operator(Operator::Negative) => true,
@@ -250,7 +249,7 @@ impl Formula {
         self.has(&|part| matches!(part, Formula::Tuple(..)))
     }
 
-    /// Returns true if `is_such` holds for the formula or for a part of it.
+    /// Returns true if `is_such` holds for the formula or for any part of it.
     fn has(&self, is_such: &dyn Fn(&Formula) -> bool) -> bool {
         let has = |part: &Formula| part.has(is_such);
         is_such(self)
@@ -341,7 +340,7 @@ impl fmt::Display for Formula {
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
-/// Writes a single letter in bold, from the block *Mathematical Alphanumeric Symbols*; writes a word
+/// Writes a single letter in bold, from the Unicode block *Mathematical Alphanumeric Symbols*; writes a word
 /// unchanged.
 fn write_bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match name.len() {
@@ -360,7 +359,8 @@ fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Writes an operator that applies only to the next part, so several parts get parentheses.
+/// Writes an operator and its operand. The operator applies only to the next part, so an operand with several
+/// parts gets parentheses.
 fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match inner {
         Formula::Given(_, inner) => write_guarded(sign, inner, f),
@@ -369,7 +369,7 @@ fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt
     }
 }
 
-/// Writes the numerator of `/`; a product needs no parentheses there.
+/// Writes the numerator of a fraction written with `/`; a product needs no parentheses there.
 fn write_numerator(inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
     match inner {

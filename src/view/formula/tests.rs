@@ -1,6 +1,6 @@
 use super::*;
 
-/// A measure for which every letter is 0.55 em wide, bold ones 0.6.
+/// A text measure in which every letter is 0.55 em wide, or 0.6 em if it is bold.
 struct Even;
 
 impl TextMeasure for Even {
@@ -60,7 +60,7 @@ fn plain_text_keeps_vectors_and_scalars_apart() {
     }
 }
 
-/// Returns the bounds of every run and stroke of a layout, with its text.
+/// Returns the bounds of every text and stroke of a layout, with the text.
 fn boxes(layout: &Layout) -> Vec<(String, [f32; 4])> {
     let runs = layout.runs.iter().map(|run| {
         let width = Even.width(&run.text, run.face, run.size);
