@@ -1,5 +1,6 @@
-//! Every number on the way from a camera to a hit, step by step: the camera's basis, the view ray
-//! through a pixel or a (u, v), and where that ray meets a sphere or a plane.
+//! Derives every number on the way from a camera to a hit, step by step: the camera's basis, the
+//! view ray through a pixel or a (u, v), and the intersections of that ray with a sphere or a
+//! plane.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -20,7 +21,7 @@ use pinhole_core::{
 pub enum BasisDerivation {
     /// Derived from a view direction, or a point to look at, and up.
     FromUp(BasisFromUp),
-    /// u, v, w set by hand: there is nothing to derive, only to check.
+    /// u, v, w set by hand. They are not derived, only checked.
     ByHand(BasisByHand),
 }
 
@@ -31,31 +32,31 @@ pub enum BasisDerivation {
 /// ```
 ///
 /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) It goes as far
-/// as the numbers allow: what comes after the last step that exists is `None`, and
-/// [`BasisFromUp::basis`] tells why.
+/// as the numbers allow. Everything after the last step that exists is `None`, and
+/// [`BasisFromUp::basis`] gives the reason.
 ///
 /// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v
-/// and w are those of [`Camera::basis`]. What is above the largest `f64` is infinite.
+/// and w equal those of [`Camera::basis`]. A value above the largest `f64` is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisFromUp {
     /// The camera's position.
     pub eye: DVec3,
-    /// The point it looks at, where the camera is given by one.
+    /// The point that the camera looks at, if the camera is given by one.
     pub at: Option<DVec3>,
-    /// The view direction: as given, or `at - eye`. `None` where a coordinate is not finite.
+    /// The view direction: as given, or `at - eye`. `None` if a coordinate is not finite.
     pub view: Option<VectorAndLength>,
     /// `-view`, what w is made of.
     pub backwards: Option<DVec3>,
-    /// `-view / |view|`; `None` where view is zero.
+    /// `-view / |view|`; `None` if view is zero.
     pub w: Option<DVec3>,
-    /// The up vector. `None` where a coordinate is not finite.
+    /// The up vector. `None` if a coordinate is not finite.
     pub up: Option<VectorAndLength>,
-    /// `up x w`, before it is normalized. The zero vector where up is parallel to view.
+    /// `up x w`, before it is normalized. The zero vector if up is parallel to view.
     pub up_cross_w: Option<Cross>,
-    /// `up x w / |up x w|`; `None` where that is zero.
+    /// `up x w / |up x w|`; `None` if `up x w` is zero.
     pub u: Option<DVec3>,
-    /// `w x u`, which is v: two unit vectors at a right angle, area 1.
+    /// `w x u`, which is v. The factors are unit vectors at a right angle, so its area is 1.
     pub w_cross_u: Option<Cross>,
     /// The whole, or why there is none.
     pub basis: Result<Basis, BasisError>,
@@ -70,17 +71,18 @@ pub struct VectorAndLength {
     pub length: f64,
 }
 
-/// A cross product `first x second` with what it is made of: it is at right angles to both, and as
-/// long as their parallelogram is large, `|first| |second| sin(angle)`.
+/// A cross product `first x second` with its factors and their angle. It is perpendicular to both
+/// factors, and its length is the area of their parallelogram, `|first| |second| sin(angle)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
     /// The factor on the left.
     pub first: VectorAndLength,
     /// The factor on the right.
     pub second: VectorAndLength,
-    /// The angle between the two in radians, 0 to pi; `None` where one is zero.
+    /// The angle between the factors in radians, 0 to pi; `None` if one factor is zero.
     pub angle: Option<f64>,
-    /// The angle's sine, with all digits of a small one; `None` where one is zero.
+    /// The angle's sine, which is accurate even if the angle is small; `None` if one factor is
+    /// zero.
     pub sine: Option<f64>,
     /// `first x second`
     pub product: DVec3,
@@ -88,7 +90,7 @@ pub struct Cross {
     pub area: f64,
 }
 
-/// The checks that u, v, w set by hand have to pass, each with the verdict of [`Basis::by_hand`].
+/// The checks that u, v, w set by hand must pass, each with the verdict of [`Basis::by_hand`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisByHand {
@@ -100,13 +102,14 @@ pub struct BasisByHand {
     pub v: DVec3,
     /// w, as set.
     pub w: DVec3,
-    /// `|u|`, `|v|`, `|w|`: each has to be 1 within
-    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). `None` where a coordinate is
+    /// `|u|`, `|v|`, `|w|`: each must be 1 within
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). `None` if a coordinate is
     /// not finite, as in all checks.
     pub lengths: [Option<BasisCheck>; 3],
-    /// `u . v`, `v . w`, `w . u`: each has to be 0 within the same tolerance.
+    /// `u . v`, `v . w`, `w . u`: each must be 0 within the same tolerance.
     pub dots: [Option<BasisCheck>; 3],
-    /// `(u x v) . w`: 1 or -1 of unit vectors at right angles, and greater than 0 of right-handed ones.
+    /// `(u x v) . w`: 1 or -1 for unit vectors at right angles, and positive if they are
+    /// right-handed.
     pub handedness: Option<BasisCheck>,
     /// The whole derivation, or the first error.
     pub basis: Result<Basis, BasisError>,
@@ -122,7 +125,7 @@ pub struct BasisCheck {
 }
 
 impl BasisDerivation {
-    /// The derivation of a camera's basis, by the way in which the camera is given.
+    /// Derives a camera's basis, by the way in which the camera is given.
     pub fn new(camera: &Camera) -> BasisDerivation {
         let eye = camera.eye;
         match camera.orientation {
@@ -139,7 +142,7 @@ impl BasisDerivation {
         }
     }
 
-    /// The basis, or why there is none: what [`Camera::basis`] says.
+    /// The basis, or the reason why there is none; the same as [`Camera::basis`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
         match self {
             BasisDerivation::FromUp(from_up) => from_up.basis,
@@ -193,7 +196,7 @@ impl VectorAndLength {
 }
 
 impl Cross {
-    /// `up x w` with `w = -f / |f|`: with `R = f x up` it is `R / |f|`, and R is exact.
+    /// `up x w` with `w = -f / |f|`. With `R = f x up` it equals `R / |f|`, and R is exact.
     fn of_up_and_w(view: &Exact3, up: &Exact3, w: DVec3) -> Cross {
         let right = cross(view, up);
         let (ff, gg, rr) = (dot(view, view), dot(up, up), dot(&right, &right));
@@ -252,7 +255,7 @@ fn rounded(v: &Exact3) -> DVec3 {
     DVec3::from_array(v.each_ref().map(|x| x.rounded_times(0)))
 }
 
-/// A view ray with every value on the way to it:
+/// A view ray with every intermediate value:
 ///
 /// ```text
 /// u = width ((column + 0.5) / W - 0.5)     v = height (0.5 - (row + 0.5) / H)
@@ -260,15 +263,15 @@ fn rounded(v: &Exact3) -> DVec3 {
 /// ```
 ///
 /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 4.3.1 and 4.3.2.)
-/// The direction and its three parts are computed from the basis before rounding and rounded once,
-/// so the parts' sum may differ from the direction in the last bit.
+/// The direction and its three components are computed from the basis before rounding and rounded
+/// once, so the sum of the components may differ from the direction in the last bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RayDerivation {
-    /// The pixel that the ray goes through; `None` of a ray that is given by (u, v).
+    /// The pixel that the ray passes through; `None` for a ray that is given by (u, v).
     pub pixel: Option<Pixel>,
-    /// The position where the ray passes through the viewport, in world units, as
-    /// [`ResolvedCamera::uv_of_pixel`] says.
+    /// The position where the ray passes through the viewport, in world units; see
+    /// [`ResolvedCamera::uv_of_pixel`].
     pub uv: DVec2,
     /// `u U`, in world units.
     pub along_u: DVec3,
@@ -276,10 +279,10 @@ pub struct RayDerivation {
     pub along_v: DVec3,
     /// `-distance W`, in world units.
     pub along_w: DVec3,
-    /// d, the sum of the three: that of
+    /// d, the sum of the three components. It equals the direction of
     /// [`ExactRay::rounded`](pinhole_core::ExactRay::rounded).
     pub direction: DVec3,
-    /// `|d|`: how far in the world one unit of t is.
+    /// `|d|`: the distance in the world that corresponds to one unit of t.
     pub length: f64,
     /// p, the eye.
     pub origin: DVec3,
@@ -326,7 +329,7 @@ impl RayDerivation {
     }
 }
 
-/// A ray and an object, with every value on the way to where they meet.
+/// A ray and an object, with every intermediate value of their intersection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectDerivation {
     /// A sphere.
@@ -355,9 +358,9 @@ pub struct SphereDerivation {
     /// The ray's fate, decided exactly.
     pub meeting: SphereMeeting,
     /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
-    /// tangent stands once, as the nearer. Each `t` is the exact one, rounded.
+    /// tangent point is stored once, as the nearer one. Each `t` is the exact value, rounded.
     pub roots: [Option<Root>; 2],
-    /// The hit: which of `roots` is the smallest `t > 0`.
+    /// The hit: the index in `roots` of the smallest `t > 0`.
     pub first: Option<usize>,
 }
 
@@ -368,13 +371,14 @@ pub enum SphereMeeting {
     Missed,
     /// D = 0 and t > 0: the ray touches the sphere in one point, which is a hit.
     Tangent,
-    /// D > 0 and both t > 0: in at one point, out at another.
+    /// D > 0 and both t > 0: the ray enters at one point and leaves at the other.
     Through,
-    /// The ray starts inside: one t is negative, the other one is the hit.
+    /// The ray starts inside: one t is negative, and the other one is the hit.
     FromInside,
-    /// The ray starts on the sphere and goes through it: one t is 0, the other one is the hit.
+    /// The ray starts on the sphere and passes through it: one t is 0, and the other one is the
+    /// hit.
     FromSurface,
-    /// The line meets the sphere, the ray does not: no t is greater than 0.
+    /// The line meets the sphere but the ray does not: no t is greater than 0.
     Behind,
 }
 
@@ -394,8 +398,8 @@ pub struct PlaneDerivation {
     pub terms: PlaneTerms,
     /// The ray's fate, decided exactly.
     pub meeting: PlaneMeeting,
-    /// The point at which the ray's line meets the plane, at whatever `t`; the normal is of length
-    /// 1.
+    /// The point at which the ray's line meets the plane, for any sign of `t`; the normal has
+    /// length 1.
     pub root: Option<Root>,
 }
 
@@ -404,7 +408,7 @@ pub struct PlaneDerivation {
 pub enum PlaneMeeting {
     /// t > 0: a hit.
     Ahead,
-    /// t < 0: the line meets the plane, the ray does not.
+    /// t < 0: the line meets the plane but the ray does not.
     Behind,
     /// t = 0: the ray starts in the plane and leaves it, which is no hit.
     AtOrigin,
@@ -415,10 +419,11 @@ pub enum PlaneMeeting {
 }
 
 impl ObjectDerivation {
-    /// The derivation for one ray and one object, which is given `index` in its roots.
+    /// Derives the intersection of one ray and one object. Its roots have `index` as the object's
+    /// index.
     ///
     /// # Errors
-    /// Returns an error if the object is none, see [`Object::check`].
+    /// Returns an error if the object is invalid; see [`Object::check`].
     pub fn new(
         object: &Object,
         index: u32,
@@ -498,8 +503,8 @@ impl PlaneDerivation {
     }
 }
 
-/// The unit of an object's implicit function along a ray: with it, spheres and
-/// planes of all sizes fit on one scale.
+/// The unit of an object's implicit function along a ray. With it, spheres and planes of all sizes
+/// fit on one scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitUnit {
     /// A normal number greater than 0.
@@ -511,18 +516,18 @@ pub struct ImplicitUnit {
 /// The number that an [`ImplicitUnit`] comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitOrigin {
-    /// A sphere's `r^2`: f at the centre is minus that.
+    /// A sphere's `r^2`; f at the sphere's centre is `-r^2`.
     SquaredRadius,
     /// A plane's `|f(0)|`, at the ray's origin.
     RayOrigin,
     /// `|f(1)|` of a plane through the ray's origin.
     OneStep,
-    /// The number 1, where what should be the unit is 0 or out of range.
+    /// The number 1, if the usual unit would be 0 or out of range.
     One,
 }
 
 impl ImplicitUnit {
-    /// The unit for an object and its function along a ray.
+    /// Creates the unit for an object and its function along a ray.
     pub fn new(object: &Object, along: &AlongRay) -> ImplicitUnit {
         let (value, origin) = match object {
             Object::Sphere(sphere) => (sphere.radius * sphere.radius, UnitOrigin::SquaredRadius),

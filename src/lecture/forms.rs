@@ -1,4 +1,4 @@
-//! Numbers such as `5√2` and `1/√74`, and vectors such as `(5, 0, -7)/√74`, recognised.
+//! Recognises numbers such as `5√2` and `1/√74`, and vectors such as `(5, 0, -7)/√74`.
 
 use std::fmt;
 
@@ -6,9 +6,10 @@ use pinhole_core::DVec3;
 
 /// A number written with whole numbers and at most one root: `n sqrt k / m`, or `n / sqrt k`.
 ///
-/// One number has one form. n and m have no common divisor and k no square one; where the number
-/// times `sqrt k` is whole, the root stands below (`1/sqrt 2`, as the lecture writes the entries of
-/// a basis, `5/sqrt 2`, `2/sqrt 14`), but not of whole multiples of a root (`5 sqrt 2`).
+/// Each number has one form. n and m have no common divisor, and k has no square divisor. If the
+/// number times `sqrt k` is whole, the root is in the denominator (`1/sqrt 2`, as the lecture
+/// writes the entries of a basis, `5/sqrt 2`, `2/sqrt 14`), except for whole multiples of a root
+/// (`5 sqrt 2`).
 ///
 /// ```
 /// use pinhole_lecture::NumberForm;
@@ -27,20 +28,20 @@ pub struct NumberForm {
     is_root_below: bool,
 }
 
-/// Largest distance of a number from its form, as a share: up to 4 ulps of noise, which are 4 times
-/// the spacing of `f64` at 1 at most, and the roundings of the comparison.
+/// Maximum relative distance of a number from its form: 4 ulps of noise, each at most the spacing
+/// of `f64` at 1, and the rounding errors of the comparison.
 const NOISE: f64 = 6.0 * f64::EPSILON;
 
-/// The largest product of numerator and denominator of a number, or of its square, that counts as
-/// recognised: 2^20.
+/// The maximum product of numerator and denominator of a recognised number, or of its square: 2^20.
 ///
-/// Of the fractions N/M, about `0.3 * 2^20` lie between a number and e times it (the pairs with
-/// `N M <= P` are `P / 2` an e-fold, of which `6 / pi^2` have no common divisor). Each catches the
-/// numbers within a share [`NOISE`] of it, and those whose square is within twice that. Together, a
-/// number with random digits is taken for a form with a probability below 3e-9.
+/// Of the fractions N/M, about `0.3 * 2^20` lie between a number and e times it (the pairs with `N
+/// M <= P` number `P / 2` for each factor of e, of which a share of `6 / pi^2` have no common
+/// divisor). Each fraction matches the numbers within a share [`NOISE`] of it, and the numbers
+/// whose square is within twice that. Together, a number with random digits is mistaken for a form
+/// with a probability below 3e-9.
 const LIMIT: u64 = 1 << 20;
 
-/// Largest whole number, and largest number under a root, of a form that [is
+/// Maximum whole number, and maximum number under a root, of a form that [is
 /// short](NumberForm::is_short).
 const LARGEST_SHORT: u64 = 99;
 const LARGEST_SHORT_ROOT: u64 = 999;
@@ -50,17 +51,19 @@ impl NumberForm {
     pub const ZERO: NumberForm =
         NumberForm { numerator: 0, root: 1, denominator: 1, is_root_below: false };
 
-    /// The form of a number that is within 4 ulps of one: a fraction n/m with `n m <= 2^20`, or the
-    /// root of one. `None` of any other number; one with random digits has a form by chance once in
-    /// 3e8.
+    /// Returns the form of a number that is within 4 ulps of a fraction n/m with `n m <= 2^20`, or
+    /// of the root of such a fraction. Returns `None` for any other number; a number with random
+    /// digits has a form by chance once in 3e8.
     ///
-    /// Found by continued fractions: a fraction so close to a number is one of its convergents
-    /// (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th ed., theorem 184).
+    /// It uses continued fractions: a fraction so close to a number is one of the number's
+    /// convergents (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th ed.,
+    /// theorem 184).
     pub fn recognise(x: f64) -> Option<NumberForm> {
         NumberForm::within(x, NOISE, LIMIT)
     }
 
-    /// The form of a number that is off by a share `noise` of it, with fractions up to a limit.
+    /// Returns the form of a number with a relative error of up to `noise`, from fractions up to a
+    /// limit.
     fn within(x: f64, noise: f64, limit: u64) -> Option<NumberForm> {
         if x == 0.0 {
             return Some(NumberForm::ZERO);
@@ -81,7 +84,7 @@ impl NumberForm {
         Some(if x < 0.0 { form.negated() } else { form })
     }
 
-    /// `n sqrt k / m` in its one form, for a square-free k.
+    /// Creates `n sqrt k / m` in its unique form, for a square-free k.
     fn new(n: u64, k: u64, m: u64) -> NumberForm {
         let common = gcd(n, m);
         let (n, m) = (n / common, m / common);
@@ -105,7 +108,7 @@ impl NumberForm {
         NumberForm { numerator: -self.numerator, ..self }
     }
 
-    /// A whole multiple of the number, in its one form.
+    /// Returns a whole multiple of the number, in its unique form.
     fn times(self, factor: i64) -> NumberForm {
         let NumberForm { numerator, root, denominator, is_root_below } = self;
         let n = numerator * factor;
@@ -117,7 +120,7 @@ impl NumberForm {
         if n < 0 { form.negated() } else { form }
     }
 
-    /// The number divided by its numerator, which must not be 0.
+    /// Returns the number divided by its numerator, which must not be 0.
     fn over_numerator(self) -> NumberForm {
         NumberForm { numerator: 1, ..self }
     }
@@ -127,7 +130,7 @@ impl NumberForm {
         self.numerator
     }
 
-    /// k, the number under the root, without a square divisor; 1 where there is no root.
+    /// Returns k, the square-free number under the root; 1 if there is no root.
     pub fn root(self) -> u64 {
         self.root
     }
@@ -137,14 +140,14 @@ impl NumberForm {
         self.denominator
     }
 
-    /// Returns whether this is `n / sqrt k`, and not `n sqrt k / m`.
+    /// Returns true if the form is `n / sqrt k` rather than `n sqrt k / m`.
     pub fn is_root_below(self) -> bool {
         self.is_root_below
     }
 
-    /// Returns true if the form is shorter to read than its decimals: numerator and denominator have
-    /// at most two digits, the number under the root at most three, as in the lecture's own
-    /// `w = (21, 4, 15)/sqrt 682`.
+    /// Returns true if the form is shorter to read than its decimals: numerator and denominator
+    /// have at most two digits, and the number under the root has at most three, as in the
+    /// lecture's own `w = (21, 4, 15)/sqrt 682`.
     pub fn is_short(self) -> bool {
         let NumberForm { numerator, root, denominator, .. } = self;
         numerator.unsigned_abs() <= LARGEST_SHORT
@@ -152,14 +155,15 @@ impl NumberForm {
             && root <= LARGEST_SHORT_ROOT
     }
 
-    /// Decimals of the number where they say all of it: 0 of a whole number, 2 of 1/4. `None`
-    /// with a root, and where they never end (or are more than 9).
+    /// Returns the number of decimals that represent the number exactly: 0 for a whole number, 2
+    /// for 1/4. Returns `None` if there is a root, or if the decimals never end (or are more than
+    /// 9).
     pub fn decimals(self) -> Option<u32> {
         let ends = |places: &u32| 10_u64.pow(*places).is_multiple_of(self.denominator);
         if self.root > 1 { None } else { (0..=9).find(ends) }
     }
 
-    /// The number in `f64`, within an ulp and a half.
+    /// Returns the number as an `f64`, within an ulp and a half.
     pub fn value(self) -> f64 {
         let (n, root) = (self.numerator as f64, (self.root as f64).sqrt());
         if self.is_root_below { n / root } else { n * root / self.denominator as f64 }
@@ -180,14 +184,14 @@ impl fmt::Display for NumberForm {
     }
 }
 
-/// The fraction `(n, m)` with `n m <= limit` that is within a share `noise` of a number greater
-/// than 0: the first of the continued fraction's convergents that is.
+/// Returns the first of the continued fraction's convergents `(n, m)` that is within a share
+/// `noise` of a positive number; `None` if no such convergent has `n m <= limit`.
 fn fraction_near(x: f64, noise: f64, limit: u64) -> Option<(u64, u64)> {
     let most = limit as f64;
     if !(0.9 / most..=1.1 * most).contains(&x) {
         return None;
     }
-    // x = numerator / denominator, exactly: not subnormal, and not above 2^52.
+    // x = numerator / denominator, exactly; x is not subnormal and not above 2^52.
     let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1075;
     let numerator = u128::from(x.to_bits() & ((1 << 52) - 1) | 1 << 52);
     let (mut above, mut below) = (numerator, 1_u128 << exponent.unsigned_abs());
@@ -208,7 +212,7 @@ fn fraction_near(x: f64, noise: f64, limit: u64) -> Option<(u64, u64)> {
     None
 }
 
-/// `(s, k)` with `x = s^2 k` and k without a square divisor.
+/// Returns `(s, k)` with `x = s^2 k` and a square-free k.
 fn square_part(x: u64) -> (u64, u64) {
     let (mut square, mut free, mut rest, mut p) = (1, 1, x, 2);
     while p * p <= rest {
@@ -239,36 +243,37 @@ fn gcd(a: u64, b: u64) -> u64 {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorForm {
-    /// Each coordinate by itself: where they are whole, where one form goes for all that are not 0,
-    /// and where they share nothing.
+    /// A form for each coordinate. This is used if the coordinates are whole, if all nonzero
+    /// coordinates have the same form, and if they have no common factor.
     Entries([NumberForm; 3]),
     /// Whole numbers times one factor.
     Common {
         /// The coordinates without the factor.
         whole: [i64; 3],
-        /// `1/m`, `1/sqrt k`, `sqrt k` or `sqrt k/m`: its numerator is 1.
+        /// `1/m`, `1/sqrt k`, `sqrt k` or `sqrt k/m`; its numerator is 1.
         factor: NumberForm,
     },
 }
 
-/// Error bound of the quotient of two coordinates, as a share: 4 ulps of each, and rounding.
+/// Relative error bound of the quotient of two coordinates: 4 ulps of each, and rounding.
 const RATIO_NOISE: f64 = 10.0 * f64::EPSILON;
 
-/// Largest whole numbers before the factor's numerator is multiplied in.
+/// Maximum of the whole numbers before they are multiplied by the factor's numerator.
 const LARGEST_WHOLE: u64 = 1 << 10;
 
-/// The limit for single numbers, but the coordinates' quotients have to be fractions too, which is
-/// unlikely enough. A unit vector's factor is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
+/// The limit for the factor. It is larger than the limit for single numbers, because the
+/// coordinates' quotients must also be fractions, which is unlikely enough by chance. A unit
+/// vector's factor is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
 const FACTOR_LIMIT: u64 = 1 << 22;
 
 impl VectorForm {
-    /// The form of a vector whose coordinates are within 4 ulps of one: whole numbers up to 1024
-    /// times a factor that is a small fraction or the root of one; or, without a common factor,
-    /// three [`NumberForm`]s. `None` of any other.
+    /// Returns the form of a vector whose coordinates are within 4 ulps of it: whole numbers up to
+    /// 1024 times a factor that is a small fraction or the root of one; or, without a common
+    /// factor, three [`NumberForm`]s. Returns `None` for any other vector.
     ///
-    /// Random digits have a form by chance less than once in 1e15. Fewer of them are random where a
-    /// coordinate is exactly 0: of a unit vector with one such once in 1e9, of a vector along an
-    /// axis once in 3e8.
+    /// A vector of random digits has a form by chance less than once in 1e15. If a coordinate is
+    /// exactly 0, fewer digits are random: a unit vector with one zero coordinate has a form by
+    /// chance once in 1e9, and a vector along an axis once in 3e8.
     pub fn recognise(v: DVec3) -> Option<VectorForm> {
         if !v.is_finite() {
             return None;
@@ -290,9 +295,9 @@ impl VectorForm {
         }
     }
 
-    /// Returns true if the form is shorter to read than decimals: each coordinate's form
-    /// [is](NumberForm::is_short), or the whole numbers have at most two digits and their factor's
-    /// form is short.
+    /// Returns true if the form is shorter to read than decimals: each coordinate's form [is
+    /// short](NumberForm::is_short), or the whole numbers have at most two digits and their
+    /// factor's form is short.
     pub fn is_short(self) -> bool {
         match self {
             VectorForm::Entries(entries) => entries.into_iter().all(NumberForm::is_short),
@@ -303,7 +308,7 @@ impl VectorForm {
     }
 }
 
-/// The form with one factor for all coordinates; `Entries` where that is simpler.
+/// Returns the form with one factor for all coordinates, or `Entries` if that is simpler.
 fn common(v: DVec3) -> Option<VectorForm> {
     let largest = v.abs().max_element();
     if largest == 0.0 {

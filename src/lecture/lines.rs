@@ -1,9 +1,9 @@
-//! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the one
-//! put into the other.
+//! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the
+//! substitution of the parametric line into the implicit one.
 //!
-//! Whatever depends on whether a number is 0 or which sign it has (parallel, coincident, before or
-//! behind `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown
-//! is rounded once.
+//! Every decision that depends on the sign of a number or on whether it is 0 (parallel, coincident,
+//! before or behind `p`, which side of a line) is made exactly on the given numbers. A displayed
+//! value is rounded once.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -11,9 +11,9 @@ use std::fmt;
 use pinhole_core::arithmetic::{Dyadic, rounded_quotient};
 use pinhole_core::{DVec2, shortest};
 
-/// `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
+/// The line `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
 ///
-/// Any values may stand here; [`ImplicitLine::check`] says whether they make a line.
+/// Any values are allowed here; [`ImplicitLine::check`] checks whether they define a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitLine {
     /// The factor of x.
@@ -24,14 +24,14 @@ pub struct ImplicitLine {
     pub c: f64,
 }
 
-/// `p + t d`: a point for every `t`, ahead of `p` for `t > 0`.
+/// The line `p + t d`: one point for each `t`, ahead of `p` for `t > 0`.
 ///
-/// Any values may stand here; [`ParametricLine::check`] says whether they make a line.
+/// Any values are allowed here; [`ParametricLine::check`] checks whether they define a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParametricLine {
     /// The point at `t = 0`.
     pub p: DVec2,
-    /// The step from the point at `t = 0` to the one at `t = 1`; not normalized.
+    /// The step from the point at `t = 0` to the point at `t = 1`; not normalized.
     pub d: DVec2,
 }
 
@@ -56,22 +56,22 @@ pub enum LineError {
         /// The one point.
         p: DVec2,
     },
-    /// Two points that are the same one: many lines go through it.
+    /// The two points are the same: many lines pass through it.
     SamePoint {
         /// The point.
         point: DVec2,
     },
 }
 
-/// A parametric line put into an implicit one:
-/// `a (px + t dx) + b (py + t dy) + c = (a dx + b dy) t + (a px + b py + c)`.
+/// A parametric line substituted into an implicit one: `a (px + t dx) + b (py + t dy) + c = (a dx +
+/// b dy) t + (a px + b py + c)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Substitution {
     /// The implicit line.
     pub line: ImplicitLine,
     /// The parametric line.
     pub ray: ParametricLine,
-    /// `a dx + b dy`, rounded once: how much f grows where t grows by 1.
+    /// `a dx + b dy`, rounded once: the change of f when t grows by 1.
     pub rate: f64,
     /// `a px + b py + c`, rounded once: f at `t = 0`.
     pub offset: f64,
@@ -82,27 +82,27 @@ pub struct Substitution {
 /// The t at which a parametric line meets an implicit one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting {
-    /// For no t: f is the same at every t, and not 0.
+    /// The lines do not meet: f is the same nonzero number at every t.
     Parallel,
-    /// For every t: both are the same line.
+    /// The lines meet at every t: they are the same line.
     Coincident,
     /// For one t.
     At(Crossing),
-    /// For one t, which is, or at which x or y is, beyond the range of `f64`.
+    /// The lines meet at one t, but t, x or y is beyond the range of `f64`.
     TooFar {
         /// True where `t > 0`.
         ray_hits: bool,
     },
 }
 
-/// The one point that two lines have in common.
+/// The only point that two lines have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// `-(a px + b py + c) / (a dx + b dy)`, the nearest `f64`.
+    /// `-(a px + b py + c) / (a dx + b dy)`, rounded to the nearest `f64`.
     pub t: f64,
-    /// `p + t d` of the t before rounding, each coordinate the nearest `f64`.
+    /// `p + t d` for the t before rounding, with each coordinate rounded to the nearest `f64`.
     pub point: DVec2,
-    /// True where the ray from p along d hits: `t > 0`. Otherwise only the line does.
+    /// True if the ray from p along d hits: `t > 0`. Otherwise only the whole line meets.
     pub ray_hits: bool,
 }
 
@@ -131,8 +131,8 @@ impl fmt::Display for LineError {
 impl std::error::Error for LineError {}
 
 impl ImplicitLine {
-    /// The line through two points, directed from the first to the second: f is positive on its
-    /// left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
+    /// Returns the line through two points, directed from the first to the second, so that f is
+    /// positive on its left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or both points are the same.
@@ -150,14 +150,14 @@ impl ImplicitLine {
         line.check().map(|()| line)
     }
 
-    /// `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. `None` for a vertical line, which has
-    /// no such form, and where a quotient is beyond the range of `f64`.
+    /// Returns `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. Returns `None` for a vertical
+    /// line, which has no such form, and if a quotient is beyond the range of `f64`.
     pub fn slope_form(&self) -> Option<(f64, f64)> {
         let (m, q) = (-self.a / self.b, -self.c / self.b);
         (m.is_finite() && q.is_finite()).then_some((m + 0.0, q + 0.0))
     }
 
-    /// Checks that the numbers make a line.
+    /// Checks that the numbers define a line.
     ///
     /// # Errors
     /// Returns an error if they do not.
@@ -169,12 +169,13 @@ impl ImplicitLine {
         if none { Err(LineError::NoNormal { c: self.c }) } else { Ok(()) }
     }
 
-    /// `f(x, y) = a x + b y + c`, rounded once. Of finite numbers; infinite where it overflows.
+    /// Returns `f(x, y) = a x + b y + c`, rounded once. The numbers must be finite; the result is
+    /// infinite if it overflows.
     pub fn f(&self, point: DVec2) -> f64 {
         self.exact_f(point).rounded_times(0)
     }
 
-    /// The sign of f at a point: decided exactly, of finite numbers.
+    /// Returns the sign of f at a point, decided exactly. The numbers must be finite.
     pub fn side(&self, point: DVec2) -> Ordering {
         self.exact_f(point).sign()
     }
@@ -188,21 +189,21 @@ impl ImplicitLine {
         [self.a, self.b, self.c].map(Dyadic::from)
     }
 
-    /// `(b, -a)`: along the line, with f positive on the left.
+    /// Returns `(b, -a)`, the direction along the line for which f is positive on the left.
     pub fn direction(&self) -> DVec2 {
         DVec2::new(self.b, -self.a)
     }
 
-    /// The line with this [direction](ImplicitLine::direction) through a point: a and b as they
-    /// are, c rounded once.
+    /// Returns the line with this [direction](ImplicitLine::direction) through a point: a and b are
+    /// exact, and c is rounded once.
     pub fn along(direction: DVec2, point: DVec2) -> ImplicitLine {
         let line = ImplicitLine { a: -direction.y + 0.0, b: direction.x, c: 0.0 };
         ImplicitLine { c: -line.f(point) + 0.0, ..line }
     }
 
-    /// The point of the line that is nearest to a point, up to rounding.
+    /// Returns the line's nearest point to a given point, up to rounding.
     pub fn nearest_to(&self, point: DVec2) -> DVec2 {
-        // In a size in which no square leaves the range of numbers.
+        // Scale the numbers so that no square overflows or underflows.
         let size = self.a.abs().max(self.b.abs());
         let normal = DVec2::new(self.a / size, self.b / size);
         point - (self.f(point) / size) / normal.length_squared() * normal
@@ -210,7 +211,7 @@ impl ImplicitLine {
 }
 
 impl ParametricLine {
-    /// Checks that the numbers make a line.
+    /// Checks that the numbers define a line.
     ///
     /// # Errors
     /// Returns an error if they do not.
@@ -227,16 +228,16 @@ impl ParametricLine {
         self.p + t * self.d
     }
 
-    /// The t of the line's point nearest to a point, up to rounding:
-    /// `((point - p) . d) / (d . d)`.
+    /// Returns the t of the line's nearest point to a given point, up to rounding: `((point - p) .
+    /// d) / (d . d)`.
     pub fn nearest_t(&self, point: DVec2) -> f64 {
         let size = self.d.abs().max_element();
         let d = self.d / size;
         (point - self.p).dot(d) / d.length_squared() / size
     }
 
-    /// The points that t generates on its way from `first` to `last` in equal steps, each with its
-    /// t: the multiples of `step` in between, at most `most` of them.
+    /// Returns the points at equal steps of t between `first` and `last`, each with its t: the
+    /// multiples of `step` in between, and at most `most` of them.
     pub fn generated(
         &self,
         step: f64,
@@ -282,7 +283,7 @@ impl Substitution {
         })
     }
 
-    /// `f(p + t d)`, rounded once, with its sign before rounding.
+    /// Returns `f(p + t d)`, rounded once, with its sign before rounding.
     pub fn f(&self, t: f64) -> (f64, Ordering) {
         let (rate, offset) = terms(&self.line, &self.ray);
         let f = &(&rate * &Dyadic::from(t)) + &offset;
@@ -311,7 +312,7 @@ impl Meeting {
     }
 }
 
-/// `(a dx + b dy, a px + b py + c)`.
+/// Returns `(a dx + b dy, a px + b py + c)`.
 fn terms(line: &ImplicitLine, ray: &ParametricLine) -> (Dyadic, Dyadic) {
     let [a, b, _] = line.exact();
     let [x, y] = ray.d.to_array().map(Dyadic::from);

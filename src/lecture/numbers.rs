@@ -1,5 +1,6 @@
-//! Writing numbers for readers: few significant digits, no noise, the real minus sign (−), and digits
-//! without groups. What is typed, copied or saved has the minus of the keyboard (-).
+//! Writes numbers for readers: few significant digits, no rounding noise, a real minus sign (−),
+//! and no separators between groups of digits. Typed, copied and saved numbers have the keyboard's
+//! minus (-).
 
 use pinhole_core::shortest;
 
@@ -18,10 +19,10 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
-/// The number to that many significant digits, trailing zeros dropped; never `NaN` or `inf`. Fewer
-/// digits where they tell the number from all others: 0.1 at 17 digits is `0.1`.
+/// Writes a number to this many significant digits, without trailing zeros; never `NaN` or `inf`.
+/// Uses fewer digits if they identify the number uniquely: 0.1 at 17 digits is `0.1`.
 pub fn significant(value: f64, digits: usize) -> String {
-    // All numbers of 15 digits are told apart.
+    // Numbers of 15 digits are always distinct as `f64`.
     let fewer = (15..digits).map(|digits| rounded(value, digits));
     let mut telling = fewer.filter(|text| text.parse() == Ok(value));
     telling.next().unwrap_or_else(|| rounded(value, digits))
@@ -55,12 +56,12 @@ fn rounded(value: f64, digits: usize) -> String {
     }
 }
 
-/// [`significant`] digits with the real minus sign, as people write numbers.
+/// Writes a number to this many [`significant`] digits, with the real minus sign.
 pub fn written(value: f64, digits: usize) -> String {
     significant(value, digits).replace('-', "−")
 }
 
-/// The text of a number that is not finite.
+/// The text for a number that is not finite.
 const BEYOND: &str = "beyond f64";
 
 /// Writes a number with all its digits, for reading.
@@ -68,7 +69,8 @@ pub fn written_whole(x: f64) -> String {
     if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
 }
 
-/// Returns a sentence of the command line without its groups of digits: `1,200` becomes `1200`.
+/// Returns a sentence for the command line without separators between groups of digits: `1,200`
+/// becomes `1200`.
 pub fn ungrouped(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let is_digit = |k: usize| letters.get(k).is_some_and(char::is_ascii_digit);
@@ -77,9 +79,9 @@ pub fn ungrouped(text: &str) -> String {
     (0..letters.len()).filter(|k| !is_comma(*k)).map(|k| letters[k]).collect()
 }
 
-/// Number of decimals that are short enough to be shown whole: −0.00125.
+/// Maximum number of decimals of a number that is shown whole: −0.00125.
 const WHOLE: usize = 5;
-/// Number of significant digits in which a calculated number has no rounding error.
+/// Number of significant digits to which a calculated number has no rounding error.
 const TELLING: usize = 12;
 
 /// The rounding of numbers that are shown.
@@ -87,7 +89,7 @@ const TELLING: usize = 12;
 pub enum Rounding {
     /// To so many significant digits.
     Significant(usize),
-    /// To so many decimals; small numbers to two significant digits, which may be more decimals. A
+    /// This many decimals; a small number has two significant digits, which may be more decimals. A
     /// number that ends within five decimals keeps them all.
     Decimals(usize),
 }
@@ -116,7 +118,7 @@ pub fn short(x: f64) -> String {
     short_plain(x).replace('-', "−")
 }
 
-/// The same with the minus of the keyboard, for the command line and its files.
+/// Formats like [`short`] with the keyboard's minus, for the command line and its files.
 pub fn short_plain(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -157,8 +159,8 @@ pub fn power_of_ten(exponent: i32) -> String {
     }
 }
 
-/// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. What is neither none nor all is never
-/// told as 0 % or 100 %.
+/// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. A share that is neither none nor
+/// all is never written as 0 % or 100 %.
 pub fn percent(count: usize, all: usize) -> String {
     let percent = 100.0 * count as f64 / all.max(1) as f64;
     match percent {
@@ -171,10 +173,10 @@ pub fn percent(count: usize, all: usize) -> String {
     }
 }
 
-/// The largest number in a fraction or below a root that is still read at a glance.
+/// Maximum number in a fraction or under a root that is still easy to read.
 const SHORT: u64 = 100;
 
-/// Writes a number for a sentence: in its exact form where that is short.
+/// Writes a number for a sentence, in its exact form if that is short.
 pub(crate) fn exact_if_short(x: f64) -> String {
     let is_short = |form: &NumberForm| match form.decimals() {
         Some(decimals) => decimals <= 5,

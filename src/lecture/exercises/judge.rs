@@ -1,4 +1,4 @@
-//! Verdicts on answers, and the conditions that an answer has to fulfil.
+//! Verdicts on answers, and the conditions that an answer must meet.
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere, shortest};
 
@@ -10,34 +10,34 @@ use crate::mistakes::Mistake;
 pub enum Verdict {
     /// It is right.
     Right,
-    /// It is right: so many times ours, which is allowed here.
+    /// It is right: it is a positive multiple of the truth, which is allowed here.
     Multiple {
         /// Above 0.
         times: f64,
     },
     /// It is the right one, rounded.
     Rounded {
-        /// The count of significant digits that are right.
+        /// The number of significant digits that are right.
         digits: usize,
     },
-    /// It is on the right line and points backwards.
+    /// It lies on the right line but points backwards.
     Backwards {
         /// Below 0: how many times ours.
         times: f64,
     },
-    /// It points where it should, and its length matters here.
+    /// It has the right direction but another length, which matters here.
     OtherLength {
         /// Above 0: how many times ours.
         times: f64,
     },
-    /// Each of these mistakes gives the answer, and agrees with the answers to the other parts.
+    /// Each of these mistakes gives the answer and agrees with the answers to the other parts.
     Mistakes(Vec<Mistake>),
-    /// These are wrong with it, and no known mistake gives it.
+    /// No known mistake gives it; these findings describe what is wrong.
     Wrong(Vec<Finding>),
 }
 
-/// Least number of significant digits of an answer that counts as right: no more than the program shows
-/// of a number that has no short form.
+/// Minimum number of significant digits of an answer that counts as right. The program shows at
+/// least as many for a number without a short form.
 pub(super) const ENOUGH_DIGITS: usize = 4;
 
 impl Verdict {
@@ -51,10 +51,9 @@ impl Verdict {
     }
 }
 
-/// Judges each answer. The answers are looked at together: a mistake that would have
-/// spoilt a part which is right was not made, and of the mistakes that give an answer, those that
-/// explain most of the wrong parts are named; of two that explain as much, not the one that holds
-/// the other and more.
+/// Judges the answers together. A mistake that would have spoilt a part that is right was not made.
+/// Of the mistakes that give an answer, the verdict names those that explain most of the wrong
+/// parts. If one of these mistakes includes another, it names only the smaller one.
 pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
@@ -94,18 +93,18 @@ pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<O
         .collect()
 }
 
-/// Returns whether the answer shows that the part was understood.
+/// Returns true if the answer shows that the part was understood.
 fn is_the_truth(verdict: &Verdict) -> bool {
     verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
 }
 
-/// Returns whether no mistake has to be looked for.
+/// Returns true if there is no need to look for a mistake.
 fn is_settled(verdict: &Verdict, part: &QuestionPart) -> bool {
-    // Where only the line counts, that it points backwards says all.
+    // If only the line counts, the verdict that it points backwards is complete.
     is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
 }
 
-/// The verdict where no known mistake gives the answer.
+/// Returns the verdict if no known mistake gives the answer.
 fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
         let another = || Verdict::Wrong(vec![Finding::Another]);
@@ -131,8 +130,8 @@ fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     }
 }
 
-/// The mistakes that give the answer and agree with what is right; where none does, those that
-/// are told by this answer alone.
+/// Returns the mistakes that give the answer and agree with the parts that are right. If there are
+/// none, returns the mistakes that this part itself reveals.
 fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec<Mistake> {
     let all = giving(part, answer);
     let spoils = |mistake: &Mistake, part: &&QuestionPart| {
@@ -146,7 +145,7 @@ fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec
     agreeing
 }
 
-/// The mistakes that give the answer, each alone.
+/// Returns the mistakes that give the answer, each by itself.
 fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
@@ -183,7 +182,7 @@ fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if findings.is_empty() { vec![Finding::Another] } else { findings }
 }
 
-/// Findings on the length and the direction of a vector that should be of length 1.
+/// Returns the findings on the length and the direction of a vector that should have length 1.
 fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
     let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
@@ -202,7 +201,8 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Findin
     });
     let count = findings.len();
     findings.extend(others);
-    // That it is not orthogonal says where to look; without that, at least how far off it is.
+    // A failed orthogonality says where to look; without one, at least the size of the error is
+    // given.
     if findings.len() == count {
         let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
         findings.push(Finding::Angle { degrees });
@@ -210,7 +210,7 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Findin
     findings
 }
 
-/// The factor between a vector and the truth, if it is a multiple of it at all, but not 0.
+/// Returns the factor if a vector is a nonzero multiple of the truth.
 fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     if given.len() < 2 {
         return None;
@@ -222,8 +222,9 @@ fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     (near && times.is_finite() && times != 0.0).then_some(times)
 }
 
-/// Counts the significant digits, two at least, to which these are the true numbers, rounded or cut
-/// off; any multiple of them where that is allowed.
+/// Returns the number of significant digits, at least two, to which these are the true numbers,
+/// rounded or truncated. Accepts any positive multiple of the true numbers if multiples are
+/// allowed.
 fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     let largest = (0..truth.len()).max_by(|a, b| truth[*a].abs().total_cmp(&truth[*b].abs()))?;
     let times = if may_be_scaled { given[largest] / truth[largest] } else { 1.0 };
@@ -237,7 +238,7 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
             continue;
         }
         let (digits, place) = precision(*x);
-        // The multiple is known no better than the number that it comes from.
+        // The factor is no more precise than the number that it comes from.
         let slack = if may_be_scaled {
             0.5 * unit(precision(given[largest]).1) * (y / given[largest]).abs()
         } else {
@@ -253,7 +254,8 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// The significant digits that a number is written with, and the power of ten of its last place.
+/// Returns the number of significant digits that a number is written with, and the power of ten of
+/// its last digit.
 fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
@@ -267,10 +269,10 @@ fn unit(place: i32) -> f64 {
     10f64.powi(place)
 }
 
-/// |y| with the digits behind a decimal place left out. In digits: 4 - 3.99 is below 0.01 by the luck of
-/// binary rounding, and yet 4 cut off is never 3.99.
+/// Returns |y| truncated at a decimal place. It works on the decimal digits, because binary
+/// rounding makes 4 - 3.99 less than 0.01 although 4 truncated is never 3.99.
 fn cut_off(y: f64, place: i32) -> Option<f64> {
-    // Rounded to as many digits as can be trusted: what should be 6 may be 5.999999999999999.
+    // Round to as many digits as are reliable: a value that should be 6 may be 5.999999999999999.
     let text = format!("{:.11e}", y.abs());
     let (mantissa, exponent) = text.split_once('e')?;
     let first: i32 = exponent.parse().ok()?;
@@ -280,7 +282,7 @@ fn cut_off(y: f64, place: i32) -> Option<f64> {
     format!("{cut}e{exponent}").parse().ok()
 }
 
-/// Largest relative difference between an answer and the truth that counts as rounding.
+/// Maximum relative difference between an answer and the truth that counts as rounding.
 const TOLERANCE: f64 = 1e-9;
 
 /// A fault of an answer.
@@ -288,11 +290,11 @@ const TOLERANCE: f64 = 1e-9;
 pub enum Finding {
     /// It is (0, 0, 0).
     Zero,
-    /// This coordinate, counted from 0, is another; the other coordinates are right.
+    /// The coordinate with this index, counted from 0, is wrong; the other coordinates are right.
     Coordinate(usize),
-    /// The length should be 1, and is this.
+    /// The length is this number but should be 1.
     Length(f64),
-    /// It should be at right angles to the named vector.
+    /// It should be perpendicular to the named vector.
     NotOrthogonal {
         /// `up`, `u`, `w`, ...
         to: &'static str,
@@ -340,7 +342,7 @@ pub enum Finding {
         /// The position that it should pass.
         wanted: DVec2,
     },
-    /// The ray never comes to the viewport's plane.
+    /// The ray never reaches the viewport's plane.
     NotForwards {
         /// `d . w`, which should be below 0.
         along_w: f64,
@@ -349,10 +351,10 @@ pub enum Finding {
     Another,
 }
 
-/// A condition that an answer has to fulfil.
+/// A condition that an answer must meet.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Condition {
-    /// The ray is on it at this t.
+    /// The ray is on the surface at this t.
     Meets(Ray, Surface),
     /// The point is on it.
     On(Surface),
@@ -360,7 +362,7 @@ pub(super) enum Condition {
     OnRay(Ray),
     /// The ray begins here.
     Eye(DVec3),
-    /// The direction leads from the eye through this place in the viewport.
+    /// The direction leads from the eye through this position in the viewport.
     Through {
         /// The camera's.
         basis: Basis,
@@ -378,12 +380,13 @@ pub(super) enum Surface {
     Wall(f64),
     /// A sphere.
     Sphere(Sphere),
-    /// The line `a x + b y + c = 0` of (a, b, c).
+    /// The line `a x + b y + c = 0`, stored as (a, b, c).
     Line(DVec3),
 }
 
 impl Condition {
-    /// Finds what is wrong with an answer of one, two or three numbers; `None` if it fulfils this.
+    /// Returns how an answer of one, two or three numbers fails the condition; `None` if it meets
+    /// the condition.
     fn missed_by(&self, given: &[f64]) -> Option<Finding> {
         let point = |given: &[f64]| match *given {
             [x, y] => Some(DVec3::new(x, y, 0.0)),
@@ -433,18 +436,18 @@ impl Surface {
     }
 }
 
-/// Returns whether a difference is more than noise beside numbers of this size.
+/// Returns true if a difference is more than rounding error for numbers of this size.
 fn is_off(difference: f64, size: f64) -> bool {
     difference.abs() > TOLERANCE * size.max(1.0)
 }
 
-/// The length of some numbers as a vector; 1 for zeros.
+/// Returns the length of some numbers as a vector; 1 if they are all zero.
 fn size(numbers: &[f64]) -> f64 {
     let size = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
     if size == 0.0 { 1.0 } else { size }
 }
 
-/// Returns whether these are the true numbers, but for rounding in what was calculated.
+/// Returns true if these are the true numbers up to rounding error.
 pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
     let size = size(truth);
     given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)

@@ -1,5 +1,5 @@
-//! The lecture's exercises, and others of the same kind: what is given, the right answers, the
-//! answers that classic mistakes give, and the verdict on an answer.
+//! The lecture's exercises, and similar ones: the given numbers, the right answers, the answers
+//! that classic mistakes give, and the verdict on an answer.
 
 mod judge;
 mod pick;
@@ -14,24 +14,25 @@ pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title
 pub use texts::{follows, question};
 
 impl Question {
-    /// The lecture's own question, or, with a seed, another one like it: the same one for the same
-    /// seed, everywhere.
+    /// Creates the lecture's own question or, from a seed, a similar one. The same seed gives the
+    /// same question on every machine.
     pub fn new(exercise: Exercise, seed: Option<u64>) -> Question {
         let given = match seed {
             None => pick::lecture(exercise),
             Some(seed) => pick::seeded(exercise, seed),
         };
-        // What is picked can be solved: every basis exists, and every sphere is met.
+        // The picked numbers always have a solution: every basis exists, and every sphere is met.
         Question { exercise, given, parts: solve::parts(&given).unwrap_or_default() }
     }
 
-    /// Judges the answers, one a part; `None` for a part that was not answered.
+    /// Judges the answers, one for each part; `None` for a part that was not answered.
     pub fn judge(&self, answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
         judge::judge(&self.parts, answers)
     }
 
-    /// The part that is told every mistake that part k is told, where all of them are about that
-    /// one's answer and none is about this one's.
+    /// Returns the part whose answer explains the verdict on part k: its verdict names every
+    /// mistake named for part k, and all of these mistakes concern its answer. Returns `None` if
+    /// any of them concerns part k's own answer.
     pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
         let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
         let tells = |asked: Asked, verdict: &Option<Verdict>| match verdict {
@@ -47,12 +48,12 @@ impl Question {
         told.find(|(part, told)| tells(part.asked, told)).map(|(part, _)| part.asked)
     }
 
-    /// The camera of the question, where there is one.
+    /// Returns the camera of the question, if there is one.
     pub fn camera(&self) -> Option<Camera> {
         solve::camera(&self.given)
     }
 
-    /// The position in the viewport that the question's ray passes.
+    /// Returns the position in the viewport through which the question's ray passes.
     pub fn uv(&self) -> Option<DVec2> {
         match self.given {
             Given::Uv(uv)

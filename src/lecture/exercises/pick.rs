@@ -1,4 +1,5 @@
-//! The numbers of the questions: the lecture's, and others whose answers are as recognisable.
+//! The numbers of the questions: the lecture's own, and others whose answers are as easy to
+//! recognise.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -7,8 +8,8 @@ use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 use super::question::{Exercise, Given};
 use crate::mistakes::SplitMix64;
 
-/// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
-/// it shows who normalizes.
+/// Returns the lecture's numbers. View and up are twice as long here; this changes no answer, but
+/// reveals who forgets to normalize.
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
@@ -37,9 +38,9 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
     }
 }
 
-/// Other numbers, the same ones for the same seed.
+/// Returns other numbers; the same seed gives the same numbers.
 pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
-    // One seed gives unrelated numbers in every exercise.
+    // One seed gives unrelated numbers in different exercises.
     let mut dice = Dice(SplitMix64(seed ^ ((exercise as u64) << 56)));
     match exercise {
         Exercise::WarmUpRay => Given::Uv(dice.uv()),
@@ -59,12 +60,12 @@ pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     }
 }
 
-/// The unit vector midway between the x and z axes of these signs.
+/// Returns the unit vector midway between the x and z axes with these signs.
 fn midway(x: f64, z: f64) -> DVec3 {
     FRAC_1_SQRT_2 * DVec3::new(x, 0.0, z)
 }
 
-/// Random numbers of the kinds that the questions need.
+/// Draws random numbers of the kinds that the questions need.
 struct Dice(SplitMix64);
 
 impl Dice {
@@ -85,7 +86,7 @@ impl Dice {
         self.one_of(&[-1.0, 1.0])
     }
 
-    /// Tenths inside the canonical viewport, two different ones, neither 0.
+    /// Returns two different multiples of 0.1 inside the canonical viewport, neither of them 0.
     fn uv(&mut self) -> DVec2 {
         const TENTHS: [f64; 4] = [0.1, 0.2, 0.3, 0.4];
         let u = self.below(4);
@@ -93,7 +94,7 @@ impl Dice {
         DVec2::new(self.sign() * TENTHS[u], self.sign() * TENTHS[v])
     }
 
-    /// The axes in another order and with other signs.
+    /// Returns the axes in random order and with random signs.
     fn axes(&mut self) -> [DVec3; 3] {
         let [a, b, c] = self.one_of(&[
             [DVec3::X, DVec3::Y, DVec3::Z],
@@ -125,8 +126,8 @@ impl Dice {
         Given::EyeAtUp { eye: at + back, at, up: DVec3::Y }
     }
 
-    /// A right triangle of whole numbers gives how far the line passes the centre, half the chord,
-    /// and the radius.
+    /// Draws a ray and a sphere. A right triangle with sides of whole numbers gives the distance of
+    /// the line from the centre, half the chord, and the radius.
     fn sphere(&mut self) -> Given {
         const TRIANGLES: [(f64, f64, f64); 6] = [
             (3.0, 4.0, 5.0),

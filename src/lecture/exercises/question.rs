@@ -1,4 +1,4 @@
-//! Questions: what is given, what is asked for, and the answers.
+//! Questions: the given numbers, the quantities asked for, and the answers.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -14,7 +14,7 @@ pub enum Exercise {
     WarmUpPlane,
     /// A ray and a wall, with a viewport whose distance is not 1.
     Distance,
-    /// A basis by a turn in the xz plane, and a ray of it.
+    /// A basis given by a turn in the xz plane, and one of its rays.
     Turned,
     /// A basis from view and up.
     ViewUp,
@@ -38,7 +38,8 @@ pub enum Given {
         /// The wall's z.
         z: f64,
     },
-    /// The canonical camera with another distance, and the same.
+    /// The canonical camera with another distance, a position in its viewport, and the plane at a
+    /// z.
     Distance {
         /// The position.
         uv: DVec2,
@@ -47,7 +48,7 @@ pub enum Given {
         /// The wall's z.
         z: f64,
     },
-    /// A camera at the origin, turned about y, whose right is midway between two axes.
+    /// A camera at the origin, turned about y, whose right vector is midway between two axes.
     Turned {
         /// Right: midway between +x or -x and +z or -z.
         right: DVec3,
@@ -79,7 +80,7 @@ pub enum Given {
         /// The sphere.
         sphere: Sphere,
     },
-    /// `a x + b y + c = 0` and `p + t d`.
+    /// The lines `a x + b y + c = 0` and `p + t d`.
     Lines {
         /// a, b and c.
         line: DVec3,
@@ -109,7 +110,7 @@ pub enum Asked {
     Point,
     /// The outward unit normal there.
     Normal,
-    /// Yes where the ray, and not only its line, hits.
+    /// True if the ray hits, and not only its line.
     Hits,
 }
 
@@ -134,13 +135,13 @@ pub struct QuestionPart {
     pub may_be_scaled: bool,
     /// Answers that mistakes give.
     pub mistakes: Vec<(Mistake, Answer)>,
-    /// The vectors that it has to be at right angles to, by name.
+    /// The vectors to which it must be perpendicular, with their names.
     pub(super) orthogonal_to: Vec<(&'static str, DVec3)>,
     /// Further conditions that it has to fulfil.
     pub(super) conditions: Vec<Condition>,
 }
 
-/// A question with everything that is known of it.
+/// A question with its given numbers, right answers and mistakes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Question {
@@ -165,7 +166,7 @@ impl Exercise {
         Exercise::Lines,
     ];
 
-    /// Returns the name in files and the title.
+    /// Returns the exercise's name in files and its title.
     fn names(self) -> (&'static str, &'static str) {
         match self {
             Exercise::WarmUpRay => ("warm-up-ray", "Warm-up 1a: a viewing ray"),
@@ -190,7 +191,7 @@ impl Exercise {
     }
 }
 
-/// The title of an exercise in a list.
+/// Returns the title of an exercise in a list.
 pub fn title(exercise: Exercise) -> &'static str {
     exercise.names().1
 }
@@ -216,8 +217,8 @@ impl Asked {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
     }
 
-    /// Returns whether what is said of a mistake is about this answer itself, and not about another
-    /// one from which this follows.
+    /// Returns true if a mistake concerns this answer itself, rather than an earlier answer from
+    /// which this one follows.
     pub fn tells(self, mistake: Mistake) -> bool {
         match mistake {
             Mistake::WAsPrinted
@@ -253,15 +254,15 @@ impl Asked {
         }
     }
 
-    /// Returns whether it is a direction, of which length and sense can be wrong apart from the
-    /// rest; a point is none.
+    /// Returns true if it is a direction, whose length and sign can be wrong separately. A point is
+    /// not a direction.
     pub fn is_vector(self) -> bool {
         self.is_unit() || self == Asked::Direction
     }
 }
 
 impl QuestionPart {
-    /// The count of numbers in the answer; 0 for a yes or no.
+    /// Returns the number of numbers in the answer; 0 for a yes-or-no answer.
     pub fn count(&self) -> usize {
         match &self.truth {
             Answer::Numbers(numbers) => numbers.len(),

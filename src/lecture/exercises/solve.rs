@@ -6,8 +6,8 @@ use crate::exercises::judge::{Condition, Surface, is_near};
 use crate::exercises::question::{Answer, Asked, Given, QuestionPart};
 use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
-/// The parts of a question; `None` where a basis cannot be found or a sphere is not met. A mistake
-/// that changes nothing in its numbers is no wrong answer.
+/// Returns the parts of a question; `None` if a basis cannot be found or a sphere is not met. A
+/// mistake that does not change the numbers gives no wrong answer.
 pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
     let (mut parts, wrongs) = match *given {
         Given::Uv(uv) => ray_through(uv),
@@ -38,16 +38,16 @@ fn is_another(truth: &Answer, answer: &Answer) -> bool {
     }
 }
 
-/// A wrong answer: each of the quantities asked for that a mistake changes.
+/// A mistake, with the wrong answer to each quantity that it changes.
 pub(super) struct Wrong {
     pub(super) mistake: Mistake,
     pub(super) answers: Vec<(Asked, Answer)>,
 }
 
-/// The parts of a question, and the answers that mistakes give.
+/// The parts of a question, and the wrong answers that mistakes give.
 pub(super) type Parts = (Vec<QuestionPart>, Vec<Wrong>);
 
-/// The camera of a question, whose ray through its (u, v) is the question's.
+/// Returns the camera of a question. The question's ray is the camera's ray through its (u, v).
 pub(super) fn camera(given: &Given) -> Option<Camera> {
     let looking = |view| Orientation::View { view, up: DVec3::Y };
     Some(match *given {
@@ -67,7 +67,7 @@ pub(super) fn camera(given: &Given) -> Option<Camera> {
     })
 }
 
-/// The plane at this z, facing the origin.
+/// Returns the plane at this z that faces the origin.
 pub(super) fn wall(z: f64) -> Plane {
     Plane { point: DVec3::new(0.0, 0.0, z), normal: DVec3::new(0.0, 0.0, -z.signum()) }
 }
@@ -83,7 +83,7 @@ fn part(asked: Asked, truth: Answer) -> QuestionPart {
     }
 }
 
-/// A part whose answer has to fulfil these.
+/// Returns a part whose answer must meet these conditions.
 fn part_with(asked: Asked, truth: Answer, conditions: Vec<Condition>) -> QuestionPart {
     QuestionPart { conditions, ..part(asked, truth) }
 }
@@ -104,30 +104,30 @@ fn one_wrong(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong {
     Wrong { mistake, answers: vec![(asked, answer)] }
 }
 
-/// The ray from the origin through a position in the viewport: `u U + v V - distance W`.
+/// Returns the ray from the origin through a position in the viewport: `u U + v V - distance W`.
 fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
     let Basis { u, v, w } = basis;
     Ray { origin: DVec3::ZERO, direction: uv.x * u + uv.y * v - distance * w }
 }
 
-/// The t at which a ray from the origin meets the plane at this z, to which no question's ray is
-/// parallel: u is below 1, so `-distance w` outweighs `u U` in z.
+/// Returns the t at which a ray from the origin meets the plane at this z. No question's ray is
+/// parallel to the plane: u is below 1, so `-distance w` outweighs `u U` in z.
 fn t_of_wall(ray: &Ray, z: f64) -> f64 {
     z / ray.direction.z
 }
 
-/// The wrong t, each with the point that is found with it.
+/// Returns a wrong t and the point that follows from it.
 fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> Wrong {
     Wrong { mistake, answers: vec![(Asked::T, number(t)), (Asked::Point, point)] }
 }
 
-/// The canonical camera with another orientation, eye and distance.
+/// Returns the canonical camera with another orientation, eye and distance.
 fn camera_at(eye: DVec3, orientation: Orientation, distance: f64) -> Camera {
     let viewport = Viewport { distance, ..Viewport::CANONICAL };
     Camera { eye, orientation, viewport, ..Camera::CANONICAL }
 }
 
-/// A basis turned about y: v is y, and w follows from right.
+/// Returns a basis turned about y: v is y, and w follows from right.
 fn turned(right: DVec3) -> Basis {
     Basis { u: right, v: DVec3::Y, w: right.cross(DVec3::Y) }
 }
@@ -156,7 +156,7 @@ fn through(distance: f64, uv: DVec2) -> Condition {
     Condition::Through { basis: Basis::CANONICAL, distance, uv }
 }
 
-/// Directions that are often given for a canonical camera's ray.
+/// Returns directions that are common wrong answers for a canonical camera's ray.
 fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, DVec3)> {
     let DVec2 { x: u, y: v } = uv;
     let flat = Mistake::FlatDirection;
@@ -171,7 +171,8 @@ fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, 
     .into_iter()
 }
 
-/// Numbers that are often given for the t of a wall, each with the point where it is.
+/// Returns numbers that are common wrong answers for the t of a wall, each with the point at that
+/// t.
 fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     [
         (Mistake::SignOfT, -t),
@@ -198,12 +199,12 @@ fn ray_and_wall(uv: DVec2, z: f64) -> Parts {
         ),
     ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
-    // The wrong ray's t, and the wrong ray's point.
+    // The wrong ray's t and point.
     wrongs.extend(wrong_directions(uv, 1.0).map(|(mistake, d)| {
         let t = z / d.z;
         wrong_t(mistake, t, vector(t * d))
     }));
-    // d's z from a right t, and t from a right z.
+    // d's z calculated from a right t, and t calculated from a right z.
     wrongs.push(one_wrong(
         Mistake::SignOfZ,
         Asked::Point,
@@ -251,7 +252,7 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         part_with(Asked::Direction, vector(ray.direction), vec![through]),
         part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
-    // The wall's t is along the wrong direction.
+    // The t is that of the wall along the wrong direction.
     let direction = |mistake, d: DVec3| Wrong {
         mistake,
         answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
@@ -261,7 +262,7 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         wrong.answers.extend(basis_answers(u, v, w));
         wrong
     };
-    // Of length √2, and of length √½: the two axes' sum, and their mean.
+    // The vectors of length √2 and √½: the sum of the two axes, and their mean.
     let sum = |v: DVec3| v.signum() * v.abs().ceil();
     let other_way = turned(DVec3::new(right.x, right.y, -right.z));
     let mut wrongs = vec![
@@ -292,12 +293,12 @@ fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, Answer); 3] {
     [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
 }
 
-/// The parts of a question about a basis found from view or at, and up; `None` where up does not
-/// fix one.
+/// Returns the parts of a question about a basis found from view or at, and up; `None` if up does
+/// not determine a basis.
 fn basis_from_up(given: &Given) -> Option<Parts> {
     let camera = camera(given)?;
     let Basis { u, v, w } = camera.basis().ok()?;
-    // In the order in which they are found.
+    // The parts are in the order in which a student finds them.
     let parts = vec![
         part(Asked::W, vector(w)),
         QuestionPart {
@@ -308,7 +309,7 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
     ];
     let basis =
         |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };
-    // What is seen comes before what may have led to it.
+    // Effects that are visible in the answer come before their possible causes.
     let mut wrongs = vec![basis(Mistake::ULeftwards, -u, v, w)];
     wrongs.extend(
         wrong_cameras(&camera).map(|(mistake, made)| basis(mistake, made.u, made.v, made.w)),
@@ -321,11 +322,11 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-/// The cameras that an answer can come from, with the mistake that makes them.
+/// Returns the cameras that a wrong answer can come from, each with the mistake that produces it.
 fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCamera)> {
     const USUAL: usize = 1;
     let is_at = camera.orientation.has_at();
-    // Given points, at - eye is what is taken for w.
+    // If the camera is given by points, the usual wrong w is at - eye.
     let w_forwards = if is_at { Mistake::WIsAtMinusEye } else { Mistake::WAsPrinted };
     let mistakes = [
         (w_forwards, USUAL),
@@ -347,7 +348,7 @@ fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCame
     })
 }
 
-/// Vectors that are often taken for eye - at.
+/// Returns vectors that are common wrong answers for eye - at.
 fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     let eye = camera.eye;
     let wrong = move |at: DVec3| {
@@ -360,7 +361,8 @@ fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     at.into_iter().flat_map(wrong)
 }
 
-/// The parts of a question about a ray and a sphere; `None` where the ray's line misses it.
+/// Returns the parts of a question about a ray and a sphere; `None` if the ray's line misses the
+/// sphere.
 fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let roots = sphere.roots(ray);
     let t = roots.iter().next()?;
@@ -399,7 +401,7 @@ fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-/// Wrong solutions of `a t^2 + 2 b t + c = 0`; NaN where D is below 0.
+/// Returns wrong solutions of `a t^2 + 2 b t + c = 0`; NaN if D is below 0.
 fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
     let oc = ray.origin - sphere.center;
     let (a, b) = (ray.direction.length_squared(), ray.direction.dot(oc));

@@ -1,5 +1,5 @@
-//! Questions and verdicts in words. `**p**` marks a vector, `*t*` a scalar. Numbers are exact where they
-//! are recognised.
+//! Questions and verdicts in words. `**p**` marks a vector, `*t*` a scalar. Numbers are written in
+//! exact form if the form is recognised.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -128,7 +128,7 @@ fn implicit(line: DVec3) -> String {
 }
 
 impl Asked {
-    /// The quantity as it is written, for the label in front of its fields.
+    /// Returns the quantity's symbol, for the label in front of its fields.
     pub fn symbol(self) -> &'static str {
         match self {
             Asked::Origin => "𝐩",
@@ -149,7 +149,7 @@ fn uv_text(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))
 }
 
-/// A space at which no line is broken: a vector stays in one piece.
+/// A no-break space, which keeps a vector on one line.
 const SPACE: char = '\u{a0}';
 
 fn pair(v: DVec2) -> String {
@@ -161,7 +161,7 @@ fn triple(v: DVec3) -> String {
 }
 
 impl Verdict {
-    /// The verdict on an answer to this part, in words.
+    /// Returns the verdict on an answer to this part, in words.
     pub fn sentence(&self, part: &QuestionPart) -> String {
         match self {
             Verdict::Right => "Right.".to_owned(),
@@ -173,7 +173,7 @@ impl Verdict {
                 "Right to {digits} digits: type at least {ENOUGH_DIGITS}, or give it exactly, as in \
                  1/sqrt(2)."
             ),
-            // What is −1 but for the last digits is written as −1.
+            // A number that differs from −1 only in its last digits is written as −1.
             Verdict::Backwards { times } if short(*times) == "−1" => {
                 "Wrong: it points the opposite way: it is minus ours.".to_owned()
             }
@@ -270,7 +270,7 @@ fn bold(name: &str) -> &str {
     }
 }
 
-/// The verdict on a part whose answer follows from that to another one.
+/// Returns the verdict on a part whose mistake follows from the answer to another part.
 pub fn follows(source: Asked) -> String {
     format!("Wrong: it follows from {}.", source.symbol())
 }
