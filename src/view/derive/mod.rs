@@ -221,9 +221,9 @@ pub struct Derived {
     pub camera_view: Option<Shown>,
     /// The world view: the scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// Number of hit-or-miss decisions made at each step of the ladder for the camera's picture.
+    /// Number of decisions that each step of the ladder made for the camera's picture.
     pub steps: Option<Steps>,
-    /// Numbers of objects that the renderer dropped and tested for the camera's picture.
+    /// Counts of the objects that the renderer dropped and examined for the camera's picture.
     pub counts: Option<Counts>,
     /// The subsampling of the camera's and of the observer's picture.
     pub subsampling: [Subsampling; 2],

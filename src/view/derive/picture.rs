@@ -76,7 +76,7 @@ pub(super) struct GoodPicture {
     pub(super) steps: Steps,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
-    /// Numbers of objects that the renderer dropped and tested for the picture.
+    /// Counts of the objects that the renderer dropped and examined for the picture.
     pub(super) counts: Counts,
     /// The answers of other methods.
     pub(super) others: OtherMethods,

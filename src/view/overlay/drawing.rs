@@ -1,6 +1,6 @@
-//! A drawing: marks and labels in dots, before they are painted. Tests, the window and exported
-//! figures all read it. [`Drawing::paths`] gives the marks as a sequence of fills and strokes, both
-//! for painting pixels and for writing files.
+//! A drawing: marks and labels in dots, before they are painted. Tests, the window and exported figures all
+//! read it. [`Drawing::paths`] returns the marks as a sequence of fills and strokes, used both for painting
+//! pixels and for writing files.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ use crate::model::overlay_items::Item;
 /// A shape in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A chain of straight lines; closed if its last point equals its first.
+    /// A polyline; it is closed if its last point equals its first.
     Line {
         /// The corners.
         points: Vec<[f32; 2]>,
@@ -40,21 +40,21 @@ pub enum Shape {
 pub struct Mark {
     /// The overlay item that it belongs to.
     pub item: Item,
-    /// The concept that is hovered when the pointer is on this mark.
+    /// The concept that becomes hovered when the pointer is on this mark.
     pub concept: Option<Concept>,
     /// The shape and position.
     pub shape: Shape,
     /// The colour.
     pub color: Color32,
-    /// The colour of a casing around it, which sets it off from the lines it crosses.
+    /// The colour of a casing around the mark, which separates it from the lines that it crosses.
     pub halo: Option<Color32>,
-    /// True if something hides it or it belongs to the ghost; the line is then dashed.
+    /// True if an object hides the mark, or if it belongs to the ghost; its line is then dashed.
     pub hidden: bool,
-    /// Dash and gap, in points, which distinguish this line if its colour does not.
+    /// Dash and gap, in points, for a line that its colour alone does not distinguish.
     pub pattern: Option<[f32; 2]>,
 }
 
-/// A text in the picture. The caller draws it, because the caller has the fonts.
+/// A text in the picture. The caller draws it, because only the caller has the fonts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// The overlay item that it belongs to.
@@ -94,15 +94,15 @@ pub struct Target {
 }
 
 impl Drawing {
-    /// Returns every mark that can be hovered, in the order of painting.
+    /// Returns every mark that can be hovered, in painting order.
     pub fn targets(&self) -> Vec<Target> {
         let pointable = self.marks.iter().filter_map(|mark| Some((mark.concept?, &mark.shape)));
         pointable.map(|(concept, shape)| Target { concept, shape: shape.clone() }).collect()
     }
 }
 
-/// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
-/// equally near, the one drawn on top wins.
+/// Returns the concept nearest to a position, at most `within` away; both are in dots. If several are equally
+/// near, the topmost one wins.
 pub fn concept_at<'a>(
     targets: impl IntoIterator<Item = &'a Target>,
     position: [f32; 2],
@@ -120,7 +120,7 @@ pub fn concept_at<'a>(
 }
 
 impl Shape {
-    /// Returns the distance of a point from the shape, in dots; 0 on it.
+    /// Returns the distance from a point to the shape, in dots; 0 on the shape.
     fn distance(&self, at: DVec2) -> f64 {
         let to_chain = |points: &[[f32; 2]]| {
             let sides = points.windows(2).map(|pair| (wide(pair[0]), wide(pair[1])));
@@ -152,15 +152,15 @@ fn distance_to_side(at: DVec2, a: DVec2, b: DVec2) -> f64 {
 }
 
 impl Label {
-    /// Returns half the width and height, in dots, of a box that holds the text in any font of
-    /// usual width.
+    /// Returns half the width and half the height, in dots, of a box that holds the text in any font of usual
+    /// width.
     pub fn half_extent(&self, scale: f32) -> [f32; 2] {
         let size = self.size * scale;
         [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
     }
 }
 
-/// Returns the points of a circle of radius 1 around the origin; the last is the first again.
+/// Returns the points of a circle of radius 1 around the origin; the last point repeats the first.
 pub(super) fn circle(sides: u32) -> impl Iterator<Item = DVec2> {
     let angle = move |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(sides);
     (0..=sides).map(move |k| DVec2::from_angle(angle(k)))
@@ -176,14 +176,14 @@ pub(super) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }
 
-/// Width of a mark's casing on each side, in points, and its maximum as a share of a line's width.
+/// Width of a mark's casing on each side, in points, and its maximum as a share of the line's width.
 const HALO_WIDTH: f32 = 1.25;
 const HALO_SHARE: f32 = 0.5;
 
 /// Dash and gap of a hidden line, in points.
 const DASH: [f32; 2] = [5.0, 4.5];
 
-/// A shape to fill or to stroke, in the unit of the drawing.
+/// A shape to fill or to stroke, in the units of the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<'a> {
     /// The outline.
@@ -230,7 +230,7 @@ pub enum Ink {
 }
 
 impl PathOutline<'_> {
-    /// Returns the outline in tiny-skia's form, which PDF files use too; `None` if it is empty.
+    /// Returns the outline in tiny-skia's form, which PDF files use as well; `None` if the outline is empty.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
             PathOutline::Circle { center: [x, y], radius } => {
@@ -252,7 +252,7 @@ impl PathOutline<'_> {
 }
 
 impl Path<'_> {
-    /// Returns the path with every length multiplied by `scale`, also of dashes and strokes.
+    /// Returns the path with all lengths multiplied by `scale`, including dashes and stroke widths.
     pub fn scaled(&self, scale: f32) -> Path<'static> {
         let outline = match &self.outline {
             PathOutline::Chain { points, closed } => PathOutline::Chain {
@@ -285,7 +285,7 @@ impl Drawing {
     }
 }
 
-/// Returns a mark's casing, if it has one, and its own path.
+/// Returns the path of a mark's casing, if it has one, and the path of the mark itself.
 fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
     let full = HALO_WIDTH * scale;
     let (width, casing) = match mark.shape {

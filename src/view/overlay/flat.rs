@@ -1,4 +1,4 @@
-//! A plane of the world as the observer sees it: maps dots to points of the plane, without tracing.
+//! A plane of the world as the observer sees it: maps dots to points of the plane without tracing.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::view::overlay::screen::{PixelRays, unit};
 /// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flat {
-    /// Greater than 0, so a dot sees the plane exactly where the rate is greater than 0, too.
+    /// Greater than 0, so a dot sees the plane exactly where the rate is also greater than 0.
     offset: f64,
     rate: Linear,
     a: Linear,
@@ -49,9 +49,9 @@ impl Linear {
 }
 
 impl Flat {
-    /// Creates the plane through `origin` on which a grows by 1 along `axis_a` and b by 1 along
-    /// `axis_b`; the two axes are orthogonal. Returns `None` if the numbers leave the range of
-    /// `f64`, and if the observer is in the plane.
+    /// Creates the plane through `origin` on which a grows by 1 along `axis_a` and b by 1 along `axis_b`; the
+    /// two axes are orthogonal. Returns `None` if the numbers leave the range of `f64`, or if the observer is
+    /// in the plane.
     pub(crate) fn new(
         rays: &PixelRays,
         origin: DVec3,
@@ -63,8 +63,8 @@ impl Flat {
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
         let rate = Linear::new(rays, normal);
-        // All four may be scaled by the same factor: rows of dots are computed in f32, so keep them
-        // near 1.
+        // All four functions may be scaled by the same factor. Rows of dots are computed in `f32`, so the
+        // factor keeps the values near 1.
         let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
@@ -82,8 +82,8 @@ impl Flat {
         (finite && flat.offset > 0.0).then_some(flat)
     }
 
-    /// Returns the point where a dot's ray meets the plane, if it does so in front of the observer
-    /// and with `|a|` and `|b|` at most `half`.
+    /// Returns the point where a dot's ray meets the plane, if the point is in front of the observer and
+    /// `|a|` and `|b|` are at most `half`.
     pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
         let position = DVec2::new(self.a.at(dot), self.b.at(dot));
@@ -94,8 +94,8 @@ impl Flat {
         (t > 0.0 && t.is_finite() && position.is_finite()).then_some(FlatSpot { t, position })
     }
 
-    /// Returns the dots of a row that [`Flat::at`] finds on the plane, up to one more or fewer at
-    /// each end.
+    /// Returns the range of dots of a row for which [`Flat::at`] finds a point on the plane. Each end may be
+    /// off by one dot.
     pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
         // Each condition is linear in x: value + slope x >= 0.
         let reach = half * self.rate.0;
@@ -118,9 +118,9 @@ impl Flat {
         (from as usize).min(to)..to
     }
 
-    /// Computes a part of a row of dots at once: the result of [`Flat::at`] for each dot of the
-    /// span, and the share of it that grid lines cover. The loops over `f32` are plain so that the
-    /// compiler vectorises them.
+    /// Computes a part of a row of dots at once: for each dot of the span, the result of [`Flat::at`] and the
+    /// share of the dot that grid lines cover. The loops over `f32` are simple, so that the compiler
+    /// vectorises them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
@@ -152,7 +152,7 @@ impl Flat {
         }
     }
 
-    /// Raises the coverage of each dot to the coverage by the lines across one coordinate.
+    /// Raises the coverage of each dot to the coverage by the grid lines across one coordinate.
     fn cover(
         &self,
         line: &mut [f32],
@@ -161,7 +161,7 @@ impl Flat {
         numerator: Linear,
         lines: &Lines,
     ) {
-        // Change of numerator and rate from dot to dot, across and down.
+        // Change of the numerator and of the rate per dot, across and down.
         let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
         let reach = 0.5 * lines.width + 0.5;
         let sparse = 1.0 / (3.0 * lines.width);
@@ -170,7 +170,7 @@ impl Flat {
             let per_dot =
                 (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
             let cells = (position - lines.shift) * lines.inverse_step;
-            // Adding and subtracting 1.5 * 2^23 rounds to a whole number, without a call.
+            // Adding and subtracting 1.5 * 2^23 rounds to a whole number without a function call.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
             let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
@@ -188,7 +188,7 @@ pub(crate) struct FlatRow {
     pub(crate) t: Vec<f32>,
     pub(crate) a: Vec<f32>,
     pub(crate) b: Vec<f32>,
-    /// Share of the dot that grid lines cover, 0 to 1. Lines too dense to be told apart fade away.
+    /// Share of the dot that grid lines cover, 0 to 1. Lines that are too dense to be distinguished fade out.
     pub(crate) line: Vec<f32>,
     inverse_rate: Vec<f32>,
 }
@@ -235,7 +235,7 @@ struct Lines {
 }
 
 impl Grid {
-    /// Creates lines `width` dots wide; `shift` is (a, b) of one crossing.
+    /// Creates grid lines that are `width` dots wide; `shift` is (a, b) of one crossing.
     pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
         let lines = |step: f64, shift: f64| Lines {
             inverse_step: (1.0 / step) as f32,

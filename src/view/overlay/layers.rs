@@ -1,6 +1,6 @@
-//! Flat layers of the world view, painted dot by dot: the background, the planes' patches, and the
-//! viewport with the picture on it. Near layers cover far ones, and t decides whether a sphere
-//! covers a layer or is covered by it.
+//! Flat layers of the world view, painted dot by dot: the background, the patches of planes, and the viewport
+//! with the picture on it. Near layers cover far ones, and comparing t decides whether a sphere covers a
+//! layer or is covered by it.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
 use crate::view::overlay::paint::Picture;
 use crate::view::overlay::screen::PixelRays;
 
-/// All flat layers of one world view, and the traced t with which they are compared.
+/// All flat layers of one world view, and the traced t that they are compared with.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
@@ -23,8 +23,8 @@ pub(crate) struct Layers<'a> {
     pub(crate) bowls: Vec<Bowl>,
 }
 
-/// A sphere around the camera, cut away: only the far side of its surface is painted, where the
-/// observer's rays leave the sphere.
+/// A sphere around the camera, cut away: only the far side of its surface is painted, where the observer's
+/// rays leave the sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bowl {
     pub(crate) sphere: Sphere,
@@ -42,7 +42,7 @@ impl Bowl {
         let PixelRays { eye, across, down, corner } = self.rays;
         let (q, radius) = (eye - self.sphere.center, self.sphere.radius);
         let direction = x * across + y * down + corner;
-        // In units of the radius, and per length of the direction: neither overflows.
+        // In units of the radius, and relative to the length of the direction, so that neither overflows.
         let (q, length) = (q / radius, direction.length());
         let along = q.dot(direction) / length;
         let discriminant = along * along - (q.length_squared() - 1.0);
@@ -63,21 +63,21 @@ pub(crate) struct ViewportLayer<'a> {
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
     pub(crate) picture: Option<PictureLookup<'a>>,
-    /// The drawn edges between pixels, and their opacity, 0 to 1.
+    /// The edges between pixels that are drawn, and their opacity, 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
     /// The colour behind transparent pixels.
     pub(crate) behind: Color32,
 }
 
-/// A picture with a precomputed table of the nearest traced pixel of each pixel.
+/// A picture with a precomputed table that gives the nearest traced pixel for each pixel.
 pub(crate) struct PictureLookup<'a> {
     picture: &'a Picture,
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
 
-/// The part of an infinite plane near the observer's target; it fades outwards and has grid lines
-/// in world units.
+/// The part of an infinite plane near the observer's target. It has grid lines in world units, and fades out
+/// towards its rim.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlanePatch {
     /// The plane; (a, b) are world units from the patch's centre.
@@ -90,12 +90,12 @@ pub(crate) struct PlanePatch {
     pub(crate) grid: Grid,
 }
 
-/// Relative margin by which something must be nearer to hide a point. Without it a surface would hide
-/// its own points.
+/// Relative margin by which an object must be nearer to hide a point. Without it, a surface would hide its
+/// own points.
 const TOLERANCE: f64 = 1e-3;
 
-/// Relative margin for painting layers over the traced picture: they do not touch it, so it only covers
-/// the rounding of `f32`.
+/// Relative margin for painting layers over the traced picture. Layers do not touch the traced surfaces, so
+/// the margin only has to cover the rounding of `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
 /// (u / width, v / height) of the viewport's edges.
@@ -108,7 +108,7 @@ const BAND: usize = 32;
 const SEEN_THROUGH: f32 = 0.25;
 
 impl<'a> PictureLookup<'a> {
-    /// Builds the table; returns `None` if the picture is incomplete or of another image.
+    /// Creates the table; returns `None` if the picture is incomplete or belongs to another image.
     pub(crate) fn new(picture: &'a Picture, image: ImageSize) -> Option<Self> {
         if !picture.is_whole() || picture.image != image {
             return None;
@@ -124,13 +124,12 @@ impl<'a> PictureLookup<'a> {
 }
 
 impl ViewportLayer<'_> {
-    /// Returns the point where the dot's ray passes through the rectangle; `None` outside of it.
+    /// Returns the point where the dot's ray passes through the rectangle; `None` outside the rectangle.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
         self.flat.at(dot, HALF_VIEWPORT)
     }
 
-    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover the share `line` of the
-    /// dot.
+    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover a share of `line` of the dot.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
         let (w, h) = (self.image.width(), self.image.height());
@@ -147,7 +146,7 @@ impl ViewportLayer<'_> {
 }
 
 impl PlanePatch {
-    /// Returns the patch's opacity at `|(a, b)|^2`; it fades to 0 at the rim.
+    /// Returns the patch's opacity where `|(a, b)|^2` has this value; it fades to 0 at the rim.
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
@@ -161,8 +160,7 @@ impl PlanePatch {
         })
     }
 
-    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover the share `line` of the
-    /// dot.
+    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover a share of `line` of the dot.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
         let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
@@ -192,7 +190,7 @@ impl<'a> Layers<'a> {
             && self.frame.object.len() == self.frame.t.len()
     }
 
-    /// Returns t of the traced object at a dot; infinite outside the picture.
+    /// Returns t of the traced object at a dot; infinity outside the picture.
     pub(crate) fn traced_t(&self, dot: DVec2) -> f64 {
         let inside =
             dot.cmpge(DVec2::ZERO).all() && dot.x < self.width as f64 && dot.y < self.height as f64;
@@ -202,8 +200,8 @@ impl<'a> Layers<'a> {
         self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
     }
 
-    /// Returns true if something hides a point at `t` from the observer. Lines drawn on the
-    /// viewport are not hidden by it.
+    /// Returns true if something hides a point at `t` from the observer. The viewport does not hide lines
+    /// that are drawn on it.
     pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
         let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
         if covers(self.traced_t(dot)) {
@@ -224,9 +222,8 @@ impl<'a> Layers<'a> {
         });
     }
 
-    /// Paints all layers over the `traced` picture at the dots of the viewport, in a band of rows from
-    /// `top` on. All other dots must already show the result of [`Layers::paint`] without the
-    /// viewport.
+    /// Paints all layers over the `traced` picture at the dots of the viewport, in a band of rows that starts
+    /// at `top`. All other dots must already show the result of [`Layers::paint`] without the viewport.
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
@@ -236,7 +233,8 @@ impl<'a> Layers<'a> {
         });
     }
 
-    /// Paints all layers over a part of each row from `top` on, after calling `before` on its dots.
+    /// Paints all layers over a part of each row, starting at row `top`; calls `before` on the dots of each
+    /// part first.
     fn paint_parts(
         &self,
         top: usize,
@@ -287,7 +285,7 @@ impl<'a> Layers<'a> {
                 *dot = bowl.paint([column as f64 + 0.5, y], t[column], *dot);
             }
         }
-        // The set of layers is constant between two ends of spans.
+        // Between two ends of spans, the set of layers is constant.
         let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
         ends.sort_unstable();
         for pair in ends.windows(2) {
@@ -312,8 +310,8 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // One loop for each kind, because most of the time is spent here: patches can cover the
-        // whole screen.
+        // Each kind has its own loop, because most of the time is spent here: patches can cover the whole
+        // screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
                 let patch = &self.patches[patch];
@@ -339,7 +337,7 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
-        // The picture is opaque: nothing behind it needs to be sorted.
+        // The picture is opaque, so nothing behind it needs to be sorted.
         let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
@@ -371,17 +369,17 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Returns true if a layer's dot is nearer than the traced object there.
+/// Returns true if a layer's dot is nearer than the traced object at that dot.
 fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// Returns the share `share` of the opaque colour `top` over `bottom`.
+/// Returns a blend of two opaque colours: a share of `share` of `top`, and the rest of `bottom`.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
-    // 2^23 + x has x in its last bits: a cast without the handling of its special cases.
+    // 2^23 + x has x in its lowest bits; this avoids the special cases that a cast handles.
     let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
-    // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
+    // Processes two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
     let two = |b: u32, t: u32| {
         (((b & 0x00ff_00ff) * (256 - weight) + (t & 0x00ff_00ff) * weight) >> 8) & 0x00ff_00ff
@@ -390,9 +388,9 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns black for a light colour, white for a very dark one (luma of ITU-R BT.601), and a grey for
-/// those in between, so that a line across a shaded surface has no seam. A transparent colour counts as
-/// the colour `behind` it.
+/// Returns black for a light colour and white for a very dark one (luma of ITU-R BT.601). Returns a grey for
+/// colours in between, so that a line across a shaded surface has no seam. A transparent colour counts as the
+/// colour `behind` it.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
     const FROM: u32 = 40_000;
     const TO: u32 = 95_000;

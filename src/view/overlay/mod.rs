@@ -42,7 +42,7 @@ pub use world_view::handles::{
 pub use world_view::highlighted::Highlighted;
 pub use world_view::{Backdrop, Below, WorldView, pick, t_towards, world, world_position_of};
 
-/// A shared value that is compared by identity: it equals only the very same value.
+/// A shared value that is compared by identity: it equals only itself.
 #[derive(Debug)]
 pub struct Same<T>(pub Arc<T>);
 
@@ -68,8 +68,8 @@ impl<T> Deref for Same<T> {
 
 /// A scene with the colour of each of its objects.
 ///
-/// Views borrow it only while they are drawn: if a view kept the scene, an edit could not replace an
-/// object in place, and would copy all of them.
+/// Views borrow it only while they are drawn. If a view kept the scene, an edit could not replace a single
+/// object in place, but would copy all objects.
 #[derive(Clone, Copy)]
 pub struct ColoredScene<'a> {
     /// The scene.

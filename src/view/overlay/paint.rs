@@ -1,5 +1,5 @@
-//! Pixels: paints marks straight into a picture with tiny-skia, and stretches the traced picture of the
-//! edited camera over a view with sharp pixels.
+//! Painting of pixels: paints marks directly into a picture with tiny-skia, and stretches the traced picture
+//! of the edited camera over a view with sharp pixels.
 
 use std::borrow::Borrow;
 
@@ -10,7 +10,7 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDas
 
 use crate::view::overlay::drawing::{Drawing, Ink, Path};
 
-/// Number of rows that are painted at a time, so that their dots stay in the cache.
+/// Number of rows painted at a time, chosen so that their dots stay in the cache.
 const BAND: usize = 32;
 
 /// Paths prepared for painting: outlines to fill, each with its colour.
@@ -35,8 +35,8 @@ impl Fills {
         Fills(filled.collect())
     }
 
-    /// Paints a picture of `width` dots a row in parallel bands of rows. In each band, calls `before`
-    /// with the band's first row, and then paints the paths.
+    /// Paints a picture of `width` dots per row, in parallel bands of rows. In each band, calls `before` with
+    /// the band's first row, and then paints the paths.
     pub(super) fn paint_after(
         &self,
         width: usize,
@@ -52,8 +52,8 @@ impl Fills {
         });
     }
 
-    /// Paints the band of rows that starts at row `top`. A dot of egui has tiny-skia's layout: four
-    /// bytes, premultiplied.
+    /// Paints the band of rows that starts at row `top`. A dot of egui has the same layout as in tiny-skia:
+    /// four bytes, premultiplied.
     fn paint_band(&self, top: usize, width: usize, dots: &mut [Color32]) {
         let height = dots.len() / width;
         let bytes = bytemuck::cast_slice_mut(dots);
@@ -79,7 +79,7 @@ pub fn paint_paths<'a>(
     Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
 }
 
-/// Returns the outline to fill: that of the path, or that of its stroke.
+/// Returns the outline to fill: the path's own, or the outline of its stroke.
 fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     let outline = path.outline.to_path()?;
     let Ink::Stroke { width, round, dash } = path.ink else { return Some(outline) };
@@ -108,7 +108,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Returns true if there is a colour for every traced pixel, and at least one.
+    /// Returns true if the picture has at least one traced pixel, and a colour for every traced pixel.
     pub(crate) fn is_whole(&self) -> bool {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
     }
@@ -131,7 +131,7 @@ impl Picture {
 /// `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
 pub(crate) struct StretchedPicture<'a> {
     picture: &'a Picture,
-    /// The column, and the row, of the traced pixel that each column and row of dots shows.
+    /// The column and the row of the traced pixel that each column and each row of dots shows.
     columns: Vec<usize>,
     rows: Vec<usize>,
 }
@@ -142,7 +142,7 @@ impl StretchedPicture<'_> {
         let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
         for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
             let own = self.rows[row];
-            // All rows of dots that show one row of pixels are equal: copy the first.
+            // All rows of dots that show the same row of pixels are equal, so the first is copied.
             if k > 0 && self.rows[row - 1] == own {
                 dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
                 continue;
@@ -162,8 +162,8 @@ mod tests {
 
     const WIDTH: usize = 40;
 
-    /// Paints a path in white on 40 x 100 black dots, which are several bands, and returns the shares
-    /// covered.
+    /// Paints a path in white on 40 x 100 black dots, which span several bands, and returns the covered share
+    /// of each dot.
     fn covered(points: &[[f32; 2]], ink: Ink) -> Vec<f32> {
         let outline = PathOutline::Chain { points: points.into(), closed: true };
         let path = Path { outline, color: Color32::WHITE, ink };

@@ -1,5 +1,5 @@
-//! Projection from the world to the dots of the observer's picture, with clipping before it; and
-//! positions of the viewport in the dots of the camera view.
+//! Projection from the world to the dots of the observer's picture, with clipping before it. Also converts
+//! positions of the viewport to dots of the camera view and back.
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
@@ -17,7 +17,7 @@ pub(crate) struct Screen {
     focal: DVec2,
     /// Width and height in dots.
     pub(crate) size: DVec2,
-    /// The observer's distance to its target: the length that counts as 1.
+    /// The observer's distance to its target, which is the unit of length.
     unit: f64,
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Spot {
 }
 
 impl Spot {
-    /// Returns the point a share `s` of the way from `self` to `other`, on the screen.
+    /// Returns the point on the screen that lies a share `s` of the way from `self` to `other`.
     pub(crate) fn toward(self, other: Spot, s: f64) -> Spot {
         Spot {
             at: self.at.lerp(other.at, s),
@@ -40,19 +40,19 @@ impl Spot {
     }
 }
 
-/// Least depth that is drawn, in units of the observer's distance to its target.
+/// Minimum depth that is drawn, in units of the observer's distance to its target.
 const NEAR: f64 = 1e-7;
 
-/// Greatest coordinate that is drawn, in view units. No sensible scene has larger ones, and
-/// products of smaller ones are far from overflow.
+/// Maximum coordinate that is drawn, in view units. No sensible scene has larger coordinates, and products of
+/// smaller ones are far from overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Distance beyond the picture's border at which lines are cut, as a share of the picture's size: their
-/// ends are then out of sight.
+/// Distance beyond the picture's border at which lines are cut, as a share of the picture's size, so that the
+/// ends are not visible.
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// Creates a screen; `unit` is a length of about the size of the visible scene.
+    /// Creates a screen; `unit` is a length of about the same size as the visible scene.
     pub(crate) fn new(observer: &ResolvedCamera, unit: f64) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
@@ -100,8 +100,8 @@ impl Screen {
         ]
     }
 
-    /// Returns the corners of the visible part of a flat convex polygon; none if nothing of it is
-    /// visible (Sutherland, Hodgman, *Reentrant polygon clipping*, 1974).
+    /// Returns the corners of the visible part of a flat convex polygon; none if no part is visible
+    /// (Sutherland, Hodgman, *Reentrant polygon clipping*, 1974).
     pub(crate) fn polygon(&self, corners: &[DVec3]) -> Vec<Spot> {
         let in_view = corners.iter().map(|corner| self.view(*corner));
         let mut inside: Vec<DVec3> = in_view.collect::<Option<_>>().unwrap_or_default();
@@ -112,9 +112,9 @@ impl Screen {
         inside.into_iter().map(|q| self.spot_of_view(q)).collect()
     }
 
-    /// Returns the visible part of the line from `a` to `b`, and whether its ends are `a` and `b`
-    /// themselves. The line is clipped before the division by depth (Blinn, Newell, *Clipping using
-    /// homogeneous coordinates*, 1978).
+    /// Returns the visible part of the line from `a` to `b`, and whether its ends are `a` and `b` themselves.
+    /// The line is clipped before the division by depth (Blinn, Newell, *Clipping using homogeneous
+    /// coordinates*, 1978).
     pub(crate) fn line(&self, a: DVec3, b: DVec3) -> Option<CutLine> {
         let (a, b) = (self.view(a)?, self.view(b)?);
         let (mut s0, mut s1) = (0.0f64, 1.0f64);
@@ -147,22 +147,21 @@ impl Screen {
         })
     }
 
-    /// Returns true if a spot lies within the region where clipped lines end, up to rounding. This
-    /// guards the rasteriser.
+    /// Returns true if a spot lies within the region where clipped lines end, except for rounding. This
+    /// protects the rasteriser from extreme positions.
     fn is_near(&self, spot: Spot) -> bool {
         let reach = 2.0 * self.size;
         (spot.at - 0.5 * self.size).abs().cmple(reach).all() && spot.inverse_t.is_finite()
     }
 
-    /// Returns the number of dots that a world unit at this point covers; `None` if the point is not
-    /// visible.
+    /// Returns the number of dots that a world unit covers at this point; `None` if the point is not visible.
     pub(crate) fn dots_per_unit(&self, point: DVec3) -> Option<f64> {
         let q = self.view(point)?;
         let dots = self.focal.min_element() / (q.z.max(NEAR) * self.unit);
         dots.is_finite().then_some(dots)
     }
 
-    /// Returns the world length that covers as many points on the screen as one world unit does, but at
+    /// Returns a length in the world that covers as many points on the screen as one world unit does, but at
     /// least `least` and at most `most`; 0 if `at` is not visible. A point is `scale` dots.
     pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64), scale: f64) -> f64 {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
@@ -227,7 +226,7 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some((v / largest).normalize())
 }
 
-/// Returns two orthogonal unit vectors in the plane, along the world's axes if possible.
+/// Returns two orthogonal unit vectors in the plane with this normal, along the world's axes if possible.
 pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     let least = normal.abs();
     let axis = if least.x <= least.y && least.x <= least.z {

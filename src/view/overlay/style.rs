@@ -13,8 +13,8 @@ pub(super) const VECTOR_TEXT: f32 = 21.0;
 pub(super) const POINT_TEXT: f32 = 17.0;
 pub(super) const MARK_TEXT: f32 = 14.0;
 
-/// The colours for a light or a dark window: one light and one dark style for each [`Scheme`], in its
-/// order.
+/// The colours for a light or a dark window: one light and one dark style for each [`Scheme`], in the order
+/// of the schemes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Style {
     /// Dark lines on a light background.
@@ -37,13 +37,13 @@ pub enum Style {
 pub struct Colors {
     /// Colour where the observer sees nothing.
     pub background: Color32,
-    /// Casing of lines and text, which sets them off from what they cross.
+    /// Casing of lines and text, which separates them from what they cross.
     pub halo: Color32,
     /// Eye, frustum, viewport outline.
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
-    /// Dash and gap of these arrows, in points, in styles whose greys alone would not distinguish them
+    /// Dash and gap of these arrows, in points, in styles whose greys alone would not distinguish the arrows
     /// well enough.
     pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
@@ -108,7 +108,8 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ..DARK
 };
 
-/// Patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines are also thin.
+/// Patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines differ from them because they
+/// are also thin.
 const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
 
 const GREY_LIGHT: Colors = Colors {
@@ -166,7 +167,7 @@ impl Style {
         Scheme::ALL[self as usize / 2]
     }
 
-    /// Returns true if it has light lines on a dark background.
+    /// Returns true if the style has light lines on a dark background.
     pub fn is_dark(self) -> bool {
         self as usize % 2 == 1
     }
@@ -183,7 +184,7 @@ impl Style {
         }
     }
 
-    /// Applies the style to the dots of a finished picture: removes the hue in a grey style.
+    /// Applies the style to the dots of a finished picture: a grey style removes the hue.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
             for dot in dots {

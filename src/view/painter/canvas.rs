@@ -1,4 +1,4 @@
-//! The picture in the window, and its update by a new frame.
+//! The picture in the window, and its update with each new frame.
 
 use std::collections::HashSet;
 
@@ -7,14 +7,14 @@ use egui::{Color32, Mesh, Rect, TextureId};
 
 use super::{PixelRect, SoftwarePainter};
 
-/// Maximum number of separate rectangles. Drawing more of them would cost more than drawing the area
-/// between them as well.
+/// Maximum number of separate rectangles. Drawing more of them would cost more than drawing the area between
+/// them too.
 const MANY: usize = 16;
 
-/// The pixels of the window, and the frame that they were drawn from.
+/// The pixels of the window, and the frame from which they were drawn.
 ///
-/// A new frame is drawn only where it differs from the last one: if the pointer moves over a button,
-/// only the button is repainted.
+/// A new frame is drawn only where it differs from the last one: if the pointer moves over a button, only the
+/// button is repainted.
 #[derive(Debug, Default)]
 pub struct Canvas {
     pixels: Vec<Color32>,
@@ -22,7 +22,7 @@ pub struct Canvas {
     shown: Option<ShownFrame>,
 }
 
-/// The data that the pixels were drawn from, apart from the textures.
+/// The data from which the pixels were drawn, except the textures.
 #[derive(Debug)]
 struct ShownFrame {
     primitives: Vec<ClippedPrimitive>,
@@ -41,9 +41,9 @@ impl Canvas {
         self.size
     }
 
-    /// Draws a frame on an opaque ground. Returns the rectangles in which pixels may have changed.
+    /// Draws a frame on an opaque background. Returns the rectangles in which pixels may have changed.
     ///
-    /// `changed` are the textures set since the last call.
+    /// `changed` are the textures that were set since the last call.
     pub fn show(
         &mut self,
         painter: &SoftwarePainter,
@@ -183,8 +183,8 @@ impl ChangedAreas {
     }
 }
 
-/// Returns the extent of the triangles that differ. Equal triangles are skipped at both ends of the
-/// meshes, since those drawn below and above stay the same.
+/// Returns the extent of the triangles that differ. Equal triangles at the start and the end of the meshes
+/// are skipped, since the triangles below and above a change usually stay the same.
 fn changed_triangles(old: &Mesh, new: &Mesh) -> Rect {
     let count = |mesh: &Mesh| mesh.indices.len() / 3;
     let (old_count, new_count) = (count(old), count(new));

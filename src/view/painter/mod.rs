@@ -25,7 +25,7 @@ mod triangle;
 /// Number of pixels below which one thread is faster than several.
 const WORTH_SHARING: usize = 1 << 14;
 
-/// Draws textured triangles, and holds the textures, which egui sends once and then refers to.
+/// Draws textured triangles. Holds the textures, which egui sends once and then only refers to.
 #[derive(Debug, Default)]
 pub struct SoftwarePainter {
     textures: HashMap<TextureId, Texture>,
@@ -33,13 +33,13 @@ pub struct SoftwarePainter {
 }
 
 impl SoftwarePainter {
-    /// Creates a painter that draws rectangles as two triangles, as a GPU does: with the same result,
-    /// but slower. Tests compare the two.
+    /// Creates a painter that draws rectangles as two triangles, as a GPU does. The result is the same, but
+    /// drawing is slower. Tests compare the two.
     pub fn triangles_only() -> Self {
         Self { triangles_only: true, ..Self::default() }
     }
 
-    /// Stores the new and changed textures, before drawing. Returns their ids.
+    /// Stores new and changed textures; call it before drawing. Returns the ids of these textures.
     pub fn set_textures(&mut self, delta: &mut TexturesDelta) -> HashSet<TextureId> {
         let mut changed = HashSet::new();
         for (id, deltas) in delta.set.drain() {
@@ -64,8 +64,8 @@ impl SoftwarePainter {
         }
     }
 
-    /// Draws over the pixels, which are rows of length `size[0]` from the top. Does nothing if the
-    /// length of the slice does not fit `size`.
+    /// Draws over the pixels, which are rows of length `size[0]` from top to bottom. Does nothing if the
+    /// length of the slice does not match `size`.
     pub fn paint(
         &self,
         pixels: &mut [Color32],
@@ -77,7 +77,7 @@ impl SoftwarePainter {
         self.paint_within(pixels, size, pixels_per_point, primitives, &whole, None);
     }
 
-    /// Draws the parts inside disjoint rectangles, over the given ground or over the pixels.
+    /// Draws the parts inside disjoint rectangles, over the given background or over the present pixels.
     pub(crate) fn paint_within(
         &self,
         pixels: &mut [Color32],
@@ -95,7 +95,7 @@ impl SoftwarePainter {
         let scene = Scene::new(self, pixels_per_point, primitives, size);
         let pixels = &mut pixels[all.top * size[0]..all.bottom * size[0]];
         let rows = all.bottom - all.top;
-        // There are more pieces than threads, because text is seldom spread evenly.
+        // There are more pieces than threads, because text is rarely spread evenly.
         let pieces = if all.area() < WORTH_SHARING { 1 } else { 4 * rayon::current_num_threads() };
         let rows_per_piece = rows.div_ceil(pieces).max(8);
         let draw = |(piece, pixels): (usize, &mut [Color32])| {
@@ -115,7 +115,7 @@ impl SoftwarePainter {
     }
 }
 
-/// Some rows of the picture, and the rectangle that may be drawn on.
+/// Some rows of the picture, and the rectangle of them that may be drawn on.
 struct Band<'a> {
     pixels: &'a mut [Color32],
     width: usize,
@@ -133,7 +133,7 @@ impl Band<'_> {
     }
 }
 
-/// The meshes to draw, with data that is the same for all pieces of the picture.
+/// The meshes to draw, with data that all pieces of the picture share.
 struct Scene<'a> {
     scale: f32,
     triangles_only: bool,
@@ -154,7 +154,7 @@ impl<'a> Scene<'a> {
         size: [usize; 2],
     ) -> Self {
         let meshes = primitives.iter().filter_map(|primitive| {
-            // Callbacks need a graphics driver, which is absent here; the program creates none.
+            // Callbacks need a graphics driver, which this painter does not have; the program creates none.
             let Primitive::Mesh(mesh) = &primitive.primitive else { return None };
             let texture = painter.textures.get(&mesh.texture_id)?;
             if !mesh.is_valid() || texture.texels().is_empty() {
@@ -212,12 +212,12 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Sub-pixel steps per pixel, to which vertices are snapped as on GPUs. In integers, the test
+/// Number of sub-pixel steps per pixel to which vertices are snapped, as on GPUs. With integers, the test
 /// whether a pixel's centre is inside is exact, so neighbours neither overlap nor leave gaps.
 const STEPS: i64 = 256;
 
-/// Greatest coordinate of a vertex, in pixels. Coordinates are clamped to it, so that their products
-/// fit into an `i64`.
+/// Maximum coordinate of a vertex, in pixels. Coordinates are clamped to it, so that their products fit into
+/// an `i64`.
 const FAR: f32 = 1_000_000.0;
 
 /// A rectangle of pixels, right and bottom exclusive.
@@ -239,8 +239,8 @@ impl PixelRect {
         Self { left: 0, top: 0, right: width, bottom: height }
     }
 
-    /// Converts egui's clip rectangle to a GPU's scissor: rounded to whole pixels, limited to the
-    /// picture.
+    /// Converts egui's clip rectangle to a GPU's scissor rectangle, rounded to whole pixels and limited to
+    /// the picture.
     fn scissor(clip: Rect, scale: f32, size: [usize; 2]) -> Self {
         // The cast saturates, so a negative number becomes 0.
         let to = |x: f32, limit: usize| ((x * scale).round() as usize).min(limit);
@@ -252,7 +252,7 @@ impl PixelRect {
         }
     }
 
-    /// Returns all pixels that a rectangle can touch, and one more on each side.
+    /// Returns all pixels that a rectangle can touch, and one extra pixel on each side.
     fn around(rect: Rect, scale: f32, size: [usize; 2]) -> Self {
         let down = |x: f32| ((x * scale).floor() - 1.0) as usize;
         let up = |x: f32, limit: usize| (((x * scale).ceil() + 1.0) as usize).min(limit);
@@ -298,7 +298,7 @@ impl PixelRect {
 /// Converts pixels to steps.
 #[inline(always)]
 fn snap(pixels: f32) -> i64 {
-    // For a positive number truncation is the floor, and needs no call into the C library.
+    // For a positive number, truncation equals the floor and needs no call into the C library.
     const SHIFT: i64 = 1 << 40;
     let steps = f64::from(pixels.clamp(-FAR, FAR)) * STEPS as f64;
     (steps + (SHIFT as f64 + 0.5)) as i64 - SHIFT

@@ -1,5 +1,5 @@
-//! Textures, kept in memory as egui sends them and sampled texel by texel; and colour arithmetic, as
-//! on a GPU with an `Rgba8Unorm` target and egui's blend state.
+//! Textures, stored in memory as egui sends them and sampled texel by texel; and colour arithmetic, as on a
+//! GPU with an `Rgba8Unorm` target and egui's blend state.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ pub(super) struct Texture {
     /// The image as egui sent it. An image that replaces the whole texture is not copied.
     image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
-    /// True if no texel is transparent: a copy then equals a blend.
+    /// True if no texel is transparent; a copy then gives the same result as a blend.
     pub(super) opaque: bool,
 }
 
@@ -31,8 +31,8 @@ impl Texture {
         &self.image.pixels
     }
 
-    /// Replaces a part. Ignores a part that extends beyond the texture, or whose number of pixels
-    /// does not fit its size: such a mistake of the sender should not end the program.
+    /// Replaces a part of the texture. Ignores a part that extends beyond the texture or whose number of
+    /// pixels does not match its size, since such a mistake of the sender should not end the program.
     pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -57,7 +57,7 @@ impl Texture {
         }
     }
 
-    /// Returns the filter that a GPU uses at a number of texels per pixel.
+    /// Returns the filter that a GPU uses at this number of texels per pixel.
     pub(super) fn filter(&self, texels_per_pixel: f64) -> TextureFilter {
         if texels_per_pixel > 1.0 + 1e-6 {
             self.options.minification
@@ -117,13 +117,14 @@ impl Texture {
     }
 }
 
-/// One texel as a fixed-point number with 32 binary places, which is stepped along a row.
+/// One texel as a fixed-point number with 32 binary places, the form in which positions are stepped along a
+/// row.
 pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
 
 /// A coordinate in a texture, in 1/65536 of a texel.
 ///
-/// Rounding to this grid puts a position on the border of two texels always on the same side, whether
-/// it was computed from either triangle of a rectangle or from the rectangle as a whole.
+/// Rounding to this grid puts a position on the border of two texels always on the same side, whether it was
+/// computed from one of a rectangle's two triangles or from the rectangle as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Coordinate(i64);
 
@@ -140,8 +141,8 @@ impl Coordinate {
         self.0 >> 16
     }
 
-    /// Returns the last texel whose centre is not after it, and the fraction of the way to the next
-    /// centre, in steps of 1/256 as on GPUs. Glyphs at whole pixels are exactly on texel centres.
+    /// Returns the last texel whose centre is not after this coordinate, and the fraction of the way to the
+    /// next centre, in steps of 1/256 as on GPUs. Glyphs at whole pixels lie exactly on texel centres.
     #[inline(always)]
     pub(super) fn linear(self) -> (i64, f32) {
         let steps = (self.0 - (1 << 15) + (1 << 7)) >> 8;
@@ -160,7 +161,7 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
 }
 
 fn all_opaque(texels: &[Color32]) -> bool {
-    // The bits are combined piece by piece, so that the compiler can vectorise the loop.
+    // The bits are combined block by block, so that the compiler can vectorise the loop.
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };
@@ -170,12 +171,12 @@ fn all_opaque(texels: &[Color32]) -> bool {
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
 pub(super) type Rgba = [f32; 4];
 
-/// Factor from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does not change a
+/// Factor from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does not change the vertex
 /// colour.
 pub(super) const UNIT: f32 = 1.0 / 255.0;
 
-/// A number whose sum with a number from 0 to 255 has the nearest integer in its low bits. Without
-/// SSE 4.1, `round` would call the C library for each channel.
+/// A number whose sum with a number from 0 to 255 has the nearest integer in its lowest bits. Without SSE
+/// 4.1, `round` would call the C library for each channel.
 const ROUNDING: f32 = 12_582_912.0;
 
 /// Unpacks a colour into numbers.
@@ -185,7 +186,7 @@ pub(super) fn unpack(color: Color32) -> Rgba {
     [f32::from(r), f32::from(g), f32::from(b), f32::from(a)]
 }
 
-/// Packs numbers into a colour: clamps them and rounds them to the nearest integers.
+/// Packs numbers into a colour, after clamping them and rounding them to the nearest integers.
 #[inline(always)]
 pub(super) fn pack(color: Rgba) -> Color32 {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 255.0) + ROUNDING).to_bits() as u8);

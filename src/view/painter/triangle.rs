@@ -1,7 +1,7 @@
-//! Triangles, drawn row by row: the pixels whose centres are inside.
+//! Draws triangles row by row: the pixels whose centres are inside.
 //!
-//! Most of egui's output is axis-aligned rectangles: fills, glyphs, pictures. [`Rectangle`] draws
-//! two triangles that make up one, with less work per pixel and exactly the same result.
+//! Most of egui's output consists of axis-aligned rectangles: fills, glyphs, pictures. [`Rectangle`] draws
+//! two triangles that form a rectangle, with less work per pixel and exactly the same result.
 
 use egui::epaint::Vertex;
 use egui::{Color32, Rect, TextureFilter, pos2};
@@ -26,7 +26,7 @@ pub(super) struct PixelPlane {
 }
 
 impl PixelPlane {
-    /// Returns the plane through three values at three positions; `area` is twice the triangle's,
+    /// Returns the plane through three values at three positions; `area` is twice the area of the triangle,
     /// in square steps.
     fn through(points: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
         let [p, q, r] = points;
@@ -40,7 +40,7 @@ impl PixelPlane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Returns the value at a row's first pixel and the step to the next, with 32 binary places.
+    /// Returns the value at the first pixel of a row and the increment per pixel, with 32 binary places.
     ///
     /// The result depends only on the row, not on how the picture is divided into pieces.
     #[inline(always)]
@@ -88,7 +88,7 @@ impl<'a> Sampling<'a> {
     }
 }
 
-/// One side of a triangle, as a linear function of the pixel that is not negative inside.
+/// One side of a triangle, as a linear function of the pixel; it is not negative inside the triangle.
 struct Side {
     /// Decrement per pixel to the right.
     slope: i64,
@@ -100,8 +100,8 @@ struct Side {
 impl Side {
     fn new(from: SnappedPoint, to: SnappedPoint) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        // A centre exactly on a side belongs to the triangle to the right of it or below it, so
-        // that neighbours draw each pixel exactly once.
+        // A centre exactly on a side belongs to the triangle to the right of it or below it, so that
+        // neighbouring triangles draw each pixel exactly once.
         let owned = dy < 0 || (dy == 0 && dx > 0);
         let half = STEPS / 2;
         let start = dx * (half - from[1]) - dy * (half - from[0]) - i64::from(!owned);
@@ -166,8 +166,8 @@ pub(super) fn draw_triangle(
     }
 }
 
-/// Orders the vertices so that the area is positive. Returns them, their snapped positions, and
-/// twice the area; `None` if the triangle has no area or a coordinate is not finite.
+/// Orders the vertices so that the area is positive. Returns the vertices, their snapped positions, and twice
+/// the area; `None` if the triangle has no area or a coordinate is not finite.
 fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [SnappedPoint; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
@@ -219,7 +219,7 @@ fn rows(
 struct Gradient {
     channels: [PixelPlane; 4],
     across: Rgba,
-    /// The column from which a row's colours are counted. It is near the triangle, because a steep
+    /// The column from which the colours of a row are counted. It is near the triangle, because a steep
     /// gradient would lose significant digits over a long distance.
     base: usize,
 }
@@ -261,8 +261,8 @@ impl Gradient {
     }
 }
 
-/// Two triangles that make up an axis-aligned rectangle of one vertex colour, with texture
-/// coordinates that run along its sides.
+/// Two triangles that form an axis-aligned rectangle of one vertex colour, with texture coordinates that run
+/// along its sides.
 #[derive(Debug, PartialEq)]
 pub(super) struct Rectangle {
     /// Position and size in points.
@@ -366,7 +366,7 @@ fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlan
 }
 
 /// Draws an area of a texture in one vertex colour. If each pixel shows exactly one texel, as in most
-/// pictures and glyphs, the texels are copied or tinted; otherwise the texture is sampled.
+/// pictures and glyphs, copies or tints the texels; otherwise samples the texture.
 fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, color: Rgba) {
     let PixelRect { left, top, right, bottom } = area;
     let texture = reading.texture;
@@ -392,7 +392,8 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
     }
 }
 
-/// Returns the first texel if a run of pixels reads exactly successive texels, all of them inside.
+/// Returns the first texel if a run of pixels reads exactly one successive texel per pixel, all inside the
+/// texture.
 fn one_to_one(
     coordinate: &impl Fn(usize) -> Coordinate,
     (first, end): (usize, usize),
@@ -408,7 +409,7 @@ fn one_to_one(
     };
     let (from, to) = (texel(first)?, texel(end - 1)?);
     let successive = to - from == (end - 1 - first) as i64;
-    // With the nearest filter the steps may be uneven, so that both ends are not enough.
+    // With the nearest filter the steps may be uneven, so checking both ends is not enough.
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)

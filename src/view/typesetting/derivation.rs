@@ -27,7 +27,7 @@ pub(crate) const NOTE: f32 = 15.0;
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// Least indent of the relations, and of the second and later lines of a formula, in points.
+/// Minimum indent, in points, of the relations and of the second and later lines of a formula.
 const INDENT: f32 = 26.0;
 
 /// Distance above a section's title, in points.
@@ -51,10 +51,10 @@ pub(crate) fn note_galley(ui: &Ui, line: &DerivedLine, width: f32) -> Arc<Galley
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
 
-/// Largest share of the width that the parts before the relations may take.
+/// Maximum share of the width that the parts before the relations may take.
 const LEFT: f32 = 0.32;
 
-/// Lays out all lines of a derivation in a column, by sections. `id` returns the id of a line for its
+/// Lays out all lines of a derivation in a column, section by section. `id` returns the id of a line from its
 /// section and its index there. The relations in all sections of one kind are aligned.
 pub(crate) fn laid_lines(
     ui: &Ui,
@@ -113,8 +113,8 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLin
     }
 }
 
-/// Draws the derivation as in its panel, from the top of a column downwards. Returns the height. A
-/// section that `is_folded` shows only its title.
+/// Draws the derivation as in its panel, from the top of a column downwards, and returns its height. A
+/// section for which `is_folded` holds shows only its title.
 pub(crate) fn draw(
     ui: &Ui,
     derivation: &Derivation,
@@ -194,13 +194,13 @@ impl Inks {
     }
 }
 
-/// Returns the meaning of the symbol at a position, which is relative to the start of the layout's
-/// first baseline.
+/// Returns the meaning of the symbol at a position, which is relative to the start of the layout's first
+/// baseline.
 pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&TextRun| {
         let [x, y] = run.at;
-        // With a margin, thin letters are as easy to hover as wide ones.
+        // The margin makes thin letters as easy to hover as wide ones.
         let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
         let down = y - 0.8 * run.size..=y + 0.3 * run.size;
         across.contains(&at.x) && down.contains(&at.y)

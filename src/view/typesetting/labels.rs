@@ -1,5 +1,5 @@
-//! Labels in pictures and drawings: text with a halo, which keeps it legible over lines, and a
-//! layout in which labels never overlap. The window and the figures use the same shapes.
+//! Labels in pictures and drawings: text with a halo, which keeps it legible over lines, and a layout that
+//! keeps labels from overlapping. The window and the figures use the same shapes.
 
 use std::sync::Arc;
 
@@ -37,8 +37,8 @@ impl LabelLayout {
         self.taken.push(rect);
     }
 
-    /// Writes a label at the first position that is free and inside the area. Returns its
-    /// rectangle, or `None` if no position is. Text that is not bold is typeset as a formula.
+    /// Writes a label at the first position that is free and inside the area. Returns its rectangle, or
+    /// `None` if there is no such position. Text that is not bold is typeset as a formula.
     pub(crate) fn write(
         &mut self,
         text: &str,
@@ -48,7 +48,8 @@ impl LabelLayout {
         self.write_clear_of(&[], text, font, anchors)
     }
 
-    /// Writes a label like [`LabelLayout::write`], but only where it covers none of `points`.
+    /// Writes a label as [`LabelLayout::write`] does, but only at a position where it covers none of
+    /// `points`.
     pub(crate) fn write_clear_of(
         &mut self,
         points: &[Pos2],
@@ -64,7 +65,7 @@ impl LabelLayout {
         };
         for (at, align) in anchors {
             let rect = align.anchor_size(at, galley.size());
-            // Without a distance, two numbers side by side would read as one.
+            // Without a gap, two numbers side by side would read as one.
             let room = rect.expand2(Vec2::new(3.0, 0.0));
             let free = self.taken.iter().all(|taken| !taken.intersects(room));
             let clear = !points.iter().any(|point| rect.contains(*point));
@@ -95,7 +96,7 @@ pub(crate) fn around(
     })
 }
 
-/// Returns the side of a label that is next to its point.
+/// Returns the side of a label that faces its point.
 fn side(away: f32) -> egui::Align {
     if away > 0.38 {
         egui::Align::Min

@@ -36,7 +36,7 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     job
 }
 
-/// Adds a label of text with typeset formulas. Screen readers and tests get it as plain text.
+/// Adds a label whose text has typeset formulas. Screen readers and tests receive it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
     let response = ui.label(formula(&unbroken(text), size, color));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
@@ -51,8 +51,8 @@ pub(crate) fn plain(text: &str) -> String {
 /// Maximum number of characters of a formula that is never broken across lines.
 const UNBROKEN: usize = 30;
 
-/// Replaces the spaces inside formulas with no-break spaces: around operators, between coordinates,
-/// and between factors. A formula that is too long may still be broken before an operator.
+/// Replaces spaces inside formulas with no-break spaces: around operators, between coordinates, and between
+/// factors. A formula that is too long may still be broken before an operator.
 pub(crate) fn unbroken(text: &str) -> String {
     const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
@@ -90,7 +90,7 @@ fn without_marks(text: &str) -> String {
     text.replace(['*', '_'], "")
 }
 
-/// Returns true if a word begins the coordinates of a vector: if it is a parenthesis, a number or a
+/// Returns true if a word begins the coordinates of a vector: if it consists of a parenthesis, a number or a
 /// letter, and a comma.
 fn begins_tuple(word: &str) -> bool {
     let first = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(','));

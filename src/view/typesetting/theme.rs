@@ -73,7 +73,7 @@ pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
-/// Installs a look in a context, from its next pass on, unless it is already installed.
+/// Installs a look in a context, effective from the next pass, unless it is already installed.
 pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
@@ -97,8 +97,7 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     }
 }
 
-/// Returns the text styles. While presenting, no text is smaller than the size that the zoom relies
-/// on.
+/// Returns the text styles. While presenting, no text is smaller than the size on which the zoom is based.
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
@@ -133,8 +132,8 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     visuals
 }
 
-/// Returns the colours of the focus ring and of its casing. At least one of the two contrasts with
-/// any background.
+/// Returns the colours of the focus ring and of its casing. On any background, at least one of the two
+/// contrasts.
 fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     match (visuals.dark_mode, scheme) {
         (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
@@ -150,7 +149,8 @@ pub(crate) fn focus_ring(ui: &Ui) {
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
     let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
-    // A widget that is scrolled away has no ring; at the edge of the window, the ring is inside.
+    // A widget that is scrolled out of sight has no ring. At the window's edge, the ring stays inside the
+    // window.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
     if response.interact_rect.is_negative() || !visible.is_positive() {
         return;
@@ -216,7 +216,7 @@ pub(crate) fn error_color(ui: &Ui) -> Color32 {
     }
 }
 
-/// Installs the program's base look in a context, from its next pass on.
+/// Installs the program's base look in a context, effective from the next pass.
 pub(crate) fn install_base(ctx: &Context) {
     install_fonts(ctx);
     for theme in [Theme::Dark, Theme::Light] {
@@ -227,7 +227,7 @@ pub(crate) fn install_base(ctx: &Context) {
 /// Returns the program's base colours.
 fn base_visuals(theme: Theme) -> Visuals {
     let mut visuals = theme.default_visuals();
-    // egui's greys are legible near the screen, but not from the back row.
+    // egui's greys are legible close to the screen, but not from the back row.
     let text = Color32::from_gray(if theme == Theme::Dark { 0xea } else { 0x10 });
     visuals.widgets.noninteractive.fg_stroke.color = text;
     visuals.widgets.inactive.fg_stroke.color = text;
@@ -244,13 +244,13 @@ pub fn bold() -> FontFamily {
     FontFamily::Name("bold".into())
 }
 
-/// Installs the bundled fonts in a context, from its next pass on.
+/// Installs the bundled fonts in a context, effective from the next pass.
 pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
 
-/// Returns the bundled fonts: Noto Sans, Noto Sans Math for missing signs, then egui's own fonts. Code
-/// uses egui's font Hack first.
+/// Returns the bundled fonts: Noto Sans, Noto Sans Math for signs that Noto Sans lacks, then egui's own
+/// fonts. Code uses egui's font Hack first.
 pub fn font_definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let files: [(&str, &'static [u8]); 3] = [

@@ -1,4 +1,4 @@
-//! Highlighting in the camera view, where w points at the observer and a whole ray is one point.
+//! Highlighting in the camera view, where w points at the observer and a whole ray is a single point.
 
 use egui::Color32;
 use pinhole_core::{
@@ -22,14 +22,14 @@ use crate::view::overlay::world_view::sketch::LineStyle;
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;
 
-/// Distance between two strokes of a plane's hatching, and the step at which strokes are tested against
-/// the plane's border, in points.
+/// Distance between two strokes of a plane's hatching, and the distance between tests of a stroke against the
+/// plane's border; both in points.
 const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
 impl CameraSketch<'_> {
-    /// Highlights a concept over everything that is already drawn. If the camera cannot see it, the
-    /// picture stays as it is.
+    /// Highlights a concept on top of everything already drawn. If the camera cannot see it, the picture
+    /// stays as it is.
     pub(super) fn highlight(&mut self, highlighted: Highlighted, scene: &Scene) {
         let (shown, before) = (self.items, self.requests.len());
         if let Concept::Object(index) = highlighted.concept
@@ -66,8 +66,8 @@ impl CameraSketch<'_> {
         LineStyle::new(Item::Ray, color, STRONG).about(highlighted.concept)
     }
 
-    /// Projects a direction of the world into the image; the result has length 1 for a unit vector
-    /// orthogonal to w.
+    /// Projects a direction of the world into the image. For a unit vector orthogonal to w, the result has
+    /// length 1.
     fn in_image(&self, direction: DVec3) -> DVec2 {
         let basis = self.view.resolved.basis();
         DVec2::new(basis.u.dot(direction), -basis.v.dot(direction))
@@ -90,8 +90,8 @@ impl CameraSketch<'_> {
         self.label(pen, text.to_owned(), tip, direction, font);
     }
 
-    /// Draws the symbol of a vector along the line of sight: a dot in a ring towards the observer,
-    /// a cross in a ring away from it.
+    /// Draws the symbol of a vector along the line of sight: a dot in a ring if it points towards the
+    /// observer, a cross in a ring if it points away.
     fn along_view(&mut self, at: DVec2, away: bool, pen: LineStyle, text: &str, toward: DVec2) {
         self.ring_along_view(at, away, pen);
         self.label(pen, text.to_owned(), at, toward, (POINT_TEXT, false));
@@ -125,7 +125,7 @@ impl CameraSketch<'_> {
         let pen = Self::pen(highlighted, self.colors.given);
         match (highlighted.concept, highlighted.camera.orientation) {
             (Concept::Eye, _) => {
-                // All rays begin at the eye: it is behind the picture's middle.
+                // All rays begin at the eye, which is behind the middle of the picture.
                 let pen = LineStyle { color: self.colors.ink, ..pen };
                 self.along_view(middle, false, pen, "eye: straight behind this point", below);
             }
@@ -202,7 +202,7 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws w towards the observer, with the other factor and the product in the image.
+    /// Draws w towards the observer, and the other factor and the product in the image.
     fn highlight_cross(
         &mut self,
         highlighted: Highlighted,
@@ -275,8 +275,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
-    /// those along u and v in the picture.
+    /// Draws the parts of the selected ray's direction: the part along w at the middle of the picture, and
+    /// the parts along u and v in the picture.
     fn highlight_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
         let (resolved, size, middle) = (&self.view.resolved, self.view.size, self.middle());
         let to_dots = |uv: DVec2| position_of(resolved, size, uv);
@@ -315,8 +315,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Hatches the pixels that show a plane, below everything else: the plane may fill the picture, and
-    /// the marks on it must stay visible and hoverable.
+    /// Hatches the pixels that show a plane. The hatching lies below everything else, because the plane may
+    /// fill the picture, and the marks on it must stay visible and hoverable.
     fn highlight_plane(&mut self, scene: &Scene, index: u32) {
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
@@ -361,14 +361,14 @@ impl Cells {
     }
 }
 
-/// Returns strokes rising to the right, `apart` from each other, over the positions of a picture
-/// that are `inside`; tested at every `step`.
+/// Returns strokes that rise to the right, at a distance of `apart`, where positions of the picture are
+/// `inside`. Each stroke is tested at intervals of `step`.
 fn hatch(extent: DVec2, apart: f64, step: f64, inside: impl Fn(DVec2) -> bool) -> Vec<[DVec2; 2]> {
     let mut strokes = Vec::new();
     let direction = DVec2::new(std::f64::consts::FRAC_1_SQRT_2, -std::f64::consts::FRAC_1_SQRT_2);
     let (reach, apart) = (extent.x + extent.y, apart * std::f64::consts::SQRT_2);
     for k in 1..(reach / apart).ceil() as u32 {
-        // x + y is constant along a stroke; it starts at the left edge or the lower one.
+        // x + y is constant along a stroke, which starts at the left or the lower edge.
         let sum = f64::from(k) * apart;
         let start = DVec2::new((sum - extent.y).max(0.0), sum.min(extent.y));
         let end = sum.min(extent.x) - start.x;

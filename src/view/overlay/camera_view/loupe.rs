@@ -1,5 +1,5 @@
-//! The loupe of the camera view: the pixels around the selected (u, v), enlarged enough to show whether
-//! it lies in the middle of a pixel, on an edge or on a corner.
+//! The loupe of the camera view: enlarges the pixels around the selected (u, v), to show whether it lies in
+//! the middle of a pixel, on an edge or on a corner.
 
 use std::ops::Range;
 
@@ -16,12 +16,12 @@ use crate::view::overlay::world_view::sketch::LineStyle;
 
 /// Greatest side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;
-/// Greatest share of the view that the loupe takes; less than half of the height, so that it does
+/// Maximum share of the view that the loupe takes. It is less than half of the height, so that the loupe does
 /// not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
 /// Height of the loupe's text, in points.
 const TEXT: f32 = 15.0;
-/// Room for the rows' names, and for a line of text, in points.
+/// Space for the names of the rows, and for a line of text, in points.
 const RIM: DVec2 = DVec2::new(62.0, 23.0);
 
 /// The content of the loupe.
@@ -35,8 +35,8 @@ pub struct Loupe {
     pub count_from_one: bool,
 }
 
-/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in
-/// the middle one, or on the edge between the two in the middle.
+/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in the
+/// middle pixel, or on the edge between the two middle pixels.
 pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, own: u32, count: u32| {
         let half = pixels / 2;
@@ -54,7 +54,7 @@ struct Inset {
     /// Upper left corner and size, rims included, in dots.
     from: DVec2,
     size: DVec2,
-    /// The (fractional) row and column in the middle of the cells, as x and y of the image.
+    /// The row and column, with fractions, at the middle of the cells; x and y are those of the image.
     middle: DVec2,
     /// Position of that middle, in dots.
     center: DVec2,
@@ -63,7 +63,7 @@ struct Inset {
 }
 
 impl Inset {
-    /// Returns the loupe if it is open, with the selected position, and places it.
+    /// Returns the open loupe, the selected position and the loupe's place; `None` if no loupe is open.
     fn open(view: &CameraView) -> Option<(&Loupe, PixelOfUv, DVec2, Inset)> {
         let loupe = view.loupe.as_deref().filter(|loupe| loupe.picture.is_whole())?;
         let inspection = view.inspection.as_ref().filter(|_| view.items.shows(Item::Loupe))?;
@@ -101,14 +101,13 @@ impl Inset {
         }
     }
 
-    /// Returns the middle of the rims: x in the rim of the rows' names, y in that of the columns'
-    /// names.
+    /// Returns the middle of each rim: x is for the names of the rows, y for the names of the columns.
     fn rim(&self, scale: f64) -> DVec2 {
         self.from + 0.5 * scale * RIM
     }
 
-    /// Returns where the loupe shows a point of the image; x and y are in pixels from the upper
-    /// left corner.
+    /// Returns the position at which the loupe shows a point of the image; x and y are in pixels from the
+    /// upper left corner.
     fn to_screen(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
     }
@@ -160,8 +159,8 @@ impl CameraSketch<'_> {
     }
 }
 
-/// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the
-/// loupe covers.
+/// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the loupe
+/// covers.
 pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     let Some((loupe, position, _, inset)) = Inset::open(view) else { return };
     let (low, high) = (inset.from, inset.from + inset.size);
@@ -194,7 +193,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
             size: TEXT,
             bold: false,
         };
-        // A small loupe is narrower than its text, and lies at the view's edge.
+        // A small loupe is narrower than its text, and lies at the edge of the view.
         let [half, _] = label.half_extent(view.scale);
         label.position[0] = label.position[0].min(width - half).max(half);
         label
@@ -207,7 +206,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
     rows.dedup();
     let name = |row: &u32| {
-        // Two names may need more room than two small pixels give.
+        // Two names may need more space than two small pixels have.
         let least = 0.64 * f64::from(TEXT) * scale;
         let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
@@ -217,7 +216,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     rows.iter().map(name).collect()
 }
 
-/// Returns the touched columns' numbers, above them, and the word `column`.
+/// Returns the numbers of the touched columns, which go above the columns, and the word `column`.
 fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
     let scale = f64::from(scale);
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();

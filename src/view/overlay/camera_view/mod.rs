@@ -1,4 +1,4 @@
-//! The camera view: the traced picture with sharp pixels, and the selection in it.
+//! The camera view: the traced picture with sharp pixels, and the selection on top of it.
 
 mod highlighted;
 pub(super) mod loupe;
@@ -21,8 +21,8 @@ use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
 use crate::view::overlay::world_view::highlighted::Highlighted;
 use crate::view::overlay::world_view::sketch::{LineStyle, Request, place_labels};
 
-/// The inputs of the camera view. Two equal ones give the same picture, so its cache compares them as a
-/// whole. The scene is not one of them: another scene has another picture.
+/// The inputs of the camera view. Equal inputs give the same picture, so the cache compares them as a whole.
+/// The scene is not among them, because another scene has another picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraView {
     /// The edited camera.
@@ -31,7 +31,7 @@ pub struct CameraView {
     pub picture: Same<Picture>,
     /// The selected ray.
     pub inspection: Option<Same<Inspection>>,
-    /// Width and height of the buffer in dots. The whole image is stretched over it.
+    /// Width and height of the buffer in dots. The whole image is stretched to fill it.
     pub size: [usize; 2],
     /// The overlay items to draw.
     pub items: OverlayItems,
@@ -43,15 +43,15 @@ pub struct CameraView {
     pub highlighted: Option<Highlighted>,
     /// The content of the loupe, if it is open.
     pub loupe: Option<Arc<Loupe>>,
-    /// True if the marks are not painted into the picture: a figure draws them itself.
+    /// True if the marks are not painted into the picture, because a figure draws them itself.
     pub is_apart: bool,
 }
 
-/// Least size of a pixel, in dots, at which the grid is drawn.
+/// Minimum size of a pixel, in dots, at which the grid is drawn.
 const GRID_FROM: f64 = 8.0;
 
-/// Fills the buffer with the picture and paints the overlay on it. Returns the drawing; its labels
-/// are left to the caller. Without a scene, no concept is highlighted.
+/// Fills the buffer with the picture and paints the overlay on it. Returns the drawing, whose labels the
+/// caller must draw. Without a scene, no concept is highlighted.
 pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) -> Drawing {
     let drawing = view.drawing(scene);
     let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
@@ -91,7 +91,7 @@ impl CameraView {
         });
     }
 
-    /// Returns for each column and each row of dots whether it lies on an edge between two pixels.
+    /// Returns, for each column and each row of dots, whether it lies on an edge between two pixels.
     fn grid(&self) -> [Vec<bool>; 2] {
         let line = (self.scale.round() as usize).max(1);
         let (image, [width, height]) = (self.resolved.image(), self.size);
@@ -136,8 +136,8 @@ impl CameraView {
     }
 }
 
-/// Returns for each of `dots` whether it lies on an edge between two of `count` cells; the edges
-/// are lines `width` dots wide.
+/// Returns, for each of `dots` dots, whether it lies on an edge between two of `count` cells. The edges are
+/// lines `width` dots wide.
 fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     let mut on = vec![false; dots];
     for k in 1..count as usize {
@@ -201,8 +201,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the same marks as the world view: a thick top edge with a triangle at it, and a
-    /// triangle at pixel (0, 0).
+    /// Draws the same marks as the world view: a thick top edge with a triangle on it, and a triangle at
+    /// pixel (0, 0).
     fn marks(&mut self) {
         let (size, color) = (self.view.extent(), self.colors.mark);
         let scale = f64::from(self.view.scale);
@@ -227,8 +227,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the pixels that the selected ray touches, and a cross where it does not pass through
-    /// the centre of one. If pixels are too small to be distinguished, draws only a frame around the
+    /// Draws the pixels that the selected ray touches, and a cross where the ray does not pass through the
+    /// centre of a pixel. If pixels are too small to be distinguished, draws only a frame around the
     /// position.
     fn selected(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };

@@ -18,7 +18,7 @@ fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
         _ => false,
     });
     let (dashed, solid): (Vec<&&Mark>, Vec<&&Mark>) = lines.partition(|mark| mark.hidden);
-    // Four edges, four sides and three arrows, whole or in parts.
+    // Four edges, four sides and three arrows, each whole or split into parts.
     assert!(dashed.len() >= 11 && solid.is_empty(), "{} {}", dashed.len(), solid.len());
     let mut names = both.labels.iter().map(|label| label.text.as_str());
     assert!(names.any(|name| name.ends_with('′')));

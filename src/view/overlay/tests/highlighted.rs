@@ -1,4 +1,4 @@
-//! Highlighting: a concept is drawn again over everything else, which is dimmed.
+//! Tests highlighting: a concept is drawn again over everything else, which is dimmed.
 
 use pinhole_core::Orientation;
 
@@ -139,7 +139,7 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
         .try_into()
         .expect("four corners");
     assert!(eye.distance(stage.to_screen(DVec3::ZERO)) < 0.01);
-    // Up and w point where they should, and the far corner is where both together lead.
+    // Up and w point in the right directions, and the far corner is at the sum of both.
     let toward = |from: DVec2, to: DVec2| (to - from).normalize();
     let seen = |point: DVec3| toward(eye, stage.to_screen(point));
     assert!(toward(eye, a).distance(seen(0.1 * up)) < 0.05);
@@ -164,7 +164,7 @@ fn products_are_named_with_the_letters_of_their_factors() {
     }
 }
 
-/// The part of it that is in the picture is filled.
+/// Only the part of the parallelogram inside the picture is filled.
 #[test]
 fn a_parallelogram_that_leaves_the_picture_is_cut_off() {
     let orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::new(0.0, 1.0, 1.0) };

@@ -4,7 +4,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, Scene};
 
 use super::*;
 
-/// Returns the lines of an item from left to right: `-`, or `.` if hidden, and both ends.
+/// Returns the lines of an item from left to right, each as `-` (or `.` if hidden) and its two ends.
 fn runs(drawing: &Drawing, item: Item) -> Vec<(char, i64, i64)> {
     let lines = drawing.marks.iter().filter(|mark| {
         mark.item == item && matches!(&mark.shape, Shape::Line { points, .. } if points.len() == 2)
@@ -22,7 +22,7 @@ fn runs(drawing: &Drawing, item: Item) -> Vec<(char, i64, i64)> {
 
 #[test]
 fn a_ray_behind_a_sphere_is_dashed_there() {
-    // The sphere of radius 0.5 stands half way to the ray: it covers 2 of the ray's 10 units.
+    // The sphere of radius 0.5 is half way to the ray, so it covers 2 of the ray's 10 units.
     let scene = Scene::new(vec![sphere(5.0, 0.0, -5.0, 0.5)], vec![]).expect("a scene");
     let observer = from_the_right(DVec3::new(0.0, 0.0, -5.0), 10.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
@@ -114,7 +114,7 @@ fn each_item_can_be_drawn_alone_and_left_out() {
         items
     };
     let all = of_marks(&stage);
-    // The others have no marks of their own in the world view.
+    // These items have no marks of their own in the world view.
     let filled =
         [Item::Picture, Item::PixelGrid, Item::Planes, Item::UvAxes, Item::Labels, Item::Loupe];
     for item in Item::ALL {
@@ -159,7 +159,7 @@ fn handles_keep_their_size_and_stand_out_by_form() {
 
 #[test]
 fn labels_name_everything_in_the_canonical_scene() {
-    // The picture is small; so is everything that is measured in points.
+    // The picture is small, and so is everything that is measured in points.
     let stage = canonical();
     let drawing = WorldView { scale: 0.3, ..stage.view() }.drawing(stage.scene());
     let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Returns a strategy for coordinates of every size, and ordinary ones.
+/// Returns a strategy for coordinates: of every magnitude, and ordinary ones.
 fn wild() -> impl Strategy<Value = f64> {
     let any_size = (-1.0..1.0f64, -300..300i32).prop_map(|(m, e)| m * 10f64.powi(e));
     prop_oneof![4 => -8.0..8.0f64, 1 => any_size, 1 => Just(0.0)]
@@ -52,7 +52,7 @@ fn check_drawing(drawing: &Drawing) {
     let size = DVec2::new(SIZE.0.into(), SIZE.1.into());
     for mark in &drawing.marks {
         for [x, y] in points(mark) {
-            // Lines are cut a little beyond the border; heads and discs reach a little farther.
+            // Lines are cut a little beyond the border; arrowheads and discs extend a little farther.
             let inside = x.abs() < 3.0 * SIZE.0 as f32 && y.abs() < 3.0 * SIZE.1 as f32;
             assert!(x.is_finite() && y.is_finite() && inside, "{mark:?}");
         }

@@ -1,6 +1,6 @@
-//! The edited camera drawn as lines in the world view (eye, arrows, frustum, viewport, selected ray),
-//! and the objects that are not traced there: each plane is a patch with a grid near the observer's
-//! target, and a sphere around the camera is cut away.
+//! Draws the edited camera as lines in the world view (eye, arrows, frustum, viewport, selected ray), and the
+//! objects that are not traced there: each plane is a patch with a grid near the observer's target, and a
+//! sphere around the camera is cut away.
 
 use egui::Color32;
 use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
@@ -20,14 +20,14 @@ use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::highlighted::silhouette;
 use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch, Tip};
 
-/// Size of the viewport on the screen, in points, below which the camera has a body: its handles
-/// would lie over each other, and its frustum could hardly be seen.
+/// Size of the viewport on the screen, in points, below which the camera has a body. At such a size the
+/// viewport's handles would overlap, and its frustum could hardly be seen.
 pub const SMALL_VIEWPORT: f64 = 52.0;
 
-/// Width or height, whichever is larger, and depth of the camera's body, in points.
+/// Size of the camera's body, in points: the larger of its width and height, and its depth.
 const BODY: (f64, f64) = (30.0, 34.0);
 
-/// Height of a view, in points, below which the body becomes smaller with the view.
+/// Height of a view, in points, below which the body shrinks with the view.
 const LOW: f64 = 300.0;
 
 /// Significant digits of t at the point that moves along the ray.
@@ -57,7 +57,7 @@ impl Sketch<'_> {
         self.eye_and_at();
     }
 
-    /// Returns one world unit at a point, limited to a range of points on the screen.
+    /// Returns the length of one world unit at a point, limited to a range of points on the screen.
     pub(crate) fn length_of_points(&self, at: DVec3, range: (f64, f64)) -> f64 {
         self.screen.length_of_points(at, range, self.scale())
     }
@@ -94,8 +94,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the t of the corner rays up to which the frustum is drawn: past every sphere of ordinary
-    /// size.
+    /// Returns the t of the corner rays up to which the frustum is drawn, which is beyond every sphere of
+    /// ordinary size.
     fn reach(&self, resolved: &ResolvedCamera) -> f64 {
         const ASKED_SPHERES: usize = 1024;
         const LEAST: f64 = 2.2;
@@ -109,8 +109,8 @@ impl Sketch<'_> {
         far_sides.filter(|t| *t < limit).fold(LEAST, f64::max) * 1.1 * planes
     }
 
-    /// Draws the edges from the eye through the viewport's corners, as far as the nearest plane or
-    /// past the spheres.
+    /// Draws the edges from the eye through the viewport's corners, up to the nearest plane or past the
+    /// spheres.
     fn frustum(&mut self, resolved: &ResolvedCamera) {
         let ink = self.colors.ink;
         let near = LineStyle::new(Item::Frustum, ink, 1.8);
@@ -132,11 +132,11 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the camera's body if its viewport is too small to be seen: a box of fixed size on the
-    /// screen, with the eye as the hole in its front.
+    /// Draws the camera's body if its viewport is too small to be seen: a box of fixed size on the screen,
+    /// with a hole in its front at the eye.
     ///
-    /// The box stands behind the eye, where no viewport can be. Frustum, viewport, picture and ray are
-    /// drawn to scale at any size: an enlarged frustum would show the viewport where it is not.
+    /// The box stands behind the eye, where no viewport can be. The frustum, the viewport, the picture and
+    /// the ray are always drawn to scale: an enlarged frustum would show the viewport in the wrong place.
     fn body(&mut self, resolved: &ResolvedCamera) {
         let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
         let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
@@ -145,7 +145,7 @@ impl Sketch<'_> {
             return;
         }
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
-        // In a low view it takes no more than its share.
+        // In a low view, the body takes no more than its share of the height.
         let low = (self.screen.size.min_element() / (LOW * self.scale())).clamp(0.4, 1.0);
         let point = low * self.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);
@@ -252,7 +252,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the point p + t d with its t, and a line to it if the ray is not drawn that far.
+    /// Draws the point p + t d with its t, and a line to it if the ray is not drawn as far as the point.
     fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
@@ -283,7 +283,7 @@ impl Sketch<'_> {
         self.sides(corners, pen.without_halo());
     }
 
-    /// Draws the given view and up; a camera given by its basis has neither.
+    /// Draws the given view and up vectors; a camera given by its basis has neither.
     fn given(&mut self, arrow: f64) {
         let view = self.view;
         let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
@@ -347,20 +347,19 @@ pub(crate) fn basis_arrows(
     arrows.into_iter()
 }
 
-/// Returns (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
+/// Returns (u, v) of the viewport's corners, clockwise in the image from the corner of pixel (0, 0).
 pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
-/// Radius of a patch, as a share of the distances from the observer to the target and from the target
-/// to the plane together; and the greatest distance from the target to the plane, as a multiple of the
-/// distance from the observer to the target.
+/// `PATCH_RADIUS` is the radius of a patch, as a share of the sum of two distances: from the observer to the
+/// target, and from the target to the plane. `PATCH_REACH` is the maximum distance from the target to the
+/// plane, as a multiple of the distance from the observer to the target.
 const PATCH_RADIUS: f64 = 0.5;
 const PATCH_REACH: f64 = 3.0;
 
-/// Opacity of a patch in its middle; and its opacity there if it is between the observer and the
-/// camera.
+/// Opacity in the middle of a patch, in general and if the patch is between the observer and the camera.
 const OPACITY: f32 = 0.75;
 const OPACITY_BETWEEN: f32 = 0.2;
 
@@ -405,7 +404,7 @@ impl WorldView {
     }
 }
 
-/// Returns a grid step of 1, 2 or 5 times a power of ten: about nine cells across a patch.
+/// Returns a grid step of 1, 2 or 5 times a power of ten, which gives about nine cells across a patch.
 fn grid_step(distance: f64) -> f64 {
     let about = 2.0 * PATCH_RADIUS * distance / 9.0;
     let power = 10f64.powf(about.log10().floor());
@@ -423,8 +422,8 @@ fn grid_step(distance: f64) -> f64 {
 }
 
 impl Sketch<'_> {
-    /// Draws the rim of a sphere that is cut away, and on the rest of it three circles orthogonal to x, y
-    /// and z.
+    /// Draws the rim of a sphere that is cut away, and three circles on its remaining part, orthogonal to x,
+    /// y and z.
     pub(crate) fn cut_away(
         &mut self,
         index: u32,

@@ -1,4 +1,4 @@
-//! What the world view draws to compare with the edited camera: the ghost (its eye, basis, frustum and
+//! Draws in the world view what is compared with the edited camera: the ghost (its eye, basis, frustum and
 //! viewport, all dashed, with a prime after each name), and a student's answers, dashed.
 
 use egui::Color32;
@@ -15,20 +15,21 @@ use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;
 
-/// Greatest length at which a basis vector is drawn to scale; a wrong one may have any length.
+/// Maximum length at which a basis vector is drawn to scale; a wrong one may have any length.
 const LONGEST: f64 = 2.0;
 
-/// A camera to compare with: a frozen one, or the one that a mistake makes.
+/// A camera to compare with: a frozen camera, or the camera that results from a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostCamera {
     eye: DVec3,
     /// u, v and w, where they are drawn.
     basis: [Option<DVec3>; 3],
-    /// From the eye to the viewport's corners, from that of pixel (0, 0) clockwise in the image.
+    /// Vectors from the eye to the viewport's corners, clockwise in the image from the corner of pixel (0,
+    /// 0).
     corners: [DVec3; 4],
-    /// True if it is a separate camera with its own eye; a mistake's camera has the right eye.
+    /// True if this is a separate camera with its own eye; a mistake's camera has the right camera's eye.
     is_frozen: bool,
-    /// True if pixel (0, 0) lies at another corner than the right camera's.
+    /// True if the corner of pixel (0, 0) is not the same as in the right camera.
     is_turned: bool,
 }
 
@@ -45,7 +46,7 @@ impl GhostCamera {
         }
     }
 
-    /// Returns a mistake's camera as a ghost, with only the wrong vectors of its basis.
+    /// Returns a mistake's camera as a ghost that has only the wrong vectors of its basis.
     pub fn of_mistake(wrong: &WrongCamera) -> GhostCamera {
         let right = wrong.right_camera();
         let [u, v, w] = wrong.wrong_vectors();
@@ -62,7 +63,7 @@ impl GhostCamera {
 }
 
 impl Sketch<'_> {
-    /// Draws the ghost, below everything that belongs to the edited camera.
+    /// Draws the ghost below everything that belongs to the edited camera.
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
@@ -99,16 +100,16 @@ impl Sketch<'_> {
     }
 }
 
-/// Lengths, in unit vectors, between which an answer is drawn to scale.
+/// Range of lengths, in unit vectors, at which an answer is drawn to scale.
 const LENGTHS: (f64, f64) = (0.3, 1.5);
 
-/// The item of all answers. No checkbox switches them off, because the page is about them.
+/// The overlay item of all answers. No checkbox hides them, because the page is about them.
 const ITEM: Item = Item::Eye;
 
 impl Sketch<'_> {
     /// Draws the answers, on top of the camera's marks.
     pub(crate) fn answer_marks(&mut self) {
-        // The right ones come first, so that a student's lies over them.
+        // The right answers come first, so that a student's answers lie on top of them.
         let mut marks: Vec<&AnswerMark> = self.view.answer_marks.iter().collect();
         marks.sort_by_key(|mark| mark.is_dashed);
         for mark in marks {
@@ -165,7 +166,7 @@ impl Sketch<'_> {
         self.label_tip(pen, mark.label.as_str(), tip, (pen.color, text_size, true));
     }
 
-    /// Draws a ray up to its t, or to its first hit, and labels it at the viewport.
+    /// Draws a ray up to its t or its first hit, with a label at the viewport.
     fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: LineStyle) {
         let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {
@@ -191,7 +192,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point: the right one as a disc, a student's as a ring.
+    /// Draws a point: the right one as a disc, a student's point as a ring.
     fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: LineStyle) {
         if mark.is_dashed {
             self.ring(at, radius + 2.0, pen);

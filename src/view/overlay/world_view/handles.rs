@@ -1,4 +1,4 @@
-//! Handles, drawn over everything else and always of one size on the screen. A hovered or held
+//! Handles, drawn on top of everything else and always at the same size on the screen. A hovered or held
 //! handle is larger, has a different middle, and shows the line or ring along which it moves.
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
@@ -12,15 +12,15 @@ use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
-    /// The handles; later ones lie over earlier ones.
+    /// Arrows that are drawn only for their handles, such as the normals of planes.
     pub marks: Vec<HandleMark>,
     /// Arrows that are drawn only for their handles: the normals of planes.
     pub stems: Vec<[DVec3; 2]>,
     /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
-    /// Length of the basis arrows in the world, while one of them is held.
+    /// Length in the world of the basis arrows while one of them is held.
     pub arrow: Option<f64>,
-    /// Length of the up arrow in the world, while its tip is held.
+    /// Length in the world of the up arrow while its tip is held.
     pub up: Option<f64>,
 }
 
@@ -87,20 +87,20 @@ pub enum Guide {
     },
 }
 
-/// Distance from the middle of a handle to its edge, in points: of plain ones, and of the others.
+/// Distance from the middle of a handle to its edge, in points: for plain handles, and for the others.
 const PLAIN: f64 = 6.0;
 const LARGE: f64 = 10.0;
 
 /// Distance from the edge to the empty middle, in points.
 const RIM: f64 = 2.4;
 
-/// Returns the world length that covers `points` points on the screen at a point; 0 if the point is not
-/// visible.
+/// Returns the length in the world that covers `points` points on the screen at a point of the world; 0 if
+/// that point is not visible.
 pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     screen_at(observer, at).length_of_points(at, (points, points), scale.into())
 }
 
-/// Returns the world length of the arrows at a camera's eye, as the world view draws them.
+/// Returns the length in the world of the arrows at a camera's eye, as the world view draws them.
 pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     screen_at(observer, eye).arrow_length(eye, scale.into())
 }
@@ -134,8 +134,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the handles that do not overlap, hovered and held ones first. If two overlap, the second
-    /// appears only while it is hovered or held.
+    /// Returns the handles that do not overlap; hovered and held ones have priority. If two overlap, the
+    /// second appears only while it is hovered or held.
     fn apart<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
         let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
             marks.iter().partition(|mark| mark.state == KnobState::Plain);
@@ -185,7 +185,7 @@ impl Sketch<'_> {
             Guide::Ring { center, a, b } => {
                 let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.0).on_top();
                 let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
-                // The casing of each line would cut into the one before it.
+                // A casing around each line would cut into the line before it.
                 ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));
             }
         }

@@ -1,8 +1,8 @@
-//! Highlighting of a concept: it is drawn again, thicker and on top, even if its overlay item is
-//! switched off. If the derivation or a lesson speaks of it, everything else is dimmed; if the pointer
-//! only hovers it, nothing is.
+//! Highlighting of a concept: draws it again, thicker and on top, even if its overlay item is hidden. If the
+//! derivation or a lesson refers to the concept, everything else is dimmed; if the pointer only hovers over
+//! the concept, nothing is.
 //!
-//! This module has the parts that both views share, and the world view; the camera view is in
+//! This module has the world view's highlighting and the parts that both views share; the camera view's is in
 //! `camera_view::highlighted`.
 
 use egui::Color32;
@@ -38,7 +38,7 @@ impl Highlighted {
         written(x, self.digits.min(LABEL_DIGITS))
     }
 
-    /// Returns `=` if a label shows all of these numbers exactly, or else `≈`.
+    /// Returns `=` if a label shows all of these numbers exactly, otherwise `≈`.
     pub(crate) fn relation(&self, shown: &[f64]) -> char {
         let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
         if shown.iter().all(is_exact) { '=' } else { '≈' }
@@ -50,7 +50,7 @@ impl Highlighted {
     }
 }
 
-/// Maximum number of significant digits of a label: a longer one would cover what it names.
+/// Maximum number of significant digits of a label; a longer one would cover the thing that it names.
 const LABEL_DIGITS: usize = 4;
 
 /// Opacity of the other marks.
@@ -60,12 +60,12 @@ const DIMMED: f32 = 0.42;
 pub(crate) const ALONG: [(Concept, &str); 3] =
     [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
-/// Widths of highlighted lines and of the lines that go with them, in points.
+/// Widths of highlighted lines and of the lines that accompany them, in points.
 pub(crate) const STRONG: f32 = 5.0;
 pub(crate) const BESIDE: f32 = 3.0;
 
-/// Removes the concept's own marks and labels, which are drawn again, and dims the others if
-/// `highlighted` asks for it.
+/// Removes the concept's own marks and labels, which are drawn again. Dims the others if `highlighted`
+/// requests it.
 pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
     let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
@@ -82,22 +82,22 @@ pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
     }
 }
 
-/// Puts the concept's own labels first, so that they get the best places, and removes repeated
-/// names.
+/// Puts the concept's own labels first, so that they get the best positions, and removes other labels with
+/// the same text.
 pub(crate) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
     own.iter_mut().for_each(|request| request.rank = 0);
     others.retain(|other| own.iter().all(|request| request.label.text != other.label.text));
     own.into_iter().chain(others).collect()
 }
 
-/// Returns the style of the casing and that of the line. A chain of short lines needs one casing as a
-/// whole, below all of it.
+/// Returns the style of the casing and the style of the line. A polyline needs one casing as a whole, below
+/// all of its lines.
 pub(crate) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
     [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
-/// Returns the silhouette circle of a sphere as seen from a point; `None` from inside.
+/// Returns the silhouette of a sphere as seen from a point, which is a circle; `None` from inside.
 pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     let out = from - sphere.center;
     let distance = out.length();
@@ -223,9 +223,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws both factors, the parallelogram between them, and the product with its length
-    /// `|first| sin(angle)`; the second factor has length 1. If the first factor is too short or too
-    /// long to be drawn next to the second, it is drawn with length 1 as well.
+    /// Draws both factors, the parallelogram between them, and the product with its length `|first|
+    /// sin(angle)`; the second factor has length 1. If the first factor is too short or too long to be drawn
+    /// next to the second, it too is drawn with length 1.
     fn highlight_cross(
         &mut self,
         eye: DVec3,
@@ -270,7 +270,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights the parts that need the basis: its vectors, the viewport and its distance.
+    /// Highlights the concepts that need the basis: its vectors, the viewport and its distance.
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
         let eye = resolved.eye();
         let arrow = self.arrow_length(eye);
@@ -351,7 +351,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the parts of the direction as a chain from the eye: forwards, to the right and up.
+    /// Draws the parts of the direction as a chain from the eye: forwards, right and up.
     fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: LineStyle) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
@@ -370,7 +370,7 @@ impl Sketch<'_> {
         self.line(eye, from, ray);
     }
 
-    /// Draws a sphere's silhouette, or a square in a plane and its normal.
+    /// Draws a sphere's silhouette, or a square in a plane and the plane's normal.
     fn highlight_object(&mut self, index: u32) {
         let view = self.view;
         let Some(object) = self.scene.object(index) else { return };

@@ -28,8 +28,7 @@ use crate::view::overlay::world_view::highlighted::Highlighted;
 use crate::view::overlay::world_view::sketch::{Sketch, place_labels};
 use crate::view::overlay::{ColoredScene, Same};
 
-/// The inputs of the world view. Two equal ones give the same picture, so its cache compares them as a
-/// whole.
+/// The inputs of the world view. Equal inputs give the same picture, so the cache compares them as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldView {
     /// The edited camera as given, maybe without a basis.
@@ -40,7 +39,7 @@ pub struct WorldView {
     pub picture: Option<Same<Picture>>,
     /// The selected ray.
     pub inspection: Option<Same<Inspection>>,
-    /// The generation numbers of the objects and of their colours, in place of the scene that is drawn.
+    /// The generation numbers of the objects and of their colours; they stand for the scene that is drawn.
     pub generations: [u64; 2],
     /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
     /// drawn cut away.
@@ -68,15 +67,15 @@ pub struct WorldView {
     pub handles: Handles,
     /// True if the picture is transparent where the observer sees nothing.
     pub is_clear: bool,
-    /// True if everything is named, as in lessons and figures; otherwise only the camera's parts and the
-    /// highlighted concept are.
+    /// True if everything has a label, as in lessons and figures; otherwise only the camera's parts and the
+    /// highlighted concept have one.
     pub names_all: bool,
-    /// True if the marks are not painted into the picture: a figure draws them itself.
+    /// True if the marks are not painted into the picture, because a figure draws them itself.
     pub is_apart: bool,
 }
 
-/// The layers painted over the observer's picture behind the camera and its marks: the cut-away spheres
-/// around the camera, and the planes' patches. They stay the same while only the camera moves.
+/// The layers painted over the observer's picture, behind the camera and its marks: the cut-away spheres
+/// around the camera, and the patches of the planes. They stay the same while only the camera moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
     patches: Vec<PlanePatch>,
@@ -114,7 +113,7 @@ pub struct Below<'a> {
     pub painted: &'a [Color32],
 }
 
-/// Paints the world view. Returns the drawing; its labels are left to the caller.
+/// Paints the world view. Returns the drawing, whose labels the caller must draw.
 pub fn world(
     view: &WorldView,
     scene: ColoredScene<'_>,
@@ -129,8 +128,8 @@ pub fn world(
     drawing
 }
 
-/// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` outside the
-/// viewport and where an object hides it.
+/// Returns the viewport's (u, v) at a position of the world view, in dots; `None` outside the viewport or
+/// where an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = wide(position);
@@ -141,8 +140,8 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Returns the position in the world view, in dots, of a point of the world; `None` behind the
-/// observer and outside the picture. Occlusion is not considered.
+/// Returns the position in the world view, in dots, of a point of the world; `None` behind the observer or
+/// outside the picture. Ignores objects in front of the point.
 pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
@@ -150,8 +149,8 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     Some(dot(spot.at))
 }
 
-/// Returns the t at which the ray's line passes nearest to the observer's line of sight at a
-/// position, in dots, rounded to a hand's precision; `None` where the two lines are parallel.
+/// Returns the t at which the ray's line passes closest to the observer's line of sight through a position in
+/// dots, rounded to the precision of the pointer; `None` if the two lines are parallel.
 pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
     let observer = frame.camera();
     let size = [observer.image().width() as usize, observer.image().height() as usize];
@@ -176,8 +175,8 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
-/// Least distance between drawn pixel edges, in points. If they would be closer, only every second,
-/// fifth, tenth... edge is drawn.
+/// Minimum distance between drawn pixel edges, in points. If they would be closer, only every second, fifth,
+/// tenth... edge is drawn.
 const GRID_SPACING: f64 = 7.0;
 
 impl WorldView {
@@ -257,7 +256,8 @@ impl WorldView {
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space();
         sketch.answer_marks();
-        // The ghost's labels come last, so that the camera's get the room if there is not enough for both.
+        // The ghost's labels come last, so that the camera's labels get the space if there is not enough for
+        // both.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
             sketch.highlight(highlighted);
@@ -280,7 +280,7 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<
         let half_extent = match ends {
             (Some(a), Some(b)) => (b.at - a.at).length(),
             (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
-            // The observer is so near that the whole screen is within the viewport.
+            // The observer is so close that the whole screen is within the viewport.
             (None, None) => screen.size.max_element(),
         };
         2.0 * half_extent / f64::from(count)

@@ -25,7 +25,7 @@ pub(crate) struct LineStyle {
     /// Width in points.
     pub(crate) width: f32,
     pub(crate) halo: bool,
-    /// True if it lies on the viewport's rectangle, which then does not hide it.
+    /// True if the line lies on the viewport's rectangle, which then does not hide it.
     pub(crate) on_viewport: bool,
     /// True if nothing hides it.
     pub(crate) on_top: bool,
@@ -58,16 +58,16 @@ pub(crate) struct Sketch<'a> {
     pub(crate) requests: Vec<Request>,
 }
 
-/// Distance, in dots, between two occlusion tests along a line. If two neighbours differ, bisection
-/// finds the change between them to a quarter of a dot.
+/// Distance, in dots, between two occlusion tests along a line. If two neighbouring tests differ, bisection
+/// finds the change between them to within a quarter of a dot.
 const SAMPLE_SPACING: f64 = 3.0;
 const HALVINGS: u32 = 3;
 
-/// Length, in points, below which a run is drawn like its neighbour.
+/// Length, in points, below which a part of a line is drawn like its neighbour.
 const SHORTEST_RUN: f64 = 3.0;
 
-/// A part of a line that is either visible or hidden throughout. Its ends are shares of the line's
-/// length on the screen.
+/// A part of a line that is either wholly visible or wholly hidden. Its ends are shares of the line's length
+/// on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LinePart {
     from: f64,
@@ -87,7 +87,7 @@ impl LineStyle {
         LineStyle { pattern, ..self }
     }
 
-    /// Sets the concept that is hovered when the pointer is on the line.
+    /// Sets the concept that becomes hovered when the pointer is on the line.
     pub(crate) fn about(self, concept: Concept) -> LineStyle {
         LineStyle { concept: Some(concept), ..self }
     }
@@ -108,7 +108,7 @@ impl LineStyle {
         LineStyle { on_viewport: true, ..self }
     }
 
-    /// Returns the mark of a visible shape, in a casing of the colour `halo` if the style has one.
+    /// Returns the mark of a visible shape, with a casing of the colour `halo` if the style has a casing.
     pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
         Mark {
             item: self.item,
@@ -136,7 +136,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow whose head has a fixed size on the screen. Returns its tip if it is in the picture.
+    /// Draws an arrow whose head has a fixed size on the screen. Returns the arrow's tip if the tip is in the
+    /// picture.
     pub(crate) fn arrow(
         &mut self,
         from: DVec3,
@@ -156,7 +157,7 @@ impl Sketch<'_> {
         let length = along.length();
         let full = self.scale() * (4.0 + 3.0 * f64::from(pen.width));
         let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
-            // It points towards the observer or away: only its end is visible.
+            // The arrow points towards the observer or away, so only its end is visible.
             self.disc(to, pen.width + 1.5, pen);
             return Some(Tip { spot: to, direction: DVec2::ZERO });
         };
@@ -189,7 +190,7 @@ impl Sketch<'_> {
                 let thin = if hidden { 0.6 } else { 1.0 };
                 Shape::Line { points, width: thin * pen.width * self.drawing.scale }
             };
-            // The head is never dashed, or its shape would be lost.
+            // The head is never dashed, because dashes would hide its shape.
             let pen = LineStyle { halo: pen.halo && !hidden, ..pen };
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         };
@@ -337,7 +338,7 @@ fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
             Some(last) if last.hidden == run.hidden || run.to - run.from < shortest => {
                 last.to = run.to;
             }
-            // The first run of a line has no run before it.
+            // The first part of a line has no part before it.
             Some(last) if last.to - last.from < shortest => {
                 *last = LinePart { from: last.from, ..*run };
             }
@@ -363,14 +364,14 @@ pub(crate) struct Request {
     pub(crate) concept: Option<Concept>,
     /// The point it names, in dots.
     pub(crate) anchor: DVec2,
-    /// The preferred direction from the anchor; of any length, zero for no preference.
+    /// The preferred direction from the anchor, of any length; zero if there is no preference.
     pub(crate) toward: DVec2,
     /// Lower ranks are placed first.
     pub(crate) rank: u8,
 }
 
 impl Request {
-    /// Creates the request for a label in a style's item, with a colour, a size in points, and boldness.
+    /// Creates the request for a label with an overlay item, a colour, a size in points, and boldness.
     pub(crate) fn new(
         pen: LineStyle,
         text: String,
@@ -383,8 +384,8 @@ impl Request {
     }
 }
 
-/// Returns the rank of an item's label: the names of the camera's parts come before those of the
-/// ray, the world's axes and the marks.
+/// Returns the rank of an item's label. The names of the camera's parts come before those of the ray, the
+/// world's axes and the marks.
 fn rank(item: Item) -> u8 {
     match item {
         Item::Handles => 1,
@@ -400,7 +401,7 @@ fn rank(item: Item) -> u8 {
 /// Distance from the anchor to the edge of the label, in points.
 const GAP: f64 = 7.0;
 
-/// Number of directions tried around the anchor, and of distances in each.
+/// Number of directions tried around the anchor, and number of distances tried in each direction.
 const DIRECTIONS: usize = 16;
 const RINGS: usize = 9;
 
@@ -413,8 +414,8 @@ const OBSTACLE_SPACING: f64 = 5.0;
 /// A rectangle: its centre, and half of its width and height.
 type Area = (DVec2, DVec2);
 
-/// Places the requests by rank, so that the first ones get the best positions, and adds the labels and
-/// their leader lines to the drawing. A label that fits nowhere near its anchor is left out.
+/// Places the requests in order of rank, so that the first ones get the best positions, and adds the labels
+/// and their leader lines to the drawing. Omits a label that fits nowhere near its anchor.
 pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, size: DVec2) {
     requests.sort_by_key(|request| request.rank);
     let scale = drawing.scale;
@@ -446,7 +447,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
     }
 }
 
-/// Returns the leader line from an anchor to its label, if the label is far from it.
+/// Returns the leader line from an anchor to its label, if the label is far from the anchor.
 fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[DVec2; 2]> {
     let end = request.anchor.clamp(center - half, center + half);
     let from = request.anchor.move_towards(end, 0.5 * GAP * f64::from(scale));
@@ -475,7 +476,7 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
             let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
             Some((0.5 * (least + most), 0.5 * (most - least)))
         }
-        // A guide or the ring of a held handle, not a handle's area.
+        // This is a guide, or the ring of a held handle, and not the area of a handle.
         Shape::Line { .. } => None,
     });
     areas.collect()
