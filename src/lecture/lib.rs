@@ -1,6 +1,6 @@
-//! The lecture, worked out: every step with its numbers, the classic mistakes, exercises,
-//! and students' answers graded. It knows no window and no file; the exact answers are those of
-//! [`pinhole_core`].
+//! The lecture's calculations: every step with its numbers, the classic mistakes, exercises, and
+//! grading of students' answers. It is independent of windows and files; [`pinhole_core`] computes
+//! the exact answers.
 //!
 //! # What is where
 //!
@@ -9,21 +9,21 @@
 //! | eye, at (or view) and up to u, v, w | [`BasisDerivation`] |
 //! | a pixel to (u, v), and from there to the view ray | [`RayDerivation`] |
 //! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot the object's implicit function in |
-//! | lines in two dimensions | [`lines`]: implicit and parametric, and one put into the other |
+//! | lines in two dimensions | [`lines`]: implicit and parametric, and the substitution of one into the other |
 //! | numbers for readers | [`numbers`] |
 //! | numbers such as `5√2` and `(5, 0, -7)/√74` | [`NumberForm`], [`VectorForm`] |
-//! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that sees, and the checks that find it |
-//! | exercises | [`exercises`]: questions, their answers, and what is to be said of a wrong one |
-//! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
+//! | the classic mistakes | [`mistakes`]: a description of each, its wrong camera and picture, and the checks that find it |
+//! | exercises | [`exercises`]: questions, their answers, and verdicts on wrong answers |
+//! | students' answers | [`grading`]: a comparison with the truth, and the mistakes that explain them |
 //!
-//! A step that does not exist (u of a camera whose up is parallel to its view) is `None`, and the
-//! reason is told beside it: no number here is NaN for want of an answer.
+//! A step that does not exist (u of a camera whose up is parallel to its view) is `None`, and an
+//! error gives the reason. No number is NaN because an answer is missing.
 //!
 //! # What stays
 //!
-//! What pinhole-core's changelog says. [`Mistake`](mistakes::Mistake), [`Check`](mistakes::Check),
-//! errors and derivations may grow; the [`exercises`] with their verdicts are
-//! complete: whoever shows them all wants to be told of a new one by the compiler.
+//! The stability rules are those of pinhole-core's changelog. [`Mistake`](mistakes::Mistake),
+//! [`Check`](mistakes::Check), errors and derivations may grow. The [`exercises`] with their
+//! verdicts are complete, so that the compiler reports a new one to code that must show them all.
 
 mod derivation;
 pub mod exercises;
@@ -40,12 +40,12 @@ pub use derivation::{
 };
 pub use forms::{NumberForm, VectorForm};
 
-/// The README's example is run with the others.
+/// Runs the README's example together with the other examples.
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// Errors that may grow cannot be matched as if they were complete.
+/// Checks that a match on an error that may grow does not compile without a wildcard.
 ///
 /// ```compile_fail,E0004
 /// fn number_of(error: pinhole_lecture::lines::LineError) -> u8 {

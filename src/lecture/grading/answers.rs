@@ -1,11 +1,11 @@
-//! Students' answers, and the digits to which they are written.
+//! Students' answers, and the number of digits to which they are written.
 
 use pinhole_core::{DVec3, Pixel, Rgb};
 
-/// A student's answers, of one kind.
+/// A student's answers, all of one kind.
 ///
-/// Rows and columns count from 0 here. A row of H or a column of W is none of the image, and stands
-/// for what a student who counts from 1 without saying so calls the last one.
+/// Rows and columns count from 0 here. Row H and column W lie outside the image; they stand for the
+/// last row and column of a student who counts from 1 without saying so.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answers {
     /// u, v and w.
@@ -31,13 +31,13 @@ pub enum AnswerKind {
     Picture,
 }
 
-/// A number or vector as it was written, to so many digits.
+/// A number or vector as the student wrote it, to some number of digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Written<T> {
     /// The value that was read.
     pub value: T,
-    /// Largest distance of the number that was meant, in each coordinate: half a unit of the last
-    /// digit. 0 of numbers with all their digits.
+    /// Maximum distance of the intended number in each coordinate: half a unit of the last digit.
+    /// It is 0 for numbers with all their digits.
     pub rounding: f64,
 }
 
@@ -64,7 +64,7 @@ pub struct HitAnswer {
     pub hit: Option<GivenHit>,
 }
 
-/// A hit, in as many parts as the student gave.
+/// A hit, with the parts that the student gave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenHit {
     /// The position on the ray.
@@ -105,7 +105,7 @@ impl Answers {
         }
     }
 
-    /// The count of vectors, rays, hits or pixels.
+    /// The number of vectors, rays, hits or pixels.
     pub fn len(&self) -> usize {
         match self {
             Answers::Basis(vectors) => vectors.len(),
@@ -120,10 +120,11 @@ impl Answers {
         self.len() == 0
     }
 
-    /// Returns whether a program that computes in `f32` may have written them: each number that is
-    /// looked at is an `f32` to as many digits as it was written.
+    /// Returns true if a program that computes in `f32` may have written the answers: each examined
+    /// number is an `f32` to as many digits as it was written.
     pub(super) fn may_be_single(&self) -> bool {
-        /// Answers from all over that are looked at: one number in full double precision is enough.
+        /// Number of answers, spread evenly, that are examined: one number in full double precision
+        /// is enough.
         const LOOKED_AT: usize = 2000;
         let step = self.len().div_ceil(LOOKED_AT).max(1);
         let vector = |vector: &WrittenVector| {
@@ -146,16 +147,17 @@ impl Answers {
     }
 }
 
-/// Returns whether a number is an `f32`, or an `f32`'s shortest decimal, to its digits.
+/// Returns true if a number, to its written digits, is an `f32` or the shortest decimal of an
+/// `f32`.
 fn is_single(number: Written<f64>) -> bool {
     let single = number.value as f32;
     let off = (f64::from(single) - number.value).abs();
-    // At half a unit, where C rounds to even, a little more.
+    // The margin is slightly above half a unit, because C rounds halves to even.
     off <= number.rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(number.value)
 }
 
-/// The digits to which the numbers of some answers are written. Zeros at the end do not show, so
-/// the longest of them tell for all.
+/// The number of digits to which some answers are written. Trailing zeros are not written, so the
+/// longest numbers determine it for all.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
     /// Significant digits.
@@ -165,9 +167,10 @@ pub(super) struct Precision {
 }
 
 impl Precision {
-    /// The precision of these answers; `None` where they have all digits, or no numbers.
+    /// Returns the precision of these answers; `None` if they have all digits, or contain no
+    /// numbers.
     pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
-        /// More than a number is ever said to lack.
+        /// Above this many significant digits, a number counts as complete.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
         for_each(&mut answers.clone(), |numbers, _| {
@@ -176,21 +179,22 @@ impl Precision {
                 let (digits, decimals) = (before.digits.max(digits), before.decimals.max(decimals));
                 longest = Some(Precision { digits, decimals });
             }
-            // The first number with all its digits tells enough.
+            // The first number with all its digits decides, so the search stops there.
             longest.is_none_or(|longest| longest.digits <= MANY)
         });
         longest.filter(|longest| longest.digits <= MANY)
     }
 
-    /// Half a unit of the last digit of a number of this size.
+    /// Returns half a unit of the last digit of a number of this size.
     fn half_unit(self, size: f64) -> f64 {
         let of_decimals = 10f64.powi(-self.decimals);
         let of_digits = exponent(size).map_or(0.0, |e| 10f64.powi(e + 1 - self.digits));
-        // A little more, as both sides are rounded.
+        // The margin is slightly larger, because both sides are rounded.
         (0.5 + 1e-9) * of_decimals.max(of_digits)
     }
 
-    /// The answers, each allowed half a unit of its last digit; and the fewest digits that one has.
+    /// Returns the answers with a rounding of half a unit of the last digit each, and the smallest
+    /// number of digits of any answer.
     pub(super) fn allowed(self, answers: &Answers) -> (Answers, i32) {
         let mut fewest = self.digits;
         let mut allowed = answers.clone();
@@ -206,12 +210,12 @@ impl Precision {
     }
 }
 
-/// The power of ten of a number's first digit; 0 has none.
+/// Returns the power of ten of a number's first digit; `None` for 0.
 fn exponent(size: f64) -> Option<i32> {
     (size > 0.0 && size.is_finite()).then(|| size.log10().floor() as i32)
 }
 
-/// Significant digits, and digits behind the point, in the shortest decimal; 0 has none.
+/// Returns the number of significant digits and of decimals in the shortest decimal; `None` for 0.
 fn written(size: f64) -> Option<(i32, i32)> {
     exponent(size)?;
     let text = format!("{size:e}");
@@ -220,7 +224,8 @@ fn written(size: f64) -> Option<(i32, i32)> {
     Some((digits, digits - 1 - exponent.parse::<i32>().ok()?))
 }
 
-/// Calls with each number, or each vector's numbers, and their rounding, while that returns true.
+/// Calls `each` with every number, or every vector's numbers, and their rounding, until it returns
+/// false.
 fn for_each(answers: &mut Answers, mut each: impl FnMut(&[f64], &mut f64) -> bool) {
     let mut vector =
         |vector: &mut WrittenVector| each(&vector.value.to_array(), &mut vector.rounding);

@@ -9,73 +9,74 @@ use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnosis {
-    /// The smallest set of known mistakes with which a program gives all of these answers, the
-    /// right ones too: one, or two of [`Mistake::GRADED`]. Of several such sets, the first in the
-    /// order of [`Mistake::GRADED`] and [`Mistake::ALONE`], in which `v = u x w` is the last that
-    /// is graded unless a basis is answered: rays cannot tell it from rows that count from the
-    /// bottom. Empty where there is none, and where nothing is wrong.
+    /// The smallest set of known mistakes with which a program gives all of these answers,
+    /// including the right ones. It contains one mistake, or two of [`Mistake::GRADED`]. Of several
+    /// such sets, it is the first in the order of [`Mistake::GRADED`] and [`Mistake::ALONE`]. In
+    /// that order, `v = u x w` is the last graded mistake unless a basis is answered, because rays
+    /// cannot distinguish it from rows that count from the bottom. The set is empty if there is
+    /// none, and if nothing is wrong.
     pub mistakes: Vec<Mistake>,
-    /// Other sets of as many that give the same answers here, in the same order.
+    /// Other sets of the same size that give the same answers, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
-    /// One slip that gives these answers, where no other mistake alone does.
+    /// A slip that gives these answers, if no other single mistake does.
     pub other: Option<Mistake>,
-    /// All answers would be right if rows and columns counted from 1.
+    /// True if all answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
-    /// All answers would be right if rows and columns began one earlier: at 0, where they were read as
-    /// beginning at 1.
+    /// True if the answers were read as counting from 1, and all would be right if they counted
+    /// from 0.
     pub counted_from_zero: bool,
     /// Objects are counted from 1.
     pub objects_from_one: bool,
-    /// There are mistakes, and every wrong answer is a miss or a hit of what lies behind, as of a program
-    /// that does not see the nearer object, for whatever reason.
+    /// True if there are mistakes, and every wrong answer is a miss or a hit of an object behind
+    /// the right one. A program that does not see the nearer object gives such answers, for
+    /// whatever reason.
     pub may_be_unseen: bool,
-    /// The step between answers held against the pipeline that is named: 1, all of them, unless
-    /// they are so many, and spheres too, that it would take minutes.
+    /// The step between the answers that were compared with the named pipeline. It is 1, for all of
+    /// them, unless there are so many answers and spheres that the comparison would take minutes.
     pub of_every: usize,
 }
 
-/// Answers of some kind, held against the truth and against pipelines.
+/// Answers of one kind, compared with the truth and with pipelines.
 pub(super) trait Fits: Sync {
     /// The count of answers.
     fn len(&self) -> usize;
 
-    /// Returns whether u, v and w themselves are answered.
+    /// Returns true if the answers are u, v and w themselves.
     fn shows_basis(&self) -> bool {
         false
     }
 
-    /// Finds what has to be known before the first answer is looked at.
+    /// Calculates everything that must be known before the first answer is compared.
     fn prepare(&self, _camera: &mut PipelineCamera) {}
 
-    /// The count of spheres that one answer is held against, about.
+    /// Returns the approximate number of spheres that each answer is tested against.
     fn work(&self, _pipeline: &Pipeline) -> usize {
         1
     }
 
-    /// Returns whether the pipeline may have given this answer.
+    /// Returns true if the pipeline may have given this answer.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 
-    /// Returns whether a program that does not see the object that is hit first may have given this
-    /// answer.
+    /// Returns true if a program that does not see the first object hit may have given this answer.
     fn may_be_unseen(&self, _index: usize) -> bool {
         false
     }
 
-    /// The verdict on this answer, and its distance from the truth.
+    /// Returns the verdict on this answer, and its distance from the truth.
     fn judged(&self, index: usize) -> Judged;
 
-    /// The right answer in place of this one.
+    /// Returns the right answer in place of this one.
     fn right(&self, index: usize) -> Right;
 }
 
-/// Answers that are looked at before all others are.
+/// Number of wrong answers, and of right answers, that are compared before all others.
 const FIRST_LOOKS: usize = 64;
 
-/// Maximum number of spheres that a pipeline's rays are held against, some seconds' work.
+/// Maximum number of sphere tests for a pipeline's rays, which take some seconds.
 const MOST_WORK: usize = 50_000_000;
 
-/// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all
-/// do.
+/// Finds the smallest set of mistakes. `is_right` is true for the answers that need none; at least
+/// one answer is wrong.
 pub(super) fn diagnose(
     given: &GivenCamera,
     answers: &dyn Fits,
@@ -93,7 +94,8 @@ pub(super) fn diagnose(
     let mut known = Mistake::GRADED.to_vec();
     known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
     if !answers.shows_basis() {
-        // Both turn the picture upside down, and no ray tells them apart. A basis does.
+        // Both mistakes turn the picture upside down, so rays cannot distinguish them, but a basis
+        // can.
         known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
     }
     let alone = known.iter().chain(Mistake::ALONE);
@@ -128,11 +130,11 @@ pub(super) fn diagnose(
     Diagnosis { other, ..named(explaining(given, answers, &looks, &sets)) }
 }
 
-/// Mistakes that rays show as two of [`Mistake::GRADED`].
+/// Mistakes that appear in rays as two of [`Mistake::GRADED`].
 const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Default for Diagnosis {
-    /// The diagnosis where nothing is wrong, or nothing explains it.
+    /// The diagnosis if nothing is wrong, or if nothing explains the answers.
     fn default() -> Diagnosis {
         Diagnosis::new(Vec::new())
     }
@@ -156,7 +158,8 @@ impl Diagnosis {
     }
 }
 
-/// The sets of which a pipeline gives all the answers, and the step between those looked at.
+/// Returns the sets of mistakes with a pipeline that gives all the answers, and for each the step
+/// between the compared answers.
 fn explaining(
     given: &GivenCamera,
     answers: &dyn Fits,
@@ -171,7 +174,7 @@ fn explaining(
     found.collect()
 }
 
-/// Returns whether the pipeline gives all the answers.
+/// Returns true if the pipeline gives all the answers.
 fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], pipeline: &Pipeline) -> bool {
     let mut camera = given.camera_of(*pipeline);
     answers.prepare(&mut camera);
@@ -180,13 +183,13 @@ fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], pipeline: 
         && (0..answers.len()).into_par_iter().step_by(stride).all(|k| answers.fits(&camera, k))
 }
 
-/// The step between answers that are held against a pipeline.
+/// Returns the step between the answers that are compared with a pipeline.
 fn stride(answers: &dyn Fits, pipeline: &Pipeline) -> usize {
     answers.len().saturating_mul(answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
 }
 
-/// Some wrong answers and some right ones, from all over: a program that did not give them is found
-/// out at once.
+/// Returns the indices of some wrong answers and some right ones, spread evenly. They quickly rule
+/// out a pipeline that did not give the answers.
 fn first_looks(is_right: &[bool]) -> Vec<usize> {
     let some = |wanted: bool| {
         let all: Vec<usize> =

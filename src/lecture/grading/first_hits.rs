@@ -1,30 +1,30 @@
-//! First hits that a pipeline's ray may be said to have, given how far its numbers may be off.
+//! The first hits that are acceptable for a pipeline's ray, given the error bounds of its numbers.
 //!
-//! An answer is right where it is the right one for objects that are larger or smaller by less than
-//! the tolerance allows at that distance. At a sphere's edge, where a hair's breadth decides
-//! between hit and miss, both are right, and so is whatever lies behind; where a ray grazes, t may
-//! be off by more than where it meets head-on. So a right program is not wrong for rounding,
-//! however it rounds.
+//! An answer is right if it is the exact answer for objects whose size differs by less than the
+//! tolerance allows at that distance. At a sphere's edge, where the slightest change decides
+//! between hit and miss, both are right, and so is the object behind. If a ray grazes an object,
+//! the error of t may be larger than for a head-on hit. With these rules no right program is called
+//! wrong because of rounding, however it rounds.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
 use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, WhichRoot};
 
-/// A position where a ray may be said to meet an object first.
+/// A point where an answer may say that the ray first meets an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PossibleHit {
     pub(super) object: u32,
-    /// The position on the ray, by the pipeline.
+    /// The pipeline's t of the point.
     pub(super) t: f64,
-    /// The least and the greatest t that it may be said to have.
+    /// The minimum and maximum acceptable t.
     pub(super) least: f64,
     pub(super) most: f64,
-    /// A pipeline that does not see it is wrong.
+    /// True if a pipeline that misses the object is wrong.
     is_sure: bool,
 }
 
-/// All that a ray may be said to hit first.
+/// All acceptable first hits of a ray.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FirstHits {
     pub(super) hits: Vec<PossibleHit>,
@@ -32,19 +32,19 @@ pub(super) struct FirstHits {
     pub(super) may_miss: bool,
 }
 
-/// Returns whether a pipeline's rays meet what is not near them, so that each must be held against
-/// every sphere: those of wrong discriminants do, and those of coarse numbers.
+/// Returns true if a pipeline's rays may meet distant spheres, so that each ray must be tested
+/// against every sphere. This is so for wrong discriminants and for numbers in `f32`.
 fn meets_far_off(pipeline: &Pipeline) -> bool {
     !pipeline.quadratic.meets_what_is_met() || pipeline.single
 }
 
-/// The count of spheres that a pipeline's ray is held against, about: few where the index finds
-/// those near it.
+/// Returns the approximate number of spheres that a pipeline's ray is tested against. It is small
+/// if the index finds the spheres near the ray.
 pub(super) fn work(scene: &Scene, pipeline: &Pipeline) -> usize {
     if meets_far_off(pipeline) { scene.spheres().len() } else { 1 }
 }
 
-/// A ray of a program's camera among objects.
+/// A ray of a program's camera, with its tolerance.
 struct Sight<'a> {
     camera: &'a PipelineCamera,
     tolerance: f64,
@@ -53,7 +53,7 @@ struct Sight<'a> {
 }
 
 impl FirstHits {
-    /// Finds them for the ray with this direction.
+    /// Finds the acceptable first hits of the ray with this direction.
     pub(super) fn find(
         scene: &Scene,
         camera: &PipelineCamera,
@@ -67,7 +67,7 @@ impl FirstHits {
     }
 }
 
-/// Finds where the ray with this direction meets each object by itself.
+/// Finds where the ray with this direction meets each object separately.
 pub(super) fn hits_of_each(
     scene: &Scene,
     camera: &PipelineCamera,
@@ -95,7 +95,7 @@ impl<'a> Sight<'a> {
         all
     }
 
-    /// Every sphere that the ray's line may be said to meet.
+    /// Calls `each` with every sphere that the ray's line may meet within the tolerance.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
         match ExactRay::from_ray(&ray) {
@@ -109,7 +109,8 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Largest change of an object's size that is allowed at this distance, in world units.
+    /// Returns the maximum change of an object's size that is allowed at this distance, in world
+    /// units.
     fn slack(&self, reach: f64) -> f64 {
         (self.tolerance + self.camera.off) * reach
     }
@@ -118,7 +119,7 @@ impl<'a> Sight<'a> {
         let Sphere { center, radius } = *sphere;
         let offset = self.camera.pipeline.quadratic.offset(self.camera.eye, center);
         let away = length(offset);
-        // Rounding of the given numbers, and in |p - center|^2 - r^2, whose terms cancel in part.
+        // Rounding of the given numbers, and of |p - center|^2 - r^2, whose terms partly cancel.
         let rounding = self.camera.epsilon
             * (16.0 * (length(self.camera.eye) + length(center) + radius + away)
                 + 8.0 * away * (away / radius));
@@ -129,11 +130,13 @@ impl<'a> Sight<'a> {
             let slack = self.slack(t.abs() * self.length) + rounding;
             let wide = quadratic.roots(radius + slack)?;
             let narrow = (radius > slack).then(|| quadratic.roots(radius - slack)).flatten();
-            // Missed, it is touched: both roots are there, but for the rounding of t itself.
+            // If the smaller sphere is missed, it counts as touched: both roots coincide, up to the
+            // rounding of t itself.
             let touched = quadratic.vertex;
             let along = self.slack(touched.abs());
             let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
-            // No root taken, t need not depend on the size, or less than on the distance.
+            // Without the square root, t depends less on the sphere's size than on the distance, or
+            // not at all.
             let beside = match quadratic.quadratic.square_root {
                 SquareRoot::Right => 0.0,
                 SquareRoot::LeftOut | SquareRoot::NotTaken => slack / self.length,
@@ -171,7 +174,8 @@ impl<'a> Sight<'a> {
             * self.camera.epsilon
             * (length(self.camera.eye) + length(plane.point) + offset.abs());
         let off = (self.slack(reach) + rounding) / rate.abs();
-        // Nearly parallel: it is met far out, or behind.
+        // If the ray is nearly parallel to the plane, it meets the plane far away or behind the
+        // eye.
         let is_sure = (self.tolerance + self.camera.off) * self.length < 0.5 * rate.abs();
         let most = if is_sure { t + off } else { f64::INFINITY };
         let least = if is_sure { t - off } else { (t.abs() - off).min(t) };
@@ -182,10 +186,10 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// The meetings before which none is surely passed.
+    /// Returns the meetings up to the nearest one that the program surely sees.
     fn first_of(&self, mut all: Vec<PossibleHit>) -> FirstHits {
         let pipeline = &self.camera.pipeline;
-        // From how near on to how far it may be, in the order in which the program chooses.
+        // The range of positions of a hit, in the order in which the program chooses.
         let order = |hit: &PossibleHit| {
             let PossibleHit { least, most, .. } = *hit;
             match (pipeline.root, pipeline.sign) {
@@ -205,7 +209,7 @@ impl<'a> Sight<'a> {
 }
 
 impl PossibleHit {
-    /// The part of it in front of the eye.
+    /// Returns the part of the hit in front of the eye.
     fn in_front(self) -> Option<PossibleHit> {
         let is_sure = self.is_sure && self.least > 0.0;
         (self.most > 0.0).then_some(PossibleHit { is_sure, ..self })
@@ -242,7 +246,8 @@ impl Terms {
 
     fn roots(&self, radius: f64) -> Option<[f64; 2]> {
         if self.quadratic.is_right() {
-            // By the chord: nothing cancels but where the ray grazes.
+            // Calculated from half the chord, so that nothing cancels unless the ray grazes the
+            // sphere.
             let squared = (radius - self.beside) * (radius + self.beside);
             let half = (squared / self.a).sqrt();
             return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
@@ -251,7 +256,7 @@ impl Terms {
     }
 }
 
-/// The unit normal that a program finds at a point, outwards.
+/// Returns the outward unit normal that a program finds at a point.
 pub(super) fn normal_at(scene: &Scene, object: u32, point: DVec3) -> Option<DVec3> {
     Some(match scene.object(object)? {
         Object::Sphere(sphere) => unit(point - sphere.center),

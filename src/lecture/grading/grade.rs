@@ -1,4 +1,4 @@
-//! Grades: which answers are right, how far off the worst one is, and what explains it.
+//! Grades: which answers are right, how large the worst error is, and which mistakes explain it.
 
 use std::fmt;
 
@@ -9,14 +9,15 @@ use pinhole_core::{
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
 
-/// Largest error of a number, as a share, unless another tolerance is given: twice what a number of
-/// six significant digits is off at most, which is what `%g` and C++ streams print; and 80 times
-/// the spacing of `f32`, of which a ray tracer loses some tenfold. The smallest of the known
-/// mistakes, half a pixel of 1000, is fifty times as large.
+/// Maximum relative error of a number, unless another tolerance is given. It is twice the maximum
+/// rounding error of a number of six significant digits, which is what `%g` and C++ streams print.
+/// It is also 80 times the spacing of `f32`, and a ray tracer loses about ten such units. The
+/// smallest of the known mistakes, half a pixel of 1000, is fifty times as large.
 pub const RELATIVE_TOLERANCE: f64 = 1e-5;
 
-/// Largest error of a picture's channels, in levels of 255, unless another tolerance is given: one
-/// for truncation in place of rounding, one for light that is computed in other steps.
+/// Maximum error of a picture's channels, in levels of 255, unless another tolerance is given. One
+/// level allows for truncation in place of rounding, and one for light that is computed in other
+/// steps.
 pub const LEVELS_TOLERANCE: f64 = 2.0;
 
 /// The truth that answers are graded against.
@@ -36,35 +37,34 @@ pub struct Truth<'a> {
 pub struct Grade {
     /// The kind of answers.
     pub kind: AnswerKind,
-    /// The tolerance: a share, or levels of 255 for a picture.
+    /// The tolerance: a relative error, or levels of 255 for a picture.
     pub tolerance: f64,
     /// The verdict on each answer, in their order.
     pub is_right: Vec<bool>,
-    /// The answer that is farthest off; `None` where there is no answer.
+    /// The answer with the largest error; `None` if there is no answer.
     pub worst: Option<Worst>,
-    /// The shading that a picture is taken to have.
+    /// The shading that a picture is assumed to have.
     pub shade: Option<Shade>,
     /// The mistakes that explain the wrong ones.
     pub diagnosis: Diagnosis,
-    /// The digits to which the answers are written, where these are fewer than
-    /// [`Grade::digits_wanted`] and the answers are right as far as they go, but for the mistake
-    /// that is named, if any.
+    /// The number of digits of the answers, if it is below [`Grade::digits_wanted`] and the answers
+    /// are right to these digits, except for the named mistake, if any.
     pub right_digits: Option<u32>,
-    /// The one t that most answers have where a miss would be right, and that no hit has: it stands
-    /// for a miss, and what is found is found with it taken as one.
+    /// The t that most answers have where a miss would be right, if no hit has it. It then stands
+    /// for a miss, and the diagnosis takes it as one.
     pub sentinel: Option<f64>,
-    /// Pixels without an answer, where each of them counts as a wrong one.
+    /// The number of pixels without an answer, if each of them counts as a wrong one.
     pub unanswered: usize,
 }
 
-/// The answer that is farthest off: a wrong one, where there is any.
+/// The answer with the largest error. It is a wrong one if there is any.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Worst {
     /// The answer's index, counted from 0.
     pub index: usize,
-    /// The error, in the terms of the tolerance. Infinite where a hit is taken for a miss, or for
-    /// one of another object.
+    /// The error, in the units of the tolerance. Infinite if one is a hit and the other a miss, or
+    /// if the hits are of different objects.
     pub error: f64,
     /// The right answer.
     pub right: Right,
@@ -104,7 +104,7 @@ pub(super) struct Judged {
 }
 
 impl Grade {
-    /// The count of answers that there are, or should be.
+    /// The number of answers, including missing ones that are expected.
     pub fn answers(&self) -> usize {
         self.is_right.len() + self.unanswered
     }
@@ -119,13 +119,14 @@ impl Grade {
         self.agree() == self.answers()
     }
 
-    /// The significant digits that an answer should have: six, or more for a stricter tolerance.
+    /// The number of significant digits that an answer should have: six, or more for a stricter
+    /// tolerance.
     pub fn digits_wanted(&self) -> u32 {
         digits_wanted(self.tolerance)
     }
 
-    /// The advice: a sentence for each mistake; that there are too few digits, or that no known
-    /// mistake explains the answers; or that all of them agree.
+    /// Returns the advice. It has a sentence for each mistake; or it says that the digits are too
+    /// few, that no known mistake explains the answers, or that all of them agree.
     pub fn advice(&self) -> String {
         let all_given_agree = self.agree() == self.is_right.len();
         match (self.right_digits, &self.diagnosis.mistakes[..]) {
@@ -150,8 +151,8 @@ impl Grade {
         }
     }
 
-    /// Remarks beside each mistake's own sentence: what else gives the same answers, how
-    /// many of them were looked at, that their digits are too few.
+    /// Returns remarks in addition to each mistake's own sentence: other explanations of the same
+    /// answers, the number of answers that were compared, or too few digits.
     pub fn remarks(&self) -> Vec<String> {
         let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
         let is_named = !mistakes.is_empty();
@@ -173,7 +174,7 @@ impl Grade {
         [other, sampled, digits, objects, sentinel].into_iter().flatten().collect()
     }
 
-    /// Returns whether it is known what is wrong.
+    /// Returns true if the cause of the wrong answers is known.
     pub(super) fn is_explained(&self) -> bool {
         let Diagnosis { mistakes, other, .. } = &self.diagnosis;
         !mistakes.is_empty() || other.is_some() || self.right_digits.is_some()
@@ -187,7 +188,8 @@ impl Grade {
     }
 }
 
-/// The fewest digits of which half a unit of the last one is within the tolerance.
+/// Returns the smallest number of digits for which half a unit of the last digit is within the
+/// tolerance.
 pub(super) fn digits_wanted(tolerance: f64) -> u32 {
     let digits = (1.0 - tolerance.max(f64::EPSILON).log10() - 1e-9).ceil();
     digits.clamp(6.0, 17.0) as u32
@@ -201,17 +203,17 @@ pub enum GradeError {
     Camera(CameraError),
     /// There is no answer.
     NoAnswer,
-    /// A picture has so many pixels, and the camera's image is of another size.
+    /// A picture's number of pixels does not match the camera's image.
     PictureSize {
         /// Pixels of the picture.
         pixels: usize,
         /// The camera's image.
         image: ImageSize,
     },
-    /// The tolerance is no number of at least 0.
+    /// The tolerance is negative or not a number.
     Tolerance(f64),
-    /// The true t of this pixel's hit is too large or too small for all digits of an `f64`, which answers
-    /// are graded in.
+    /// The true t of this pixel's hit is too large or too small to have all digits of an `f64`, in
+    /// which answers are graded.
     BeyondRange(Pixel),
 }
 

@@ -15,13 +15,13 @@ pub struct Graded {
     pub answers: Answers,
     /// Their grade.
     pub grade: Grade,
-    /// The image of the scene that they are about.
+    /// The image of the graded scene.
     pub image: ImageSize,
-    /// The first row and column of their count, 0 or 1.
+    /// The number of the first row and column in the answers, 0 or 1.
     pub count_from: u32,
 }
 
-/// A pixel's answer on a map; of several, the greatest is told.
+/// A pixel's answer on a map. If a pixel has several answers, the greatest value is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
     /// There is none.
@@ -33,7 +33,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// The colour on a map, told apart by lightness, too.
+    /// Returns the colour on a map. The colours differ in lightness, too.
     pub fn color(self) -> Rgb {
         match self {
             Cell::Unanswered => [0x8a, 0x8f, 0x98],
@@ -43,21 +43,21 @@ impl Cell {
     }
 }
 
-/// Digits that a reader is shown of a number; more where what is given and what is right would look
-/// alike.
+/// Numbers of digits that a reader is shown; the longer ones are used if the given and the right
+/// number would otherwise look alike.
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
-/// The advice on answers that are right if they count from 0, and were read as counting from 1.
+/// The advice on answers that were read as counting from 1 but are right if they count from 0.
 const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count from 0, and then all agree: leave \
                                out --count-from 1, or clear “The file counts from 1”.";
 
-/// The advice on where to begin to count, for answers that were read as counting from 1.
+/// The advice on where counting begins, for answers that were read as counting from 1.
 const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
 impl Graded {
-    /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place
-    /// in the image.
+    /// Returns the result for each pixel, row by row from the top; `None` for a basis, which has no
+    /// position in the image.
     pub fn map(&self) -> Option<Vec<Cell>> {
         if self.grade.kind == AnswerKind::Basis {
             return None;
@@ -74,7 +74,7 @@ impl Graded {
         Some(cells)
     }
 
-    /// The pixel of an answer, counted from 0; a vector of a basis has none.
+    /// Returns the pixel of an answer, counted from 0; `None` for a vector of a basis.
     pub fn pixel(&self, index: usize) -> Option<Pixel> {
         match &self.answers {
             Answers::Basis(_) => None,
@@ -87,13 +87,13 @@ impl Graded {
         }
     }
 
-    /// The pixel of the worst answer, where it has one in the image.
+    /// Returns the pixel of the worst answer, if it has one in the image.
     pub fn worst_pixel(&self) -> Option<Pixel> {
         let worst = self.grade.worst.as_ref()?;
         self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
     }
 
-    /// `159,999 of 160,000 hits agree, within 0.00001 of their distance`
+    /// Returns, for example, `159,999 of 160,000 hits agree, within 0.00001 of their distance`.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
@@ -107,14 +107,14 @@ impl Graded {
         format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
     }
 
-    /// The grade where every pixel is asked for: those without an answer count as wrong ones.
+    /// Returns the grade if every pixel must be answered: pixels without an answer count as wrong.
     pub fn complete(self) -> Graded {
         let is_unanswered = |cell: &&Cell| **cell == Cell::Unanswered;
         let unanswered = self.map().map_or(0, |cells| cells.iter().filter(is_unanswered).count());
         Graded { grade: Grade { unanswered, ..self.grade }, ..self }
     }
 
-    /// `3 pixels are not answered`, where that counts as wrong.
+    /// Returns, for example, `3 pixels are not answered`, if that counts as wrong.
     pub fn unanswered(&self) -> Option<String> {
         match self.grade.unanswered {
             0 => None,
@@ -123,7 +123,7 @@ impl Graded {
         }
     }
 
-    /// Returns whether so much of the image is answered, a twentieth, that a map of it tells where.
+    /// Returns true if at least a twentieth of the image is answered, so that a map is useful.
     pub fn shows_where(&self) -> bool {
         let pixels = u64::from(self.image.width()) * u64::from(self.image.height());
         20 * self.grade.is_right.len() as u64 >= pixels
@@ -142,7 +142,7 @@ impl Graded {
         }
     }
 
-    /// `row 3, column 4: hits object 0 at t = 5; right: t = 4`
+    /// Returns, for example, `row 3, column 4: hits object 0 at t = 5; right: t = 4`.
     pub fn worst(&self) -> Option<String> {
         let worst = self.grade.worst.as_ref()?;
         let pixel_label = match (self.pixel(worst.index), worst.index) {
@@ -160,7 +160,7 @@ impl Graded {
         ))
     }
 
-    /// `row 3, column 4`, as the answers count.
+    /// Returns `row 3, column 4`, counted as the answers count.
     pub fn pixel_label(&self, pixel: Pixel) -> String {
         let (row, column) = (pixel.row + self.count_from, pixel.column + self.count_from);
         format!("row {row}, column {column}")
@@ -183,7 +183,7 @@ impl Graded {
         }
     }
 
-    /// The right answer, in the parts that were answered.
+    /// Returns the right answer, with the parts that were answered.
     fn right(&self, worst: &Worst, digits: usize) -> String {
         let given = match &self.answers {
             Answers::Hits(hits) => hits[worst.index].hit,
@@ -219,7 +219,7 @@ impl Graded {
         ids(&self.grade.diagnosis.mistakes, ", ")
     }
 
-    /// The advice, and how much of a guess it is.
+    /// Returns the advice, and how certain it is.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let counting = Mistake::CountedFromOne;
@@ -228,7 +228,7 @@ impl Graded {
         advice.collect::<Vec<_>>().join(" ")
     }
 
-    /// One sentence on what to look at for this mistake of the diagnosis.
+    /// Returns one sentence on what to look at for this mistake of the diagnosis.
     pub fn advice_on(&self, mistake: Mistake) -> &'static str {
         match (mistake, self.count_from) {
             (Mistake::CountedFromOne, 1) if self.grade.diagnosis.counted_from_zero => {
@@ -253,8 +253,8 @@ impl Graded {
         said.chain(self.alternatives())
     }
 
-    /// A caveat on the diagnosis: misses alone, and what is seen behind an object, look alike, whatever
-    /// they come from.
+    /// Returns a caveat on the diagnosis: misses alone, or hits of objects behind the right one,
+    /// look alike whatever their cause.
     fn caveat(&self) -> Option<&'static str> {
         let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
         let is_miss = |index: usize| match &self.answers {
@@ -277,7 +277,7 @@ impl Graded {
         }
     }
 
-    /// Other sets of mistakes that explain the answers as well: `negative-t; far-root +
+    /// Returns other sets of mistakes that explain the answers as well: `negative-t; far-root +
     /// negative-t`.
     fn alternatives(&self) -> Option<String> {
         let sets = &self.grade.diagnosis.alternatives;
@@ -288,8 +288,8 @@ impl Graded {
         })
     }
 
-    /// The image in letters, some pixels each: `#` where one is wrong, `.` where all are right, and
-    /// a blank where none is answered.
+    /// Returns the image as text, with several pixels for each letter: `#` if one of them is wrong,
+    /// `.` if all are right, and a blank if none is answered.
     pub fn sketch(&self) -> Option<Vec<String>> {
         const COLUMNS: usize = 48;
         const ROWS: usize = 16;
@@ -311,7 +311,7 @@ impl Graded {
     }
 }
 
-/// The size of an error, where it is a number.
+/// Returns the size of an error in words; empty if it is 0 or not finite.
 fn off_by(error: f64, kind: AnswerKind) -> String {
     match kind {
         _ if !error.is_finite() || error == 0.0 => String::new(),

@@ -22,9 +22,9 @@ pub(super) struct Grader<'a> {
     answers: &'a Answers,
     given: GivenCamera,
     tolerance: f64,
-    /// The share of what the written digits leave open that is allowed.
+    /// The share of the unwritten digits' uncertainty that is allowed.
     digits: f64,
-    /// The answers may be those of a program in `f32`.
+    /// True if the answers may come from a program in `f32`.
     may_be_single: bool,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Grader<'a> {
             Answers::Hits(hits) if hits.is_empty() => return Err(GradeError::NoAnswer),
             _ => (),
         }
-        // Made here, and not within the parallel work that asks for it.
+        // Make the index here, and not within the parallel work that uses it.
         truth.scene.make_index();
         let usual = match answers.kind() {
             AnswerKind::Picture => LEVELS_TOLERANCE,
@@ -77,7 +77,8 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// The grade with what is found where one number that stands for misses is taken as such.
+    /// Returns the grade; if one number stands for misses, its diagnosis takes that number as a
+    /// miss.
     fn with_sentinel(&self, hits: &[HitAnswer], grade: Grade) -> Grade {
         let Some(sentinel) = sentinel(hits, &self.first_of(hits)) else { return grade };
         let taken = hits.iter().map(|answer| {
@@ -98,7 +99,7 @@ impl<'a> Grader<'a> {
             Ok(held) => self.graded(&*held),
             Err(pixels) => return self.picture(pixels),
         };
-        // Few digits fit pairs of mistakes by chance, and say nothing of `f32`.
+        // With few digits, pairs of mistakes fit by chance, and `f32` cannot be recognised.
         let least = match grade.diagnosis.mistakes[..] {
             _ if grade.all_agree() => return grade,
             [] => 1,
@@ -117,16 +118,16 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// The answers with what their digits leave open, and how many those are; `None` where they are
-    /// as many as wanted.
+    /// Returns the answers with the uncertainty of their digits, and the number of digits; `None`
+    /// if they have as many as wanted.
     fn few_digits(&self) -> Option<(Answers, u32)> {
         let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// The one mistake that explains the answers as far as they are written, where that is to too
-    /// few digits: what they lack is not put down to `f32`.
+    /// Returns the single mistake that explains the answers to their written digits, if these are
+    /// too few. The missing digits are not attributed to `f32`.
     fn mistake_in_few_digits(
         &self,
         answers: &dyn Fits,
@@ -139,7 +140,7 @@ impl<'a> Grader<'a> {
         (diagnosis.mistakes.len() == 1).then_some(diagnosis)
     }
 
-    /// The answers with what they are held against.
+    /// Returns the answers together with the truth that they are compared with.
     ///
     /// # Errors
     /// Returns the picture's pixels if the answers are a picture, whose shading is not known.
@@ -166,8 +167,8 @@ impl<'a> Grader<'a> {
         truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
-    /// A picture in the shading that fits best: that in which most pixels agree, or, where no
-    /// mistake explains it in that, the one in which the fewest do.
+    /// Grades a picture with the shading that fits best: the one with which most pixels agree, or,
+    /// if no single mistake explains the picture with it, the one with the fewest mistakes.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
         let (pictures, right_camera) = right_pictures(self.truth, &self.given);
         let brightest = brightest(pixels);
@@ -232,8 +233,8 @@ fn judged(answers: &dyn Fits) -> Vec<Judged> {
     (0..answers.len()).into_par_iter().map(|index| answers.judged(index)).collect()
 }
 
-/// The number that stands for a miss: of those that no hit has, 0 and less or beyond all hits, the
-/// one that most answers have where a miss would be right.
+/// Returns the number that stands for a miss. It is at most 0 or beyond all hits, and more than half
+/// of the answers with such a number, among those for which a miss would be right, have this one.
 fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
     let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
@@ -245,8 +246,8 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     (2 * count > given.len()).then_some(known)
 }
 
-/// The wrong answer that is farthest off, the first among equals; the right one where none is
-/// wrong.
+/// Returns the index and error of the wrong answer with the largest error, the first among equals;
+/// of the right answer with the largest error if none is wrong.
 fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
     let mut worst: Option<(usize, f64)> = None;

@@ -16,7 +16,7 @@ pub(super) struct Hits<'a> {
     pub(super) given: &'a GivenCamera,
     pub(super) scene: &'a Scene,
     pub(super) tolerance: f64,
-    /// The share of what the written digits leave open that is allowed.
+    /// The share of the unwritten digits' uncertainty that is allowed.
     pub(super) digits: f64,
 }
 
@@ -72,7 +72,7 @@ impl Fits for Hits<'_> {
 }
 
 impl Hits<'_> {
-    /// Returns whether the hit that is given is this one.
+    /// Returns true if the given hit is this one.
     fn is(
         &self,
         camera: &PipelineCamera,
@@ -101,7 +101,8 @@ impl Hits<'_> {
             let off = (self.tolerance + camera.off) * reach
                 + self.digits * given.rounding
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
-            // A point of the ray, as far along as allowed, within this of each coordinate.
+            // There must be a point of the ray, within the allowed range of t, that differs by at
+            // most `off` in each coordinate.
             let mut along = [least, most];
             for axis in 0..3 {
                 let ends = [from_eye[axis] - off, from_eye[axis] + off].map(|x| x / step[axis]);
@@ -118,8 +119,8 @@ impl Hits<'_> {
     }
 }
 
-/// The distance of a hit from the true one, as a share of that one's; infinite where one is a miss
-/// and the other is not, or where they are of two objects.
+/// Returns the distance of a hit from the true one, relative to the true one's distance. Infinite
+/// if one of them is a miss and the other is not, or if they are hits of different objects.
 fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
     let (given, truth) = match (given, truth) {
         (None, None) => return 0.0,
@@ -132,17 +133,19 @@ fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
     let of_t = given.t.map_or(0.0, |t| (t.value - truth.t).abs() / truth.t);
     let distance = (truth.point - eye).length();
     let of_point = given.point.map_or(0.0, |p| (p.value - truth.point).length() / distance);
-    // What is no number is off by any.
+    // An error that is not a number counts as infinite.
     if of_t.is_nan() || of_point.is_nan() { f64::INFINITY } else { of_t.max(of_point) }
 }
 
-/// The first hits of these pixels' rays; `None` for a miss, or for what is no pixel.
+/// Returns the first hits of these pixels' rays; `None` for a miss, or for a pixel outside the
+/// image.
 pub(super) fn truth_of(
     truth: &Truth,
     resolved: &ResolvedCamera,
     pixels: &[Pixel],
 ) -> Vec<Option<Hit>> {
-    /// Rows that are traced at a time: those of a large image do not fit into memory at once.
+    /// Number of rows that are traced at a time, because a large image does not fit into memory at
+    /// once.
     const ROWS: usize = 256;
     let image = resolved.image();
     let own = |pixel: &&Pixel| image.contains(**pixel);
@@ -186,7 +189,7 @@ pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
     pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
-    /// The share of what the written digits leave open that is allowed.
+    /// The share of the unwritten digits' uncertainty that is allowed.
     pub(super) digits: f64,
 }
 
@@ -222,7 +225,7 @@ pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
     pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
-    /// The share of what the written digits leave open that is allowed.
+    /// The share of the unwritten digits' uncertainty that is allowed.
     pub(super) digits: f64,
 }
 
@@ -264,15 +267,15 @@ impl Fits for Rays<'_> {
 }
 
 impl Rays<'_> {
-    /// The length that an origin is taken to have: that of the eye, or, where that is larger, the
-    /// viewport's distance.
+    /// Returns the length by which an origin's error is divided: the eye's distance from the
+    /// world's origin, or the viewport's distance if that is larger.
     fn size(&self, camera: &PipelineCamera) -> f64 {
         length(camera.eye).max(self.given.resolved.viewport().distance)
     }
 }
 
-/// The turn of one direction against another, whatever their lengths: the chord between both
-/// unit vectors; its largest coordinate tells, as digits are written by coordinate.
+/// Returns the difference of two directions, whatever their lengths. It is the largest coordinate
+/// of the chord between the two unit vectors, because digits are written by coordinate.
 fn turned(a: DVec3, b: DVec3) -> f64 {
     (unit(a) - unit(b)).abs().max_element()
 }

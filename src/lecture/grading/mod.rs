@@ -1,31 +1,32 @@
-//! A student's answers against the truth, and the mistakes that explain what is wrong with them.
+//! Grades a student's answers against the truth, and finds the mistakes that explain the wrong
+//! ones.
 //!
-//! [`grade`] takes what a student's ray tracer says of a scene ([`Answers`]: a basis, rays, hits,
-//! or a whole picture), says of each answer whether it is right, and looks for the smallest set of
-//! classic mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program gives *all* of
-//! them: each mistake in each of the ways in which it is made, alone, then those of
-//! [`Mistake::GRADED`](crate::mistakes::Mistake::GRADED) in pairs.
+//! [`grade`] takes the output of a student's ray tracer for a scene ([`Answers`]: a basis, rays,
+//! hits, or a whole picture). It decides for each answer whether it is right, and looks for the
+//! smallest set of classic mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program
+//! gives *all* of the answers. It tries each mistake alone, in each of the ways in which it is
+//! made, and then those of [`Mistake::GRADED`](crate::mistakes::Mistake::GRADED) in pairs.
 //!
 //! # What is right
 //!
-//! Answers are rounded, and each program rounds in its own way. What is right within the tolerance
-//! ([`RELATIVE_TOLERANCE`] unless another one is given) counts:
+//! Answers are rounded, and each program rounds in its own way. An answer is right if it is within
+//! the tolerance ([`RELATIVE_TOLERANCE`] unless another one is given):
 //!
-//! - a basis's vector: each coordinate, as a share of the vector's length;
+//! - a basis's vector: each coordinate, relative to the vector's length;
 //! - a ray: its direction *up to a positive factor*, as each coordinate of the unit vector; its
-//!   origin as a share of the eye's distance from the world's origin, or of the viewport's distance
-//!   where that is larger;
-//! - a hit: as the right one for objects that are larger or smaller by the tolerance times their
-//!   distance from the eye. Head-on, that is the tolerance as a share of t. Where a ray grazes an
-//!   object, t may be off by more, and at a sphere's very edge hit, miss, and what lies behind are
-//!   all right. What rounding in `f64` does to the textbook's formulas is allowed in addition, so
-//!   that no right program is called wrong, far out either;
+//!   origin relative to the eye's distance from the world's origin, or to the viewport's distance
+//!   if that is larger;
+//! - a hit: it must be the right one for objects that are larger or smaller by the tolerance times
+//!   their distance from the eye. For a head-on hit, this is the tolerance relative to t. If a ray
+//!   grazes an object, the error of t may be larger, and at a sphere's very edge a hit, a miss, and
+//!   the object behind are all right. The rounding of the textbook's formulas in `f64` is allowed in
+//!   addition, so that no right program is called wrong, even at large distances;
 //! - a picture's pixel: each channel within [`LEVELS_TOLERANCE`] of 255, compared with the shading
 //!   that fits best; at an edge, the colours of both sides.
 //!
-//! Numbers that were written to fewer digits are given half a unit of their last digit in addition
-//! ([`Written::rounding`]). With a tolerance below the usual one, less in proportion: who asks for
-//! more digits wants them to be there.
+//! Numbers that were written to fewer digits are allowed half a unit of their last digit in
+//! addition ([`Written::rounding`]). With a tolerance below the usual one, this allowance shrinks
+//! in proportion, because whoever asks for more digits wants them to be there.
 
 mod answers;
 mod diagnosis;
@@ -46,8 +47,8 @@ pub use self::grade::{
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 
-/// Grades answers, within a tolerance: a share, or levels of 255 for a picture; the usual one of
-/// their kind where none is given.
+/// Grades answers within a tolerance: a relative error, or levels of 255 for a picture. `None`
+/// stands for the usual tolerance of their kind.
 ///
 /// ```
 /// use pinhole_lecture::grading::*;
@@ -66,8 +67,8 @@ use self::grader::Grader;
 /// ```
 ///
 /// # Errors
-/// Returns an error if the camera sees nothing, there is no answer, a picture has not as many
-/// pixels as the camera's image, or the tolerance is negative or no number.
+/// Returns an error if the camera sees nothing, there is no answer, a picture's number of pixels
+/// differs from that of the camera's image, or the tolerance is negative or not a number.
 pub fn grade(
     truth: &Truth,
     answers: &Answers,

@@ -13,23 +13,24 @@ use super::first_hits::{FirstHits, normal_at, work};
 use super::grade::{Judged, RELATIVE_TOLERANCE, Right, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
-/// A picture that is taken to be shaded in one way.
+/// A picture that is assumed to have one of the shadings.
 pub(super) struct Picture<'a> {
     pub(super) pixels: &'a [Rgb],
     pub(super) image: ImageSize,
     pub(super) scene: &'a Scene,
     pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     pub(super) shade: Shade,
-    /// The largest error allowed, in levels of 255.
+    /// The maximum error allowed, in levels of 255.
     pub(super) tolerance: f64,
-    /// The brightest grey pixel: where a picture by t shows the nearest hit.
+    /// The brightest grey pixel, which is the nearest hit in a picture shaded by t.
     pub(super) brightest: Option<usize>,
     /// The right picture, and the camera that sees it.
     pub(super) right: &'a [Rgb],
     pub(super) right_camera: PipelineCamera,
 }
 
-/// The right picture in every shading, as [`Shade::ALL`] lists them, and the camera that sees it.
+/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the camera that
+/// sees it.
 pub(super) fn right_pictures(
     truth: &Truth,
     given: &GivenCamera,
@@ -43,7 +44,7 @@ pub(super) fn right_pictures(
     (pictures, camera)
 }
 
-/// The brightest grey pixel, the first among equals.
+/// Returns the brightest grey pixel, the first among equals.
 pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
     let greys = pixels.iter().enumerate().filter(|(_, [r, g, b])| r == g && g == b);
     greys.rev().max_by_key(|(_, color)| color[0]).map(|(index, _)| index)
@@ -74,7 +75,7 @@ impl Fits for Picture<'_> {
         }
         first.hits.iter().any(|hit| {
             let color = |t: f64| self.color(camera, direction, hit.object, t);
-            // On the eye's other side lies another colour.
+            // On the other side of the eye, the colour is a different one.
             let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
             let around = [same_side(hit.least), hit.t, same_side(hit.most)];
             let [a, b, c] = around.map(color);
@@ -108,7 +109,7 @@ impl Picture<'_> {
         (first, direction)
     }
 
-    /// The colour of a hit, as [`shade`] makes it.
+    /// Returns the colour of a hit, as calculated by [`shade`].
     fn color(&self, camera: &PipelineCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
         let byte = |x: f64| (x + 0.5) as u8;
         let own = (self.color_of)(object);
@@ -134,7 +135,7 @@ impl Picture<'_> {
     }
 }
 
-/// The difference of two colours in their worst channel, in levels.
+/// Returns the difference of two colours in their worst channel, in levels.
 pub(super) fn off(a: Rgb, b: Rgb) -> f64 {
     let worst = (0..3).map(|k| a[k].abs_diff(b[k])).max().unwrap_or_default();
     f64::from(worst)
