@@ -1,11 +1,11 @@
-//! Checks of a camera, and the verdict of each on a wrong one.
+//! Checks of a camera, and their verdicts on a wrong camera.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
 
 use super::wrong_camera::WrongCamera;
 
-/// The table of checks: each with the number that it looks at, as a formula, and its meaning when it
+/// The table of checks. Each has the number that it examines, as a formula, and its meaning if it
 /// passes.
 macro_rules! checks {
     ($($(#[$doc:meta])* $name:ident: $formula:literal, $meaning:literal;)*) => {
@@ -20,7 +20,7 @@ macro_rules! checks {
             /// All of them.
             pub const ALL: &'static [Check] = &[$(Check::$name,)*];
 
-            /// The number that it looks at, as a formula.
+            /// The number that the check examines, as a formula.
             pub fn formula(self) -> &'static str {
                 match self {
                     $(Check::$name => $formula,)*
@@ -59,22 +59,22 @@ checks! {
     /// `(u x v) . w > 0`.
     RightHanded: "(𝐮 × 𝐯) · 𝐰",
         "𝐮 × 𝐯 points along 𝐰: right-handed";
-    /// `w . view / |view| < 0`: w is backwards.
+    /// `w . view / |view| < 0`: w points backwards.
     LooksForwards: "𝐰 · view / |view|",
         "𝐰 points backwards, so the camera looks along view";
     /// `v . up / |up| > 0`.
     UpIsUp: "𝐯 · up / |up|",
         "𝐯 is on up's side, so up is up in the image";
-    /// `-direction . w = distance` of the middle ray: t = 1 is the viewport.
+    /// `-direction . w = distance` for the middle ray: the viewport is at t = 1.
     ViewportAtDistance: "−𝐝 · 𝐰, middle ray",
         "t = 1 is the viewport, at its distance";
-    /// (u, v) of pixel (0, 0): left of the middle and above it.
+    /// (u, v) of pixel (0, 0): to the left of the middle and above it.
     TopLeft: "(𝑢, 𝑣) of pixel (0, 0)",
         "row 0, column 0 is at the top left";
-    /// One column to the right: (u, v) moves by `(width/W, 0)`.
+    /// One column to the right: (u, v) changes by `(width/W, 0)`.
     StepRight: "next column, step of (𝑢, 𝑣)",
         "columns go right, by width/𝑊";
-    /// One row down: (u, v) moves by `(0, -height/H)`.
+    /// One row down: (u, v) changes by `(0, -height/H)`.
     StepDown: "next row, step of (𝑢, 𝑣)",
         "rows go down, by height/𝐻";
     /// The four corner pixels lie evenly around the middle: the mean of their (u, v) is (0, 0).
@@ -100,7 +100,7 @@ pub enum Wanted {
     Negative,
     /// Above 0.
     Positive,
-    /// u not above 0 and v not below it.
+    /// u at most 0 and v at least 0.
     LeftAndUp,
 }
 
@@ -110,7 +110,7 @@ pub enum Wanted {
 pub struct Checked {
     /// The check.
     pub check: Check,
-    /// The camera's value; exactly 0 where it is 0 but for rounding.
+    /// The camera's value; exactly 0 if it differs from 0 only by rounding.
     pub value: Value,
     /// The value that a right camera has.
     pub wanted: Wanted,
@@ -133,7 +133,8 @@ impl WrongCamera {
                 (x - y).abs() <= ORTHONORMAL_TOLERANCE * y.abs().max(1.0)
             }
             (Value::Uv(x), Wanted::Equal(Value::Uv(y))) => {
-                // A pixel of a large image is small beside the viewport: its own size counts.
+                // A pixel of a large image is small compared with the viewport, so its own size is
+                // the scale.
                 let pixels = self.image().width().max(self.image().height());
                 (x - y).abs().max_element() <= ORTHONORMAL_TOLERANCE * size / f64::from(pixels)
             }
@@ -187,12 +188,12 @@ fn equal(x: f64) -> Wanted {
     Wanted::Equal(Value::Number(x))
 }
 
-/// `a . b`; 0 where it is nothing but rounding, however long the vectors are.
+/// Returns `a . b`; 0 if it is only rounding error, however long the vectors are.
 fn dot(a: DVec3, b: DVec3) -> f64 {
     let cosine = unit(a).dot(unit(b));
     if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }
 }
 
-/// More than rounding makes of the cosine between two vectors of a basis, which is a few times
-/// 1e-16; mistakes that tilt a vector by less than this change no pixel.
+/// Bound above the rounding error of the cosine between two vectors of a basis, which is a few
+/// times 1e-16. A mistake that tilts a vector by less than this changes no pixel.
 const ROUNDING: f64 = 1e-12;

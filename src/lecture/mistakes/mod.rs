@@ -1,5 +1,5 @@
-//! The classic mistakes: each one as a change to a student's pipeline, the camera that it makes, what
-//! that sees, and the checks that find it.
+//! The classic mistakes: each one as a change to a student's pipeline, the camera and the picture
+//! that it produces, and the checks that find it.
 //!
 //! ```text
 //! w = -view/|view|    u = up x w / |up x w|    v = w x u

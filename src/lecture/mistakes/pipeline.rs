@@ -1,24 +1,25 @@
-//! A student's program as a set of choices, of which a mistake is a change, and the rays that it sends
-//! out.
+//! A student's program as a set of choices, and the rays that it generates. A mistake changes one
+//! or more of the choices.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
-/// The choices on the way from eye, view and up to a hit: [`Pipeline::RIGHT`] is the lecture's own.
+/// The choices on the way from eye, view and up to a hit. [`Pipeline::RIGHT`] is the lecture's own
+/// pipeline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pipeline {
     pub(crate) basis: BasisChoices,
     pub(crate) distance: Distance,
     /// The direction leads back to the eye.
     pub(crate) reversed: bool,
-    /// The viewport's point is the direction: the eye is added to it.
+    /// The viewport's point is used as the direction: the eye is added to it.
     pub(crate) eye_added: bool,
-    /// Added to column and row: 0.5 is the pixel's centre.
+    /// The offset that is added to column and row: 0.5 is the pixel's centre.
     pub(crate) in_pixel: [f64; 2],
-    /// Divided by `W - 1` and `H - 1`: the first pixel's ray on one edge, the last one's on the
-    /// other.
+    /// Columns and rows are divided by `W - 1` and `H - 1`, so that the first pixel's ray passes
+    /// through one edge and the last pixel's through the other.
     pub(crate) edge_to_edge: bool,
-    /// The last row and column are H and W.
+    /// Rows and columns count from 1, so that the last ones are H and W.
     pub(crate) from_one: bool,
     pub(crate) rows: Rows,
     pub(crate) swap: Swap,
@@ -36,7 +37,7 @@ pub(crate) struct Pipeline {
 /// One way to make a mistake: a change to the pipeline.
 pub(crate) type Way = fn(&mut Pipeline);
 
-/// The choices on the way to u, v and w.
+/// The choices in the calculation of u, v and w.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BasisChoices {
     /// w along the view.
@@ -63,7 +64,7 @@ pub(crate) enum UpAsV {
     Unit,
 }
 
-/// The number in place of the viewport's distance.
+/// The number used as the viewport's distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Distance {
     Right,
@@ -80,7 +81,7 @@ pub(crate) enum Rows {
     FromTop,
     /// v has the other sign.
     SignOfV,
-    /// The row is `H - 1 - i`.
+    /// The row is counted as `H - 1 - i`.
     FromLast,
 }
 
@@ -90,13 +91,13 @@ pub(crate) enum Swap {
     No,
     /// `i / W` and `j / H`.
     Indices,
-    /// `i / H` and `j / W`, for u and v.
+    /// `i / H` is used for u, and `j / W` for v.
     Shares,
     /// `j / H` and `i / W`.
     Counts,
 }
 
-/// The numbers in place of the viewport's width and height.
+/// The numbers used as the viewport's width and height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Extent {
     Right,
@@ -104,18 +105,18 @@ pub(crate) enum Extent {
     HeightForWidth,
     /// 1 and 1, where they differ.
     Ones,
-    /// The width made of the height, and the image's W / H.
+    /// The width is calculated from the height and the image's W / H.
     WidthByImage,
-    /// The height made of the width, and the image's H / W.
+    /// The height is calculated from the width and the image's H / W.
     HeightByImage,
-    /// The height for the width, and the width for the height.
+    /// The height is used as the width, and the width as the height.
     Swapped,
     Half,
     Twice,
 }
 
-/// `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with
-/// `b = d . (p - center)` and `c = |p - center|^2 - r^2`.
+/// The solution `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with `b =
+/// d . (p - center)` and `c = |p - center|^2 - r^2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quadratic {
     numerator: f64,
@@ -130,7 +131,7 @@ pub(crate) struct Quadratic {
     pub(crate) square_root: SquareRoot,
 }
 
-/// The vector in place of `p - center`.
+/// The vector used as `p - center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Offset {
     Right,
@@ -140,7 +141,7 @@ pub(crate) enum Offset {
     OriginLeftOut,
 }
 
-/// The number in place of the discriminant's root.
+/// The number used as the root of the discriminant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SquareRoot {
     Right,
@@ -157,9 +158,9 @@ pub(crate) enum WhichRoot {
     Far,
     /// The largest of all roots of all objects.
     Farthest,
-    /// That of the last object in the scene that is hit at all.
+    /// The root of the last object in the scene that is hit at all.
     Last,
-    /// That of the object whose hit is the farthest.
+    /// The root of the object whose hit is the farthest.
     FarthestObject,
 }
 
@@ -173,7 +174,7 @@ pub(crate) enum Sign {
     Nearest,
 }
 
-/// The numbers that are given as t and point.
+/// The numbers that are reported as t and point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Measure {
     /// t, and `p + t d`.
@@ -182,7 +183,7 @@ pub(crate) enum Measure {
     Distance,
     /// t, and `p + t d/|d|`.
     PointOfUnit,
-    /// `t |d|`, and `p + t |d| d`.
+    /// `t |d|` as t, and `p + t |d| d` as the point.
     PointOfDistance,
 }
 
@@ -197,13 +198,12 @@ impl BasisChoices {
         up_as_v: UpAsV::No,
     };
 
-    /// Leaves w, u or both as they are before they are normalized; v follows from them, or is
-    /// normalized.
+    /// Skips the normalization of w, u or both. v follows from them, or is normalized.
     pub(crate) fn set_raw(&mut self, w: bool, u: bool, v_unit: bool) {
         (self.w_raw, self.u_raw, self.v_unit) = (w, u, v_unit);
     }
 
-    /// Exchanges the factors of both cross products. Exchanged twice, they are right.
+    /// Exchanges the factors of both cross products. If it is applied twice, they are right again.
     pub(crate) fn swap_both(&mut self) {
         self.u_swapped ^= true;
         self.v_swapped ^= true;
@@ -238,13 +238,13 @@ impl Quadratic {
         *self = Quadratic { numerator, square, product, denominator, ..*self };
     }
 
-    /// Returns whether the roots are the right ones.
+    /// Returns true if the roots are the right ones.
     pub(crate) fn is_right(&self) -> bool {
         *self == Quadratic::RIGHT
     }
 
-    /// Returns whether the discriminant is the right one, or a multiple of it: a line meets the
-    /// spheres that it should.
+    /// Returns true if the discriminant is the right one or a multiple of it, so that a line meets
+    /// the right spheres.
     pub(crate) fn meets_what_is_met(&self) -> bool {
         let Quadratic { square, product, a_left_out, offset, radius_unsquared, .. } = *self;
         square == product && !a_left_out && offset == Offset::Right && !radius_unsquared
@@ -259,23 +259,23 @@ impl Quadratic {
         }
     }
 
-    /// The number taken for `c = |p - center|^2 - r^2`.
+    /// Returns the number used as `c = |p - center|^2 - r^2`.
     pub(crate) fn c(&self, away_squared: f64, radius: f64) -> f64 {
         away_squared - if self.radius_unsquared { radius } else { radius * radius }
     }
 
-    /// The number taken for `a = d . d`.
+    /// Returns the number used as `a = d . d`.
     pub(crate) fn a(&self, a: f64) -> f64 {
         if self.a_left_out { 1.0 } else { a }
     }
 
-    /// The t at which both roots meet, of the [`Quadratic::a`] that is taken.
+    /// Returns the t at which both roots meet. `a` is the result of [`Quadratic::a`].
     pub(crate) fn vertex(&self, a: f64, b: f64) -> f64 {
         -self.numerator * b / (self.denominator * a)
     }
 
-    /// The roots, the smaller first, of the [`Quadratic::a`] that is taken; `None` where the number
-    /// below the root is negative.
+    /// Returns the roots, the smaller one first; `None` if the number under the root is negative.
+    /// `a` is the result of [`Quadratic::a`].
     pub(crate) fn roots(&self, a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
         let discriminant = self.square * b * b - self.product * a * c;
         let root = match self.square_root {
@@ -310,7 +310,8 @@ impl Pipeline {
         objects_from_one: false,
     };
 
-    /// The direction through a (u, v), from these u, v and w and the viewport's distance.
+    /// Returns the direction through a (u, v), from these vectors u, v and w and the viewport's
+    /// distance.
     pub(crate) fn direction(&self, [u, v, w]: [DVec3; 3], distance: f64, uv: DVec2) -> DVec3 {
         let direction = uv.x * u + uv.y * v - self.distance.taken_for(distance) * w;
         if self.reversed { -direction } else { direction }
@@ -322,13 +323,13 @@ impl Pipeline {
         self
     }
 
-    /// Moves where in a pixel its ray passes, in pixels to the right and down.
+    /// Moves the point of a pixel through which its ray passes, in pixels to the right and down.
     pub(crate) fn move_in_pixel(&mut self, across: f64, down: f64) {
         self.in_pixel[0] += across;
         self.in_pixel[1] += down;
     }
 
-    /// `j - 0.5`: the first row and column are 1, and so the last ones H and W.
+    /// Uses `j - 0.5`: the first row and column are 1, and the last ones are H and W.
     pub(crate) fn count_pixels_from_one(&mut self) {
         self.move_in_pixel(-1.0, -1.0);
         self.from_one = true;
@@ -339,29 +340,29 @@ impl Pipeline {
         self.objects_from_one = true;
     }
 
-    /// The first row, column and object are 1.
+    /// Counts rows, columns and objects from 1.
     pub(crate) fn count_all_from_one(&mut self) {
         self.count_pixels_from_one();
         self.count_objects_from_one();
     }
 }
 
-/// A right camera, with what wrong pipelines make of it.
+/// A right camera, with the values from which the cameras of wrong pipelines are calculated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GivenCamera {
     pub(crate) resolved: ResolvedCamera,
     pub(crate) view: DVec3,
     pub(crate) up: DVec3,
-    /// `|up/|up| x w|` of the right w, in which no up is too long or too short.
+    /// `|up/|up| x w|` for the right w. It does not depend on the length of up.
     sine: f64,
-    /// u, v and w are given, so that no mistake can be made in finding them.
+    /// True if u, v and w are given, so that no mistake is possible in their calculation.
     pub(crate) by_hand: bool,
-    /// Count of roundings by which a direction may be off, as a share of its length.
+    /// Number of roundings that bound the relative error of a direction.
     roundings: f64,
 }
 
-/// Far more roundings than there are between a camera's numbers and a ray's, each of which makes at
-/// most one unit in the last place.
+/// Number far above the count of roundings between a camera's numbers and a ray's. Each of them is
+/// at most one unit in the last place.
 const ROUNDINGS: f64 = 16.0;
 
 impl GivenCamera {
@@ -369,7 +370,7 @@ impl GivenCamera {
         let resolved = camera.resolve()?;
         let (view, up) = (camera.view(), camera.up());
         let conditioning = camera.up_angle().map_or(1.0, |angle| angle.conditioning);
-        // at - eye cancels where both are far out.
+        // at - eye loses digits by cancellation if both are far from the origin.
         let lost = match camera.orientation {
             Orientation::At { at, .. } => (length(at) + length(camera.eye)) / length(view),
             _ => 0.0,
@@ -411,8 +412,8 @@ impl GivenCamera {
         }
     }
 
-    /// u, v and w as multiples of the right ones, so that none loses digits where up is close to
-    /// the view.
+    /// Returns u, v and w as multiples of the right vectors, so that none loses digits if up is
+    /// close to the view.
     fn factors(&self, pipeline: &Pipeline) -> DVec3 {
         if self.by_hand {
             return DVec3::ONE;
@@ -452,7 +453,7 @@ pub(crate) struct PipelineCamera {
     pub(crate) u: DVec3,
     pub(crate) v: DVec3,
     pub(crate) w: DVec3,
-    /// u, v and w as multiples of the right ones.
+    /// u, v and w as multiples of the right vectors.
     pub(crate) factors: DVec3,
     /// v, where it is no such multiple.
     pub(crate) up_as_v: Option<DVec3>,
@@ -462,23 +463,23 @@ pub(crate) struct PipelineCamera {
     pub(crate) extent: [f64; 2],
     /// W and H.
     count: [f64; 2],
-    /// The spacing of the pipeline's numbers at 1.
+    /// The spacing at 1 of the pipeline's number format.
     pub(crate) epsilon: f64,
-    /// Error bound of a direction by rounding, as a share of its length.
+    /// Relative error bound of a direction due to rounding.
     pub(crate) off: f64,
-    /// The t that a picture by t shows white.
+    /// The t that is white in a picture shaded by t.
     pub(crate) nearest: Option<f64>,
 }
 
 impl PipelineCamera {
-    /// Returns whether the pipeline answers for a pixel of this name.
+    /// Returns true if the pipeline has a pixel with this row and column number.
     pub(crate) fn answers_for(&self, pixel: Pixel) -> bool {
         let [w, h] = self.count;
         let is_inside = f64::from(pixel.column) < w && f64::from(pixel.row) < h;
         is_inside || self.pipeline.from_one
     }
 
-    /// (u, v) that the pipeline has for what it calls this row and column.
+    /// Returns the (u, v) that the pipeline calculates from this row and column number.
     pub(crate) fn uv(&self, row: f64, column: f64) -> DVec2 {
         let Pipeline { rows, swap, in_pixel, edge_to_edge, .. } = self.pipeline;
         let [w, h] = self.count;
@@ -489,7 +490,7 @@ impl PipelineCamera {
             Swap::Shares => ((row, h), (column, w)),
             Swap::Counts => ((column, h), (row, w)),
         };
-        // In the form of the right camera, whose numerator is exact.
+        // The expression is that of the right camera, whose numerator is exact.
         let share = |index: f64, count: f64, in_pixel: f64| {
             let steps = if edge_to_edge { count - 1.0 } else { count };
             (2.0 * (index + in_pixel) - count) / (2.0 * steps)
@@ -501,18 +502,18 @@ impl PipelineCamera {
         )
     }
 
-    /// The distance that the rays are made with.
+    /// Returns the distance that the rays use.
     pub(crate) fn distance_taken(&self) -> f64 {
         self.pipeline.distance.taken_for(self.distance)
     }
 
-    /// The direction that the pipeline has for a (u, v).
+    /// Returns the pipeline's direction through a (u, v).
     pub(crate) fn direction_at(&self, uv: DVec2) -> DVec3 {
         let direction = self.pipeline.direction([self.u, self.v, self.w], self.distance, uv);
         if self.pipeline.eye_added { self.eye + direction } else { direction }
     }
 
-    /// The direction that the pipeline has for what it calls this row and column.
+    /// Returns the direction that the pipeline calculates from this row and column number.
     pub(crate) fn direction(&self, row: f64, column: f64) -> DVec3 {
         self.direction_at(self.uv(row, column))
     }

@@ -1,4 +1,4 @@
-//! The table of mistakes: what each is called, what is said of it, and how it is made.
+//! The table of mistakes: the name of each, its texts, and the ways in which it is made.
 
 use std::fmt;
 
@@ -7,13 +7,15 @@ use super::pipeline::{
     WhichRoot,
 };
 
-/// One line of the table, and what it says of a mistake. What a mistake is never asked for is empty.
+/// Defines one line of the table, with the texts about a mistake. A text that is never needed is
+/// empty.
 macro_rules! entry {
     ($($(#[$doc:meta])* $field:ident,)*) => {
         struct Entry {
             id: &'static str,
             $($field: &'static str,)*
-            /// The ways to make it on the way from eye, view and up to a hit, the usual one first.
+            /// The ways to make the mistake on the way from eye, view and up to a hit, the usual
+            /// one first.
             ways: &'static [Way],
         }
 
@@ -35,13 +37,13 @@ entry! {
     name,
     /// The wrong formula and the right one, for the gallery.
     formula,
-    /// Its effect on the picture, for the gallery.
+    /// The mistake's effect on the picture, for the gallery.
     shows,
-    /// The change that makes it show where it changes nothing, for the gallery.
+    /// For the gallery, a change that makes the mistake visible if it has no effect.
     hint,
-    /// One sentence on what to look at in a program that makes it.
+    /// One sentence on what to look at in a program that makes the mistake.
     advice,
-    /// One sentence on an exercise's answer that comes from it, and on what to look at.
+    /// One sentence on an exercise's answer that comes from the mistake, and on what to look at.
     exercise_feedback,
 }
 
@@ -55,7 +57,7 @@ macro_rules! mistakes {
     ) => {
         /// A classic mistake, from the basis to the hit.
         ///
-        /// Their order is the one in which a program that is graded is tried for them.
+        /// The order of the mistakes is the order in which a graded program is checked for them.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Mistake {
@@ -69,8 +71,8 @@ macro_rules! mistakes {
             pub const ALL: &'static [Mistake] =
                 &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$answer_name,)*];
 
-            /// The mistakes that a graded program is tried for, in the order in which they are tried
-            /// and named.
+            /// The mistakes that a graded program is checked for, in the order in which they are
+            /// checked and named.
             pub const GRADED: &'static [Mistake] = &[$(Mistake::$graded,)*];
 
             #[expect(clippy::needless_update, reason = "one mistake has all of an entry")]
@@ -92,7 +94,7 @@ macro_rules! mistakes {
 }
 
 mistakes! {
-// A program that is graded is tried for these.
+// A graded program is checked for these mistakes.
 {
     /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
     WAsPrinted "w-as-printed" {
@@ -119,7 +121,7 @@ mistakes! {
         ways: &[|p| p.basis.v_swapped ^= true],
     }
 
-    /// w, u or both not normalized; or `a = d . d` taken as 1.
+    /// w, u or both are not normalized; or `a = d . d` is assumed to be 1.
     NotNormalized "not-normalized" {
         name: "𝐮 and 𝐯 not normalized",
         formula: "𝐮 ← up × 𝐰, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐮 ← normalize(up × 𝐰).",
@@ -153,7 +155,7 @@ mistakes! {
         ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
     }
 
-    /// The viewport's distance taken as 1, or the part along w left out.
+    /// The viewport's distance is assumed to be 1, or the component along w is left out.
     DistanceDropped "distance-dropped" {
         name: "distance dropped",
         formula: "𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − 𝐰. Right: 𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − distance 𝐰.",
@@ -165,7 +167,8 @@ mistakes! {
         ways: &[|p| p.distance = Distance::One, |p| p.distance = Distance::LeftOut],
     }
 
-    /// The pixel's corner instead of its centre; also centres spread from edge to edge.
+    /// The ray passes through the pixel's corner instead of its centre; or the centres are spread
+    /// from edge to edge.
     PixelCorner "pixel-corner" {
         name: "corner instead of centre",
         formula: "𝑢 ← width (𝑗/𝑊 − ½), 𝑣 ← height (½ − 𝑖/𝐻). Right: 𝑗 + ½ and 𝑖 + ½.",
@@ -192,7 +195,7 @@ mistakes! {
         ways: &[|p| p.rows = Rows::SignOfV, |p| p.rows = Rows::FromLast],
     }
 
-    /// u from the row and v from the column.
+    /// u is calculated from the row, and v from the column.
     RowsColumnsSwapped "rows-columns-swapped" {
         name: "rows and columns swapped",
         formula: "𝑢 ← width ((𝑖 + ½)/𝑊 − ½), 𝑣 ← height (½ − (𝑗 + ½)/𝐻). Right: 𝑢 from the column \
@@ -208,7 +211,7 @@ mistakes! {
         ],
     }
 
-    /// Rows and columns, or objects, counted from 1 where they count from 0.
+    /// Rows and columns, or objects, are counted from 1, although they count from 0.
     CountedFromOne "counted-from-one" {
         name: "counted from 1",
         formula: "𝑢 ← width ((𝑗 − ½)/𝑊 − ½) with 𝑗 from 0, and 𝑣 likewise. Right: 𝑗 + ½, or count \
@@ -226,7 +229,7 @@ mistakes! {
         ],
     }
 
-    /// The viewport's width taken for its height, or its height for its width.
+    /// The viewport's width is used as its height, or its height as its width.
     AspectDropped "aspect-dropped" {
         name: "width used as height",
         formula: "𝑣 ← width (½ − (𝑖 + ½)/𝐻). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
@@ -243,7 +246,7 @@ mistakes! {
         ],
     }
 
-    /// `u = w x up`: one cross product, or both, the other way round.
+    /// `u = w x up`: the factors of one cross product, or of both, are exchanged.
     LeftHanded "left-handed" {
         name: "left-handed basis",
         formula: "𝐮 ← normalize(𝐰 × up), 𝐯 ← 𝐮 × 𝐰. Right: up × 𝐰 and 𝐰 × 𝐮.",
@@ -255,14 +258,14 @@ mistakes! {
         ways: &[|p| p.basis.swap_both(), |p| p.basis.u_swapped ^= true],
     }
 
-    /// Computed in `f32` where that does not suffice.
+    /// The numbers are computed in `f32`, which is not precise enough here.
     SinglePrecision "single-precision" {
         advice: "Look at the type of your numbers: this scene needs double precision (f64), and \
                  these are off by as much as single (f32) may be.",
         ways: &[|p| p.single = true],
     }
 
-    /// `b = 2 d . (p - center)` and its half mixed up in the quadratic formula.
+    /// `b = 2 d . (p - center)` and its half are confused in the quadratic formula.
     BForHalfB "b-for-half-b" {
         advice: "Look at b in the quadratic formula: with b = d . (p - center) it is (-b - \
                  sqrt(b^2 - ac))/a, with twice that (-b - sqrt(b^2 - 4ac))/(2a).",
@@ -287,13 +290,13 @@ mistakes! {
         ways: &[|p| p.root = WhichRoot::Far, |p| p.root = WhichRoot::Farthest],
     }
 
-    /// A hit behind the eye taken for one.
+    /// A hit behind the eye is accepted as a hit.
     NegativeT "negative-t" {
         advice: "Look for a test that is missing: only t > 0 is in front of the eye.",
         ways: &[|p| p.sign = Sign::Any, |p| p.sign = Sign::Nearest],
     }
 
-    /// The distance along the ray given as t, or t taken for a distance.
+    /// The distance along the ray is reported as t, or t is used as a distance.
     TForDistance "t-for-distance" {
         advice: "Look at what t counts: t is in lengths of d, which is not normalized, and the \
                  distance along the ray is t |d|.",
@@ -306,7 +309,7 @@ mistakes! {
         ],
     }
 
-    /// The last object taken for the first: the last in the scene, or along the ray.
+    /// The last object is used as the first: the last in the scene, or the farthest along the ray.
     LastObject "last-object" {
         advice: "Look at how the hits of several objects are compared: the smallest t is the first \
                  hit, and a later object replaces it only where its t is smaller.",
@@ -314,9 +317,10 @@ mistakes! {
     }
 }
 
-// Seen in the gallery or in an answer. A program is tried for a few of them, each alone.
+// These mistakes appear in the gallery or in an answer. A graded program is checked for a few of
+// them, each alone.
 {
-    /// `w = normalize(at - eye)`: the same, from points.
+    /// `w = normalize(at - eye)`: like [`Mistake::WAsPrinted`], for a camera given by points.
     WIsAtMinusEye "w-is-at-minus-eye" {
         name: "𝐰 from at − eye",
         formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
@@ -326,7 +330,7 @@ mistakes! {
         ways: &[|p| p.basis.w_forwards = true],
     }
 
-    /// `w = -view`, not normalized, and with it v.
+    /// `w = -view` is not normalized, and therefore v is not, either.
     WNotNormalized "w-not-normalized" {
         name: "𝐰 not normalized",
         formula: "𝐰 ← −view, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐰 ← −normalize(view).",
@@ -361,14 +365,14 @@ mistakes! {
         ways: &[|p| p.distance = Distance::Plus],
     }
 
-    /// The step from the eye to the viewport left out.
+    /// The step from the eye to the viewport is left out.
     FlatDirection "flat-direction" {
         exercise_feedback: "This stays in the viewport's plane. How far in front of the eye is the \
             viewport?",
         ways: &[|p| p.distance = Distance::LeftOut],
     }
 
-    /// w is the view itself, neither turned round nor normalized.
+    /// w is the view itself, neither reversed nor normalized.
     WIsView "w-is-view" {
         exercise_feedback: "𝐰 is view itself: 𝐰 points the other way, and is of length 1: 𝐰 = \
             −view/|view|.",
@@ -392,20 +396,20 @@ mistakes! {
         ways: &[|p| p.quadratic.set(-1.0, 1.0, 1.0, 1.0)],
     }
 
-    /// Half of `b` in the D of the full quadratic.
+    /// Half of `b` is used in the D of the full quadratic.
     HalfBForB "half-b-for-b" {
         exercise_feedback: "𝑏 lacks a factor 2: where 𝐷 is 𝑏² − 4𝑎𝑐, 𝑏 = 2 𝐝 · (𝐩 − centre).",
         ways: &[|p| p.quadratic.set(1.0, 1.0, 4.0, 2.0)],
     }
 
-    /// `a` for `2a` below the full quadratic's root.
+    /// `a` is used in place of `2a` in the denominator of the full quadratic's root.
     DividedByA "divided-by-a" {
         exercise_feedback: "This is twice what it should be: where 𝑏 = 2 𝐝 · (𝐩 − centre), divide \
             by 2𝑎, not by 𝑎.",
         ways: &[|p| p.quadratic.set(2.0, 4.0, 4.0, 1.0)],
     }
 
-    /// `2a` for `a` below the halved quadratic's root.
+    /// `2a` is used in place of `a` in the denominator of the halved quadratic's root.
     DividedBy2A "divided-by-2a" {
         exercise_feedback: "This is half of what it should be: where 𝑏 = 𝐝 · (𝐩 − centre), without \
             a 2, divide by 𝑎, not by 2𝑎.",
@@ -424,7 +428,7 @@ mistakes! {
         ways: &[|p| p.quadratic.offset = Offset::CenterLeftOut],
     }
 
-    /// `-center` for `p - center`; or `t d` for `p + t d`.
+    /// `-center` is used in place of `p - center`; or `t d` in place of `p + t d`.
     OriginLeftOut "origin-left-out" {
         advice: "Look at p - center in the quadratic's b and c: p, which is the eye, is left out.",
         exercise_feedback: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
@@ -450,7 +454,7 @@ mistakes! {
         ],
     }
 
-    /// The viewport's height for its width, and its width for its height.
+    /// The viewport's height is used as its width, and its width as its height.
     ViewportSwapped "viewport-swapped" {
         advice: "Look at the viewport's measures: its width and height are exchanged, and u takes \
                  the width, v the height.",
@@ -472,7 +476,7 @@ mistakes! {
     }
 }
 
-// Made by hand in an answer, and by no program that is graded.
+// These mistakes are made by hand in an answer, and by no graded program.
 {
     ViewportForEye "viewport-for-eye":
         "Every view ray starts at the eye. (𝑢, 𝑣) is where it passes the viewport.",
@@ -534,7 +538,7 @@ mistakes! {
 }
 
 impl Mistake {
-    /// The mistakes with a wrong camera to look at, in the order of a gallery.
+    /// The mistakes whose wrong camera is shown, in the order of the gallery.
     pub const GALLERY: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::WIsAtMinusEye,
@@ -552,8 +556,8 @@ impl Mistake {
         Mistake::AspectDropped,
     ];
 
-    /// The mistakes that a graded program is tried for, each alone, after those of
-    /// [`Mistake::GRADED`].
+    /// The mistakes that a graded program is checked for after those of [`Mistake::GRADED`], each
+    /// alone.
     pub const ALONE: &'static [Mistake] = &[
         Mistake::SignOfB,
         Mistake::CenterLeftOut,
@@ -565,7 +569,7 @@ impl Mistake {
         Mistake::EyeInDirection,
     ];
 
-    /// The name in files and commands: `w-as-printed`, ...
+    /// Returns the name in files and commands, such as `w-as-printed`.
     pub fn id(self) -> &'static str {
         self.entry().id
     }
@@ -575,28 +579,29 @@ impl Mistake {
         Mistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
     }
 
-    /// Returns whether it has a wrong camera to look at: whether it is one of [`Mistake::GALLERY`].
+    /// Returns true if the mistake has a wrong camera to show, that is, if it is one of
+    /// [`Mistake::GALLERY`].
     pub fn is_in_gallery(self) -> bool {
         Mistake::GALLERY.contains(&self)
     }
 
-    /// The pipeline that it usually makes of the right one.
+    /// Returns the right pipeline with this mistake made in the usual way.
     pub(crate) fn usual(self) -> Pipeline {
         self.pipelines().next().unwrap_or(Pipeline::RIGHT)
     }
 
-    /// The pipelines that it makes of the right one, the usual one first.
+    /// Returns the right pipeline with this mistake made in each of its ways, the usual one first.
     pub(crate) fn pipelines(self) -> impl Iterator<Item = Pipeline> {
         self.pipelines_from(Pipeline::RIGHT)
     }
 
-    /// The pipelines that it makes of another one, the usual one first.
+    /// Returns another pipeline with this mistake made in each of its ways, the usual one first.
     pub(crate) fn pipelines_from(self, pipeline: Pipeline) -> impl Iterator<Item = Pipeline> {
         self.entry().ways.iter().map(move |way| pipeline.with(*way))
     }
 
-    /// Returns whether this mistake is made in the other, too, with one more, or is how the other
-    /// comes about and says it, too.
+    /// Returns true if the other mistake includes this one and another, or if the other is an
+    /// effect of this one, whose text covers it.
     pub fn is_part_of(self, other: Mistake) -> bool {
         matches!(
             (self, other),

@@ -1,4 +1,4 @@
-//! The camera that a mistake makes of a right one.
+//! The camera that results from a mistake in a right camera.
 
 use std::fmt;
 
@@ -16,13 +16,13 @@ use super::table::Mistake;
 pub enum NoWrongCamera {
     /// The right camera sees nothing.
     Camera(CameraError),
-    /// u, v and w are set by hand: no mistake can be made in finding them.
+    /// u, v and w are set by hand, so that no mistake is possible in their calculation.
     GivenByHand(Mistake),
-    /// The camera is given by view, and there is no at.
+    /// The camera is given by view, so there is no at.
     NotGivenByAt,
     /// The wrong camera is the right one.
     ChangesNothing(Mistake),
-    /// Its numbers are beyond the range of `f64`.
+    /// The camera's numbers are beyond the range of `f64`.
     OutOfRange(Mistake),
 }
 
@@ -50,24 +50,25 @@ impl fmt::Display for NoWrongCamera {
 
 impl std::error::Error for NoWrongCamera {}
 
-/// A camera with a mistake on the way to its rays.
+/// A camera with a mistake in the calculation of its rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongCamera {
     pub(super) given: GivenCamera,
     pub(super) made: PipelineCamera,
 }
 
-/// Least relative difference of a wrong camera's numbers from the right ones. A mistake of sign or
-/// order changes them by as much as they are; a length that is 1 but for rounding is found within
-/// 1e-15, and one that differs by less than this changes no pixel of any image.
+/// Minimum relative difference of a wrong camera's numbers from the right ones. A mistake in a sign
+/// or an order changes the numbers by about their own size. A length that differs from 1 only by
+/// rounding is within 1e-15 of it, and a difference below this minimum changes no pixel of any
+/// image.
 const DIFFERENT: f64 = 1e-12;
 
 impl WrongCamera {
-    /// The camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
+    /// Creates the camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
     ///
     /// # Errors
-    /// Returns an error if the camera sees nothing, the mistake cannot be made with it, or changes
-    /// nothing.
+    /// Returns an error if the camera sees nothing, or if the mistake cannot be made with it or
+    /// changes nothing.
     pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, NoWrongCamera> {
         let right = WrongCamera::right(camera).map_err(NoWrongCamera::Camera)?;
         let pipeline = mistake.usual();
@@ -88,7 +89,7 @@ impl WrongCamera {
         Ok(wrong)
     }
 
-    /// The camera without any mistake, to be checked as the wrong ones are.
+    /// Creates the camera without any mistake, so that it can be checked like the wrong cameras.
     ///
     /// # Errors
     /// Returns an error if the camera sees nothing.
@@ -102,30 +103,30 @@ impl WrongCamera {
         &self.given.resolved
     }
 
-    /// The wrong u; not always of length 1.
+    /// The wrong u, which may not have length 1.
     pub fn u(&self) -> DVec3 {
         self.made.u
     }
 
-    /// The wrong v; not always of length 1, nor perpendicular to w.
+    /// The wrong v, which may not have length 1 or be perpendicular to w.
     pub fn v(&self) -> DVec3 {
         self.made.v
     }
 
-    /// The wrong w; not always of length 1, nor backwards.
+    /// The wrong w, which may not have length 1 or point backwards.
     pub fn w(&self) -> DVec3 {
         self.made.w
     }
 
-    /// Tells of u, v and w each whether it is another vector than the right one, and not by
-    /// rounding alone.
+    /// Returns, for each of u, v and w, true if it differs from the right vector by more than
+    /// rounding.
     pub fn wrong_vectors(&self) -> [bool; 3] {
         let right = self.given.resolved.basis();
         let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
         [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
     }
 
-    /// The distance that the rays are made with.
+    /// The distance that the rays use.
     pub fn distance(&self) -> f64 {
         self.made.distance_taken()
     }
@@ -135,24 +136,25 @@ impl WrongCamera {
         self.given.resolved.image()
     }
 
-    /// (u, v) that the wrong camera takes for a pixel's.
+    /// Returns the (u, v) that the wrong camera calculates for a pixel.
     pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
         self.made.uv(f64::from(pixel.row), f64::from(pixel.column))
     }
 
-    /// `u*U + v*V - distance*W` of the wrong vectors.
+    /// Returns `u*U + v*V - distance*W` with the wrong vectors.
     pub fn direction_at(&self, uv: DVec2) -> DVec3 {
         self.made.direction_at(uv)
     }
 
-    /// The directions through the image's corners, from that of pixel (0, 0) clockwise in the image.
+    /// Returns the directions through the image's corners, clockwise in the image from pixel (0,
+    /// 0).
     pub fn corner_directions(&self) -> [DVec3; 4] {
         let (height, width) = (f64::from(self.image().height()), f64::from(self.image().width()));
         [(0.0, 0.0), (0.0, width), (height, width), (height, 0.0)]
             .map(|(row, column)| self.direction_at(self.made.uv(row - 0.5, column - 0.5)))
     }
 
-    /// The ray that the wrong camera sends through a pixel.
+    /// Returns the ray that the wrong camera generates for a pixel.
     ///
     /// # Errors
     /// Returns an error if its numbers are beyond the range of `f64`.
@@ -160,7 +162,7 @@ impl WrongCamera {
         self.ray_at(self.uv_of_pixel(pixel))
     }
 
-    /// The ray that the wrong camera sends through a (u, v).
+    /// Returns the ray that the wrong camera generates for a (u, v).
     ///
     /// # Errors
     /// Returns an error if its numbers are beyond the range of `f64`.
@@ -172,7 +174,7 @@ impl WrongCamera {
         corners(self.image()).into_iter().all(|pixel| self.ray(pixel).is_ok())
     }
 
-    /// Returns whether basis and rays are the right ones but for rounding.
+    /// Returns true if basis and rays differ from the right ones only by rounding.
     fn is_right(&self) -> bool {
         self.wrong_vectors() == [false; 3]
             && corners(self.image()).into_iter().all(|pixel| {
@@ -186,7 +188,8 @@ fn is_near(a: DVec3, b: DVec3) -> bool {
     (a - b).length() <= DIFFERENT * length(b)
 }
 
-/// Directions are linear in row and column: those of the four corners tell them all.
+/// Returns the corner pixels. Directions are linear in row and column, so the corners determine all
+/// of them.
 fn corners(image: ImageSize) -> [Pixel; 4] {
     let (last_row, last_column) = (image.height() - 1, image.width() - 1);
     [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]

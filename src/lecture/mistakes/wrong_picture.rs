@@ -1,8 +1,8 @@
-//! Pictures that wrong cameras see, and votes on which mistake made one.
+//! The pictures of wrong cameras, and votes on which mistake made a picture.
 //!
-//! A wrong camera's rays are those of a right one: with the viewport mirrored, scaled, shifted by a
-//! part of a pixel, or facing backwards. So the tracer draws its picture as fast as any. Where up
-//! stands for v, that is so row by row.
+//! A wrong camera's rays are also the rays of a right camera whose viewport is mirrored, scaled,
+//! shifted by a part of a pixel, or facing backwards. The tracer therefore draws its picture as
+//! fast as any other. If up is used as v, this holds for each row separately.
 
 use pinhole_core::{
     BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageError, ImageSize,
@@ -22,16 +22,16 @@ use crate::mistakes::wrong_camera::{NoWrongCamera, WrongCamera};
 pub struct WrongPicture {
     camera: WrongCamera,
     raster: Raster,
-    /// `t` of the first hit of every pixel of the raster, row by row; infinite where there is none.
+    /// The `t` of the first hit of every pixel of the raster, row by row; infinite for a miss.
     pub t: Vec<f32>,
     /// The object hit, or [`NO_OBJECT`].
     pub object: Vec<u32>,
 }
 
-/// The positions in a stand-in camera's image that the wrong camera's columns (or rows) have.
+/// The positions of the wrong camera's columns (or rows) in a stand-in camera's image.
 struct StandInAxis {
-    /// The stand-in's pixels, so many that all places lie in it: where rows stand for columns
-    /// that can be almost three times as many as the image has.
+    /// Number of the stand-in's pixels, so large that all positions lie in it. If rows are used as
+    /// columns, it can be almost three times the image's number.
     count: u32,
     /// Its extent, of the same pixels.
     extent: f64,
@@ -41,10 +41,12 @@ struct StandInAxis {
 }
 
 impl StandInAxis {
-    /// `indices`: which pixels of the wrong camera's, ascending. `pixels`: how many the right one's
-    /// extent is divided by. `half`: what is added to an index.
+    /// Creates the axis. `indices` are the wrong camera's pixels, ascending; `pixels` is the number
+    /// by which the right camera's extent is divided; `half` is the offset that is added to an
+    /// index.
     fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> StandInAxis {
-        // A pixel more for half of one, and room for indices beyond the last.
+        // The shift is one pixel for an offset of zero; `beyond` leaves space for indices after the
+        // last.
         let shift = (2.0 * (0.5 - half)) as u32;
         let last = indices.last().copied().unwrap_or_default();
         let beyond = (last + 1).saturating_sub(pixels);
@@ -58,17 +60,17 @@ impl StandInAxis {
         StandInAxis { count, extent, sorted, is_reversed }
     }
 
-    /// The position of the `k`th of the indices.
+    /// Returns the position of the `k`th index.
     fn at(&self, k: usize) -> usize {
         if self.is_reversed { self.sorted.len() - 1 - k } else { k }
     }
 }
 
 impl WrongPicture {
-    /// Traces the pixels of `raster`, which is one of the camera's image.
+    /// Traces the pixels of `raster`, which belongs to the camera's image.
     ///
     /// # Errors
-    /// Returns an error if the wrong camera's numbers make no camera at all.
+    /// Returns an error if the wrong camera's numbers do not form a camera at all.
     pub fn trace(
         scene: &Scene,
         camera: &WrongCamera,
@@ -116,8 +118,8 @@ impl WrongPicture {
         Ok(picture)
     }
 
-    /// Puts a frame's pixels where the wrong camera has them: of the lines `ks` along v, each of
-    /// which is the frame's `row_of`th.
+    /// Copies a frame's pixels to their positions in the wrong camera's picture, for the lines `ks`
+    /// along v. Line k is row `row_of(k)` of the frame.
     fn take(
         &mut self,
         frame: &Frame<f32>,
@@ -142,7 +144,7 @@ impl WrongPicture {
         &self.raster
     }
 
-    /// The colours, row by row, as those of a right camera's picture are made.
+    /// Returns the colours, row by row, calculated as for a right camera's picture.
     pub fn shaded<P: Clone + Send + Sync>(
         &self,
         scene: &Scene,
@@ -169,15 +171,15 @@ impl WrongPicture {
         (0..self.object.len()).into_par_iter().map(|index| to_pixel(color(index))).collect()
     }
 
-    /// Counts the pixels that see another object than those of a frame of the same raster, or
-    /// nothing where that sees something, or something where that sees nothing.
+    /// Counts the pixels whose object differs from that of a right frame with the same raster,
+    /// including pixels where only one of the two sees an object.
     pub fn differing(&self, object: &[u32]) -> usize {
         self.object.iter().zip(object).filter(|(wrong, right)| wrong != right).count()
     }
 }
 
 impl WrongCamera {
-    /// The right camera whose rays, in other pixels, are this one's.
+    /// Returns the right camera that has the same rays as this camera, in other pixels.
     fn stand_in(
         &self,
         columns: &StandInAxis,
@@ -199,7 +201,8 @@ impl WrongCamera {
         )
     }
 
-    /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
+    /// Returns the right camera that has the same rays as this camera in one row, where `upward` is
+    /// the row's `v*V`.
     fn row_camera(
         &self,
         upward: DVec3,
@@ -207,7 +210,7 @@ impl WrongCamera {
     ) -> Result<ResolvedCamera, CameraError> {
         let facing = self.made.factors.z.signum();
         let forward = upward - self.distance() * self.w();
-        // At right angles to u, as up and w are, but for rounding.
+        // u is perpendicular to up and w, up to rounding.
         let u = facing * self.right_camera().basis().u;
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
@@ -241,18 +244,18 @@ pub(super) fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &R
     trace_as::<f32>(scene, resolved, raster, outputs).object
 }
 
-/// A wrong camera, next to the right one.
+/// A wrong camera, compared with the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedCamera {
     /// The mistake that was made.
     pub mistake: Mistake,
-    /// The camera that it makes, or why there is none.
+    /// The camera that results from the mistake, or the reason why there is none.
     pub camera: Result<WrongCamera, NoWrongCamera>,
     /// Every check of the right camera.
     pub right_checks: Vec<Checked>,
-    /// Every check of the wrong one; none where there is none.
+    /// Every check of the wrong camera; empty if there is no wrong camera.
     pub checks: Vec<Checked>,
-    /// The pixels that are shown, and those of them that see something else.
+    /// The number of compared pixels, and of those that differ.
     pub seen: Option<ComparedPixels>,
     /// The reason why the wrong camera sees nothing.
     pub blind: Option<CameraError>,
@@ -263,11 +266,12 @@ pub struct ComparedCamera {
 pub struct ComparedPixels {
     /// The count of pixels that are compared.
     pub pixels: usize,
-    /// The count of those that see another object, or nothing where the other sees something.
+    /// The number of pixels that see another object, including those where only one camera sees an
+    /// object.
     pub differing: usize,
 }
 
-/// A wrong camera's picture, and what both cameras see in each pixel.
+/// A wrong camera's picture, and the objects that both cameras see in each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedPicture<P> {
     /// The colours of the wrong picture, row by row.
@@ -279,7 +283,8 @@ pub struct ComparedPicture<P> {
 }
 
 impl ComparedCamera {
-    /// The wrong camera with its numbers, and its picture, if it has one.
+    /// Compares the wrong camera, with its numbers and its picture, if it has one, with the right
+    /// camera.
     pub fn new<P: Clone + Send + Sync>(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -314,7 +319,7 @@ impl ComparedCamera {
         }
     }
 
-    /// The reason why there is no wrong picture, in words.
+    /// Returns the reason why there is no wrong picture, in words.
     pub fn why_not(&self) -> Option<String> {
         match &self.camera {
             Err(why) => Some(why.to_string()),
@@ -323,10 +328,10 @@ impl ComparedCamera {
     }
 }
 
-/// Rows and columns that are looked at to see whether two pictures differ.
+/// Number of rows and columns that are compared to decide whether two pictures differ.
 const SAMPLES: u32 = 72;
 
-/// One pixel in so many has to see something else for two pictures to differ.
+/// Two pictures differ if at least one in this many pixels sees another object.
 const DIFFERS_FROM: usize = 100;
 
 /// The most options of a vote.
@@ -335,16 +340,16 @@ const OPTIONS: usize = 4;
 /// A question that shows a wrong picture and asks which mistake made it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vote {
-    /// Mistakes of which each makes a picture of its own, at least two.
+    /// At least two mistakes, whose pictures all differ from each other.
     pub options: Vec<Mistake>,
     /// Index of the mistake that made the picture.
     pub right: usize,
 }
 
 impl Vote {
-    /// Returns the vote of this seed: the same one for the same camera, scene and seed. Votes of
-    /// neighbouring seeds are about different mistakes. Returns `None` where fewer than two mistakes
-    /// can be told apart.
+    /// Creates the vote of this seed. The same camera, scene and seed give the same vote, and votes
+    /// of neighbouring seeds are about different mistakes. Returns `None` if fewer than two
+    /// mistakes can be distinguished.
     pub fn new(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -353,7 +358,7 @@ impl Vote {
     ) -> Option<Vote> {
         let pictures = different_pictures(camera, resolved, scene);
         let mut order: Vec<usize> = (0..pictures.len()).collect();
-        // One order for all seeds, so that none follows itself.
+        // All seeds use one order, so that no mistake follows itself.
         shuffle(&mut order, 0);
         let right = *order.get((seed % pictures.len().max(1) as u64) as usize)?;
         shuffle(&mut order, seed.wrapping_add(1));
@@ -378,7 +383,7 @@ impl Vote {
     }
 }
 
-/// Returns the mistakes whose picture differs from the right one, with the objects that they see.
+/// Returns the mistakes whose picture differs from the right one, with the objects that it shows.
 fn different_pictures(
     camera: &Camera,
     resolved: &ResolvedCamera,
@@ -394,7 +399,7 @@ fn different_pictures(
     Mistake::GALLERY.iter().filter_map(seen).collect()
 }
 
-/// Returns whether one sees at a glance that two pictures differ.
+/// Returns true if two pictures differ visibly.
 fn differ(a: &[u32], b: &[u32]) -> bool {
     let differing = a.iter().zip(b).filter(|(a, b)| a != b).count();
     differing * DIFFERS_FROM >= a.len().max(1)
