@@ -45,7 +45,7 @@ pub enum Leave {
     BackToStep,
     /// Open the recovered changes that were offered.
     Restore {
-        /// True to open them as a new scene, so that the file they were made to stays as it is.
+        /// True to open them as a new scene, so that the file for which they were made stays as it is.
         as_new: bool,
     },
     /// Close the window.
@@ -57,7 +57,7 @@ pub enum Leave {
 pub enum FileAction {
     /// Ask for the path of a scene to open.
     AskOpen,
-    /// Save to the scene's file; ask for a path if it has none.
+    /// Save to the scene's file; ask for a path if the scene has no file.
     Save,
     /// Ask for a path to save to.
     AskSaveAs {
@@ -151,7 +151,7 @@ pub enum ExchangeAction {
     AskPaste,
     /// Set the camera from another program's text.
     Paste(String),
-    /// Show the camera in the terms of the format of this name.
+    /// Show the camera in the format of this name.
     TranslateInto(&'static str),
     /// Ask where to save the translated camera.
     AskSave,
@@ -189,7 +189,7 @@ pub enum PlayAction {
     Close,
 }
 
-/// Changes the ghost, a frozen copy of the camera to compare with.
+/// Changes the ghost, a frozen copy of the camera for comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GhostAction {
     /// Make the camera the ghost.
@@ -200,7 +200,8 @@ pub enum GhostAction {
     Swap,
 }
 
-/// Moves the camera by keys as the mouse does in the camera view, in steps to the right and up, or forward.
+/// Moves the camera with keys as the mouse moves it in the camera view, in steps to the right and up, or
+/// forward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steer {
     /// Look around.
@@ -213,7 +214,7 @@ pub enum Steer {
     Dolly(i32),
 }
 
-/// Moves the world view's observer by keys, in the same steps.
+/// Moves the world view's observer with keys, in the same steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observe {
     /// Orbit the point that the observer looks at.
@@ -239,7 +240,7 @@ pub enum ObjectAction {
     Remove,
     /// Choose the object with this index.
     Choose(usize),
-    /// Move the choice by this many objects in the list, which wraps around.
+    /// Move the choice by this many objects in the list, wrapping around at its ends.
     Next(i32),
 }
 
@@ -287,7 +288,8 @@ pub enum HelpAction {
     About,
 }
 
-/// A command from the user, applied once per pass after the panels and before anything is derived.
+/// A command from the user. It is applied once per pass, after the panels are drawn and before anything is
+/// derived.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Leave the open scene.
@@ -356,7 +358,7 @@ action_of! {
     Help(HelpAction),
 }
 
-/// What happens to the open animation before an action is applied.
+/// The effect of an action on the open animation before the action is applied.
 pub(crate) enum PlayEnd {
     GoesOn,
     /// It closes, and the current state stays.
@@ -379,14 +381,14 @@ pub(crate) struct Available {
 }
 
 impl Action {
-    /// Returns what the action does to the open animation before it is applied: saving keeps the camera as it
-    /// is shown; opening something else restores the camera from before the animation.
+    /// Returns the action's effect on the open animation before the action is applied. Saving keeps the
+    /// camera as it is shown; opening something else restores the camera from before the animation.
     pub(crate) fn play_end(&self) -> PlayEnd {
         match self {
             Action::Leave(_)
             | Action::History(_)
             | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
-            // The other lesson actions leave through [`Leave::GoTo`], if there is such a step.
+            // The other lesson actions go through [`Leave::GoTo`], if the step that they open exists.
             | Action::Lesson(LessonAction::Close)
             | Action::Ghost(GhostAction::Swap) => PlayEnd::GivesBack,
             Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {
@@ -397,13 +399,13 @@ impl Action {
         }
     }
 
-    /// Returns true if bars or dialogs, which are drawn before actions are applied, may show the action's effect.
-    /// Moving the camera or the observer changes the views alone.
+    /// Returns true if the action's effect may show in bars or dialogs, which are drawn before actions are
+    /// applied. Moving the camera or the observer changes only the views.
     pub(crate) fn shows_above_views(&self) -> bool {
         !matches!(self, Action::Steer(_) | Action::Observe(_) | Action::Figure(_))
     }
 
-    /// Returns true if what the action needs is there, such as a step to undo.
+    /// Returns true if the action's precondition holds, such as a step to undo.
     pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
@@ -429,7 +431,7 @@ pub enum Switch {
     ExactForms,
     /// Rows and columns are counted from 1.
     CountFromOne,
-    /// Moving the eye keeps the view direction; off, the eye orbits at.
+    /// When on, moving the eye keeps the view direction; when off, the eye orbits at.
     EyeTravels,
     /// Changing the viewport or the image keeps the pixels' shape.
     KeepPixelShape,

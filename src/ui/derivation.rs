@@ -33,13 +33,13 @@ pub(crate) struct DerivationPanel {
     folded: Vec<(DerivationSection, Option<u32>)>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
-    /// The fields of given numbers, with the concepts of their lines.
+    /// The fields of given numbers, with the concepts of the lines that contain them.
     fields: Vec<(Id, Option<Concept>)>,
     /// The number of lines that were revealed last.
     revealed: Option<usize>,
 }
 
-/// The inputs that all lines of a pass share, and its outputs.
+/// The inputs that all lines of a pass share, and the outputs.
 struct DerivationPass<'a> {
     givens: Givens<'a>,
     inks: Inks,
@@ -65,8 +65,7 @@ struct Laid {
 }
 
 impl DerivationPanel {
-    /// Returns the concept in the last frame's derivation that the mouse or the keyboard focus is
-    /// on.
+    /// Returns the concept under the mouse or the keyboard focus in the last frame's derivation.
     pub(crate) fn hovered(&self, ctx: &Context) -> Option<Hovered> {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
@@ -94,7 +93,7 @@ impl DerivationPanel {
         Some(Hovered { concept, by: HoverSource::Derivation })
     }
 
-    /// Returns the panel's width when it was last shown, in points.
+    /// Returns the width of the panel when it was last shown, in points.
     pub(crate) fn width(&self) -> Option<f32> {
         self.laid.as_ref().map(|laid| laid.width)
     }
@@ -119,8 +118,8 @@ impl DerivationPanel {
         self.lines(ui, derivation, document, session, Some(actions));
     }
 
-    /// Shows the derivation without the title and options above it. The given numbers can be changed only
-    /// if there is a list for the actions.
+    /// Shows the derivation without the title and the options above it. The given numbers can be changed only
+    /// if `actions` is `Some`.
     pub(crate) fn lines(
         &mut self,
         ui: &mut Ui,
@@ -129,8 +128,7 @@ impl DerivationPanel {
         session: &Session,
         actions: Option<&mut Vec<Action>>,
     ) {
-        // The panel scrolls only once to a concept that is hovered in a view, and to a line that is
-        // new.
+        // The panel scrolls only once to a concept that is hovered in a view, and once to a new line.
         let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
         let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
@@ -167,8 +165,8 @@ impl DerivationPanel {
         });
     }
 
-    /// Shows the title, the form of the numbers, a checkbox for each section, and buttons that copy
-    /// the derivation.
+    /// Shows the title, the choice of how numbers are written, a checkbox for each section, and buttons that
+    /// copy the derivation.
     fn head(&self, ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
         let Session { sections, settings, .. } = session;
         ui.horizontal_wrapped(|ui| {
@@ -228,7 +226,7 @@ impl DerivationPanel {
         section: &DerivedSection,
         frame: &mut DerivationPass<'_>,
     ) {
-        // Lines that are revealed one by one are in no folded section.
+        // If lines are revealed one by one, no section is folded.
         let is_folded = frame.revealed.is_none() && self.is_folded(section);
         let is_lit =
             |line: &DerivedLine| frame.highlighted.is_some_and(|concept| line.is_about(concept));
@@ -251,7 +249,7 @@ impl DerivationPanel {
             let number = frame.line;
             frame.line += 1;
             if is_hidden(number) {
-                // The space is kept, so that the lines above stay in place.
+                // Space is reserved for hidden lines, so that the lines above stay in place.
                 ui.allocate_space(vec2(ui.available_width(), laid.height));
                 continue;
             }
@@ -349,12 +347,12 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     response
 }
 
-/// Distance of the dots below a given number, and their radius, in points.
+/// Distance between the dots below a given number, and radius of a dot, in points.
 const BETWEEN_DOTS: f32 = 3.0;
 const DOT: f32 = 0.7;
 
-/// Shows the field of a given number over its digits in a formula whose first baseline begins at
-/// `baseline`. An edit becomes an action, which is carried out before the frame is presented.
+/// Shows the field of a given number over its digits in a formula; the formula's first baseline begins at
+/// `baseline`. An edit becomes an action, which is applied before the frame is presented.
 fn field(
     ui: &mut Ui,
     shown: &GivenBox,

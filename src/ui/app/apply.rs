@@ -1,5 +1,5 @@
-//! Applies the actions of a pass, each to the part of the window that it concerns; presenter mode and
-//! the window's colours and sizes among them.
+//! Applies the actions of a pass, each to the part of the window that it concerns, including presenter mode
+//! and the window's colours and sizes.
 
 use std::path::Path;
 
@@ -25,11 +25,11 @@ use crate::ui::dialogs::{Dialog, Message};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
 
-/// Names of the undo steps for swapping with the ghost and for pasting a camera.
+/// Names of the undo steps that swap with the ghost and that paste a camera.
 const SWAP: &str = "swap with the ghost";
 const PASTE: &str = "paste a camera";
 
-/// Name of the undo step for reading the scene's file again.
+/// Name of the undo step that reads the scene's file again.
 const RELOAD: &str = "reload the file";
 
 const OPEN: FileQuestion = FileQuestion {
@@ -59,7 +59,7 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Applies the action; returns a dialog if the user must answer or be told.
+    /// Applies the action. Returns a dialog if the user must answer a question or read a message.
     fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
         match action {
             Action::Leave(leave) => return self.leave(ctx, leave),
@@ -103,7 +103,7 @@ impl App {
         Dialog::Unsaved { title: title_of(self.scene.open.origin()), then }
     }
 
-    /// Opens the other scene or step, or closes the window, without asking.
+    /// Opens the other scene or step, or closes the window, without asking the user.
     fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         let before = self.scene.clone();
@@ -135,12 +135,12 @@ impl App {
         Ok(opened)
     }
 
-    /// Prepares the views for the scene that was opened, and starts its animation.
+    /// Prepares the views for the scene that was opened, and starts the scene's animation.
     pub(super) fn show_opened(&mut self, Opened { is_another, play }: Opened) {
         if is_another {
             self.views.deriver = Deriver::default();
         }
-        // The animation opens in the next pass, which knows what the step's ray hits.
+        // The animation opens in the next pass, when the hit of the step's ray is known.
         self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
     }
 
@@ -203,7 +203,7 @@ impl App {
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Reads the scene's file again as a step that can be undone.
+    /// Reads the scene's file again as a step that the user can undo.
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.history.settle(ctx, &self.scene.open.document);
         if let Err(error) = self.scene.reload() {
@@ -261,7 +261,7 @@ impl App {
         let leave = Leave::GoTo(to?);
         self.playback.give_back(&mut self.scene);
         let dialog = self.leave(ctx, leave);
-        // Going back shows the answer and every line, which the class has already seen.
+        // Going back shows the answer and every line, since the class has already seen them.
         if action == LessonAction::Previous && dialog.is_none() {
             self.scene.show_all();
         }
@@ -417,17 +417,17 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
     } else {
         settings.zoom
     };
-    // A zoom computed from points, which are rounded, would never settle.
+    // A zoom computed from the size in points would never settle, because points are rounded.
     if (ctx.zoom_factor() / zoom - 1.0).abs() > 0.004 {
         ctx.set_zoom_factor(zoom);
         ctx.request_repaint();
     }
 }
 
-/// Returns the window's size in points at a zoom of 1, or zero if it is not on a screen.
+/// Returns the window's size in points at a zoom of 1, or zero if the window is not on a screen.
 fn window_size(ctx: &Context) -> [f32; 2] {
     let size = ctx.content_rect().size() * ctx.zoom_factor();
-    // A window that is only in memory has no size in pixels: its size in points does not change.
+    // A window that exists only in memory has no size in pixels, so its size in points does not change.
     let is_real = ctx.input(|input| input.viewport().inner_rect.is_some());
     if is_real { size.into() } else { [0.0; 2] }
 }

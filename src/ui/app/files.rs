@@ -1,5 +1,5 @@
-//! Reads and writes files other than scenes: the translator's text, a student's answers, and figures
-//! of the views on the screen.
+//! Reads and writes files other than scenes: the translator's text, a student's answers, and figures of the
+//! views on the screen.
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read as _, Write as _};
@@ -29,7 +29,7 @@ use crate::ui::workspaces::page;
 use crate::view::derive::Derived;
 use crate::view::overlay::Style;
 
-/// Returns the text pasted while no text field has the focus.
+/// Returns the text that was pasted while no text field had the focus.
 pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     if ctx.text_edit_focused() {
         return None;
@@ -42,7 +42,7 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     })
 }
 
-/// Shows the last notice; one about a camera disappears when the camera changes.
+/// Shows the last notice. A notice about a camera disappears when the camera changes.
 pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) {
     let notice = &mut scene.session.translator.notice;
     let camera = notice.as_ref().and_then(|said| said.camera);
@@ -95,7 +95,7 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file dropped on the window, chosen by the file's first bytes.
+/// Returns the action for a file dropped on the window, which depends on the file's first bytes.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
@@ -109,7 +109,7 @@ pub(super) fn dropped(path: PathBuf) -> Action {
     }
 }
 
-/// Applies the action; returns a dialog if the user must answer or be told.
+/// Applies the action. Returns a dialog if the user must answer a question or read a message.
 pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
     let session = &mut scene.session;
     match action {
@@ -151,7 +151,7 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
     Ok(())
 }
 
-/// Larger side of a view that is not on the screen, and sizes of the other figures, in points.
+/// `VIEW` is the larger side of a view that is not on the screen; the others are sizes of figures, in points.
 const VIEW: f32 = 960.0;
 const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
@@ -182,7 +182,8 @@ impl ScreenContents<'_> {
         Style::new(self.scene.session.settings.scheme, self.is_dark())
     }
 
-    /// Copies the layout's figure to the clipboard at its size on the screen; returns a message if that fails.
+    /// Copies the layout's figure to the clipboard at its size on the screen. Returns a message if that
+    /// fails.
     pub(super) fn copy(&self) -> Option<Dialog> {
         let shown = self.on_screen(self.layout_subject());
         let order = shown.order(shown.dots(), self.style(), false);
@@ -205,7 +206,7 @@ impl ScreenContents<'_> {
         Session { hovered: None, ..self.scene.session.clone() }
     }
 
-    /// Returns the export dialog for an animation, with the world view chosen.
+    /// Returns the export dialog for an animation, with the world view selected.
     pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
         let subjects =
             [FigureSubject::World, FigureSubject::Camera].map(|subject| self.on_screen(subject));
@@ -240,7 +241,7 @@ impl ScreenContents<'_> {
         OnScreen { subject, points, scale }
     }
 
-    /// Writes a figure to a file; returns a message if that fails.
+    /// Writes a figure to a file. Returns a message if that fails.
     pub(super) fn export(&self, order: &Order, path: &Path) -> Option<Dialog> {
         let exported = self.exported(order, path);
         exported.err().map(|problem| Dialog::message("The figure was not exported", problem))

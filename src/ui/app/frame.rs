@@ -1,9 +1,9 @@
 //! The order of a frame: inputs, actions, derivation, outputs.
 //!
-//! Panels edit the document while they are drawn, from the top. At the end of the pass the document and the
-//! session are compared with those that the panels began to draw. If anything on the screen is out of date,
-//! egui runs the pass again before it presents anything. If a pass panics, the next one shows a page in its
-//! place: the scene is kept, and the user chooses how to go on.
+//! Panels edit the document while they are drawn, from the top. At the end of the pass, the document and the
+//! session are compared with the state in which the panels began to draw. If anything on the screen is out of
+//! date, egui runs the pass again before it presents anything. If a pass panics, the next one shows a page
+//! about the panic: the scene is kept, and the user chooses how to continue.
 
 use egui::{
     CentralPanel, Context, Key, Modifiers, Panel, Popup, RichText, ScrollArea, Ui, UiBuilder,
@@ -73,7 +73,8 @@ impl App {
     fn page(&self) -> &'static Page {
         let session = &self.scene.session;
         let layout = session.settings.layout;
-        // While the class is asked a question, the views take the room of the derivation or the graph.
+        // While a question waits for the class's answer, the views take the space of the derivation or the
+        // graph.
         let derives = layout.workspace() == Some(Workspace::Derivation);
         let asks = session.is_asking && (derives || layout == ViewLayout::Plot);
         page(if asks { ViewLayout::Both } else { layout })
@@ -84,7 +85,8 @@ impl App {
         if self.over.dialog.is_none() && actions.is_empty() {
             self.over.dialog = self.recovery.offer();
         }
-        // Ignored under a dialog, whose answer would otherwise apply to another scene.
+        // Keys, pasted text and dropped files are ignored under a dialog, whose answer would otherwise apply
+        // to another scene.
         if !self.over.covers() {
             self.keys(ctx, actions);
             let pasted = files::pasted_text(ctx);
@@ -103,13 +105,14 @@ impl App {
         self.window.geometry.update(ctx);
     }
 
-    /// Adds the actions of pressed keys, except those of the views, which [`views`] handles.
+    /// Adds the actions of pressed keys, except the keys of the views, which [`views`] handles.
     fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let is_typing = ctx.text_edit_focused();
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
-        // A vote takes the key first: it must reveal its answer rather than advance the lesson.
+        // A vote gets the key first, because the key must reveal the vote's answer rather than advance the
+        // lesson.
         if !is_typing {
             vote::reveal_by_key(ctx, &mut self.scene.session);
         }
@@ -129,8 +132,8 @@ impl App {
                 actions.push(action);
             }
         }
-        // Escape ends a drag, closes a menu, releases the focus or puts the pen away before it ends presenter
-        // mode.
+        // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus or puts the
+        // pen away.
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
@@ -187,7 +190,7 @@ impl App {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
             panel.show(ui, |ui| {
-                // Contents that are too wide are clipped, so that the panel keeps the width that the user has
+                // Content that is too wide is clipped, so that the panel keeps the width that the user has
                 // set.
                 let rect = ui.available_rect_before_wrap();
                 let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
@@ -255,11 +258,11 @@ impl App {
         ViewRects::new(areas, image, per_point, presenting)
     }
 
-    /// Handles mouse and keys in the views, and finds what the pointer is over.
+    /// Handles mouse and keys in the views, and determines what is under the pointer.
     fn view_inputs(&mut self, ui: &mut Ui, rects: &ViewRects, actions: &mut Vec<Action>) {
         let page = self.page();
-        // If the selection changes by keys or a lesson's step while the pointer rests, the selected ray is
-        // shown rather than the one under the pointer.
+        // If keys or a lesson's step change the selection while the pointer rests, the selected ray is shown
+        // rather than the ray under the pointer.
         let (pointer, selection) =
             (ui.input(|i| i.pointer.latest_pos()), self.scene.session.selection);
         if self.views.seen_selection.replace(selection) != Some(selection) {
@@ -294,8 +297,7 @@ impl App {
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
-    /// Shows the views and the rest of the page. Changes that they make to the session take effect in the next
-    /// pass.
+    /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
         let actions = &mut self.waiting;
@@ -315,8 +317,8 @@ impl App {
         {
             second_picture::show(ui, &mut context, second, [area, rect]);
         }
-        // Answers stay hidden while the class thinks. A vote asks its own question and reveals nothing about
-        // the step's.
+        // Answers stay hidden while the class thinks. A vote asks its own question, and reveals nothing about
+        // the step's question.
         let shown = !context.session.is_asking || context.session.shows_vote();
         ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
             ui.set_clip_rect(rects.rest);
@@ -329,8 +331,8 @@ impl App {
         files::notice(ui.ctx(), &mut self.scene);
     }
 
-    /// Records a change of the document as an undo step once no button is held and no animation plays, so that
-    /// a drag is one step.
+    /// Records a change of the document as an undo step once no button is held and no animation plays, so
+    /// that a drag is a single step.
     fn keep_history(&mut self, ctx: &Context) {
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
             self.history.settle(ctx, &self.scene.open.document);
@@ -355,11 +357,11 @@ impl OpenScene {
         }
     }
 
-    /// Returns true if anything that panels show has changed since the start of the pass, which must then run
-    /// again.
+    /// Returns true if anything that panels show has changed since the start of the pass, in which case the
+    /// pass must run again.
     fn has_changed_since(&self, start: PassStart) -> bool {
         let (before, now) = (&start.document, &self.open.document);
-        // These are set before the views are derived, and only the views show them.
+        // These fields are set before the views are derived, and only the views show them.
         let session = Session {
             observer: self.session.observer,
             pointed_ray: self.session.pointed_ray,
@@ -377,8 +379,8 @@ impl OpenScene {
     }
 }
 
-/// Returns true if the cameras differ at most in eye and orientation, which only their own fields and the views
-/// show.
+/// Returns true if the cameras differ at most in eye and orientation, which only the camera's own fields and
+/// the views show.
 fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
     let moved = Camera { eye: now.eye, orientation: now.orientation, ..*before };
     let is_same_kind = before.orientation.kind() == now.orientation.kind();
@@ -387,7 +389,7 @@ fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
 }
 
 impl App {
-    /// Runs one frame, or shows the page about a panic in the last one.
+    /// Runs one frame, or shows the page about a panic in the last frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         let shown = match self.failure.take() {
             Some(failure) => caught(|| self.failure_page(ui, failure)),
@@ -399,7 +401,7 @@ impl App {
             self.waiting.clear();
             self.over.dialog = None;
             self.views.deriver = Deriver::default();
-            // The failed pass did not get as far as saving the edit that caused it.
+            // The pass that failed did not get as far as saving the edit that caused the failure.
             self.recovery.write_changes(&self.scene.open);
             ui.ctx().request_repaint();
         }

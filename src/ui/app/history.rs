@@ -8,10 +8,10 @@ use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
 use crate::ui::action::HistoryAction;
 
-/// Seconds within which a repeated change without a button, such as scrolling, extends the last step.
+/// Seconds within which a repeated change without a mouse button, such as scrolling, extends the last step.
 const PAUSE: f64 = 1.0;
 
-/// The undo steps, and the state from which the next one is recognized.
+/// The undo steps, and the state with which the document is compared to find the next step.
 #[derive(Debug)]
 pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
@@ -47,12 +47,12 @@ impl SceneHistory {
         &self.settled
     }
 
-    /// Records the changes since the last step as a new step, named after the change.
+    /// Records the changes since the last step as a new step, with a name that describes the change.
     pub(super) fn settle(&mut self, ctx: &Context, document: &Document) {
         self.settle_as(ctx, document, None);
     }
 
-    /// Records the changes since the last step under this name, if there is one.
+    /// Records the changes since the last step, if there are any, as a step with this name.
     pub(super) fn settle_as(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
         if *document == self.settled {
             return;
@@ -91,7 +91,7 @@ impl SceneHistory {
         self.last = None;
     }
 
-    /// Excludes the changes so far from the next step: they were saved, or belong to a lesson's step.
+    /// Excludes the changes so far from the next step, because they were saved or belong to a lesson's step.
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }

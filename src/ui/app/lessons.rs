@@ -31,7 +31,7 @@ pub(super) struct Lessons {
 }
 
 impl Lessons {
-    /// Updates the step's initial observer when the world view is framed again, unless the user had moved the
+    /// Updates the step's initial observer when the world view is framed again, unless the user has moved the
     /// observer.
     pub(super) fn framed(&mut self, before: Option<Observer>, observer: Observer) {
         if self.seen_from.is_none() || self.seen_from == before {
@@ -59,8 +59,8 @@ impl Lessons {
 }
 
 impl OpenScene {
-    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if there is no
-    /// such step.
+    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if the step
+    /// does not exist.
     pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
         self.lessons.file = file.or(self.lessons.file.take());
         let next = OpenLesson::at(id, self.lessons.file.as_ref())?;
@@ -99,8 +99,8 @@ impl OpenScene {
         self.open_lesson(id, None).unwrap_or_default()
     }
 
-    /// Shows the answer to the step's question with its lines of the derivation or, while presenting, the next
-    /// line. Returns false if everything is shown already.
+    /// Shows the answer to the step's question, with its lines of the derivation. If no question is open,
+    /// shows the next line while presenting. Returns false if everything is already shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
         let is_asking = self.session.is_asking;
         if is_asking {
@@ -118,8 +118,8 @@ impl OpenScene {
         is_asking || is_left
     }
 
-    /// Returns the number of the derivation's lines that a step starts with while presenting: those already
-    /// shown if the derivation stays the same, otherwise none.
+    /// Returns the number of the derivation's lines that are visible at the start of a step while presenting:
+    /// the lines already shown if the derivation stays the same, otherwise none.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let session = &self.session;
         session.presenting?;
@@ -147,7 +147,7 @@ impl OpenScene {
         }
     }
 
-    /// Resets everything to the open step if anything differs from it.
+    /// Resets everything to the state of the open step, if anything differs from it.
     pub(super) fn back_to_step(&mut self) -> Opened {
         let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) else {
             return Opened::default();
@@ -160,14 +160,14 @@ impl OpenScene {
         if !is_asking {
             self.answer();
         }
-        // The step's own observer is fitted again when the world view is shown.
+        // The step's own observer is fitted again when the world view is next shown.
         let observer = open.step().view.observer.or(seen_from);
         (self.session.observer, self.lessons.seen_from) = (observer, observer);
         opened
     }
 
-    /// Closes the lesson; its scene stays open as an ordinary one. The observer stays if the user has moved it,
-    /// and is otherwise fitted to the layout from before the lesson.
+    /// Closes the lesson; its scene stays open as an ordinary scene. An observer that the user has moved
+    /// stays; otherwise the observer is fitted to the layout from before the lesson.
     pub(super) fn close_lesson(&mut self) {
         if self.lessons.open.take().is_some() && self.session.observer == self.lessons.seen_from {
             self.session.observer = None;
@@ -188,8 +188,8 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip; `differs` is true if anything was changed since the step was set. A vote while
-    /// presenting replaces the strip, because it asks another question.
+    /// Shows the lesson's strip; `differs` is true if anything has changed since the step was opened. While
+    /// presenting, a vote replaces the strip, because it asks another question.
     pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
         let Some(open) = &self.lessons.open else { return };
         if self.session.presenting.is_some() && self.session.shows_vote() {

@@ -1,5 +1,5 @@
-//! The program in the window: parts that own their state, and the order in which a frame runs them
-//! (`frame.rs`).
+//! The program in the window: its parts, each of which owns its state, and the order in which a frame runs
+//! them (`frame.rs`).
 
 mod apply;
 mod files;
@@ -45,7 +45,7 @@ use crate::view::typesetting::theme::{self, Look};
 
 pub(crate) use self::window::complain;
 
-/// The program's state: the open document, the session that views it, and what is derived from them.
+/// The program's state: the open document, the session that views it, and everything derived from them.
 pub struct App {
     scene: OpenScene,
     history: SceneHistory,
@@ -66,7 +66,7 @@ pub struct App {
 }
 
 impl App {
-    /// Creates the program with this document and the state remembered from the last run.
+    /// Creates the program with this document and with the state saved by the last run.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.window, remembered.recent);
@@ -82,7 +82,7 @@ impl App {
             history: SceneHistory::new(&open.document),
             scene: OpenScene::new(open, session),
             playback: Playback::default(),
-            // Recovered changes are offered as soon as no dialog is open.
+            // Recovered changes are offered once no dialog is open.
             over: Overlays::default(),
             views: Views::default(),
             tools: Tools::default(),
@@ -96,7 +96,7 @@ impl App {
         }
     }
 
-    /// Sets up a context's fonts, zoom and style. Call it once, before the first frame.
+    /// Sets up a context's fonts, zoom and style. Must be called once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
         theme::install_base(ctx);
         ctx.all_styles_mut(|style| {
@@ -107,13 +107,14 @@ impl App {
         // The zoom's keys are in the table of commands.
         ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
-            // A later change would take effect in the first pass and alter the size of the screen.
+            // If the zoom were set later, it would take effect in the first pass and change the size of the
+            // screen.
             options.zoom_factor = settings.zoom.clamp(ZOOM.0, ZOOM.1);
         });
         theme::install(ctx, Look::new(settings, false));
     }
 
-    /// Sets the renderer's name for bug reports and the next run.
+    /// Sets the renderer's name, which bug reports and the next run use.
     pub fn set_renderer_name(&mut self, renderer: String) {
         self.window.renderer = renderer;
     }
@@ -123,8 +124,8 @@ impl App {
         self.over.dialog = Some(Dialog::message(title, text));
     }
 
-    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if there is no
-    /// such step.
+    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if the step
+    /// does not exist.
     pub fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) {
         if let Some(opened) = self.scene.open_lesson(id, file) {
             self.history.take_as_settled(&self.scene.open.document);
@@ -162,8 +163,8 @@ impl App {
         self.views.deriver.traced()
     }
 
-    /// Sets the time budget for tracing during a drag, above which pictures become coarser; tests use it to
-    /// make any scene coarse.
+    /// Sets the time budget for tracing during a drag. Pictures that take longer become coarser. Tests use it
+    /// to make any scene coarse.
     pub fn follow_within(&mut self, budget: Duration) {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
@@ -173,7 +174,8 @@ impl App {
         self.views.frame_work = Some(FrameWork::default());
     }
 
-    /// Returns the work of the last presented frame, if frames are measured and it showed a new picture.
+    /// Returns the work of the last presented frame, if frames are measured and the frame showed a new
+    /// picture.
     pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
         self.views.frame_work.as_ref()?.work()
     }
@@ -183,8 +185,8 @@ impl App {
         self.scene.open.scene_file().is_some()
     }
 
-    /// Checks whether another program has changed the scene's file. Returns true if a frame is needed to show
-    /// that.
+    /// Checks whether another program has changed the scene's file. Returns true if a frame is needed to
+    /// report the change.
     pub fn look_at_file(&mut self) -> bool {
         let is_free = !self.over.covers() && self.playback.player.is_none();
         let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
@@ -192,23 +194,23 @@ impl App {
         is_news
     }
 
-    /// Lets the desktop's dialog ask for files from now on; the caller then checks
+    /// Uses the desktop's dialog to ask for files from now on. The caller must check
     /// [`file_request`](App::file_request) after each frame.
     pub fn use_desktop_dialog(&mut self) {
         self.over.has_desktop = true;
     }
 
-    /// Returns the question for the desktop's dialog; `None` closes the dialog.
+    /// Returns the question for the desktop's dialog; `None` means that the dialog must be closed.
     pub fn file_request(&mut self) -> Option<&FileRequest> {
         self.over.dialog.as_mut()?.field()?.request()
     }
 
-    /// Takes the answer of the desktop's dialog, which the next frame applies.
+    /// Receives the answer of the desktop's dialog, which the next frame applies.
     pub fn answer_file(&mut self, answer: FileAnswer) {
         self.over.answer(answer);
     }
 
-    /// Writes pending changes to the recovery file, because the next frame may be long in coming.
+    /// Writes pending changes to the recovery file, because it may be a long time until the next frame.
     pub fn rest(&mut self) {
         self.recovery.write_now(&self.scene.open);
     }

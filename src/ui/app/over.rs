@@ -24,7 +24,7 @@ pub(super) struct Overlays {
     pub(super) has_desktop: bool,
     palette: Option<CommandPalette>,
     shows_keys: bool,
-    /// True if the keyboard moved the focus last, which is then shown by a ring.
+    /// True if the keyboard moved the focus last; a ring then shows the focus.
     by_keyboard: bool,
 }
 
@@ -34,7 +34,7 @@ impl Overlays {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
-    /// Opens a dialog. The desktop's dialog, if there is one, asks for files in its place.
+    /// Opens a dialog. If the desktop's dialog is available, it asks for files instead.
     pub(super) fn open(&mut self, mut dialog: Dialog) {
         if self.has_desktop {
             dialog.leave_to_desktop();
@@ -42,7 +42,7 @@ impl Overlays {
         self.dialog = Some(dialog);
     }
 
-    /// Takes the answer of the desktop's dialog, and stops using that dialog if it does not work.
+    /// Takes the answer of the desktop's dialog, and stops using that dialog if it fails.
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
         dialogs::answer(&mut self.dialog, answer);
@@ -58,7 +58,7 @@ impl Overlays {
         }
     }
 
-    /// Shows the open overlays and adds what the user chooses in them to `actions`.
+    /// Shows the open overlays, and adds the commands that the user chooses in them to `actions`.
     pub(super) fn ui(
         &mut self,
         ctx: &Context,

@@ -1,5 +1,5 @@
-//! Opens, plays, closes and exports animations. An export writes one frame per pass of the window, so that the
-//! window keeps responding.
+//! Opens, plays, closes and exports animations. An export writes one frame per pass of the window, so that
+//! the window keeps responding.
 
 use std::path::PathBuf;
 
@@ -97,7 +97,7 @@ impl Playback {
         show_still(&mut player, &still, scene);
     }
 
-    /// Closes the animation and keeps the current state; records an undo step if the animation moved the
+    /// Closes the animation and keeps the current state. Records an undo step if the animation moved the
     /// camera.
     pub(super) fn keep(
         &mut self,
@@ -121,7 +121,7 @@ impl Playback {
         }
     }
 
-    /// Returns true if an animation that moves the camera is open; its frames are not undo steps.
+    /// Returns true if an animation that moves the camera is open. Its frames are not undo steps.
     pub(super) fn plays_camera(&self) -> bool {
         self.player.as_ref().is_some_and(|player| player.kind.moves_camera())
     }
@@ -131,7 +131,7 @@ impl Playback {
         self.plays_camera() && self.player.as_ref().is_some_and(|player| player.running)
     }
 
-    /// Starts to export the open animation; returns the dialog with its progress or with an error.
+    /// Starts to export the open animation. Returns the dialog that shows the progress or an error.
     pub(super) fn export(
         &mut self,
         order: Order,
@@ -159,7 +159,7 @@ impl Playback {
         })
     }
 
-    /// Writes the export's next frame, if there is an export; cancels it if its dialog was closed.
+    /// Writes the next frame of the export, if one is running. Cancels the export if its dialog was closed.
     pub(super) fn record(&mut self, ctx: &Context, dialog: &mut Option<Dialog>) {
         let Some(recorder) = &mut self.recorder else { return };
         let Some(Dialog::Progress { done, frames }) = dialog else {
@@ -189,8 +189,8 @@ fn opened(kind: Kind, scene: &mut OpenScene, derived: &Derived, aspect: f64) -> 
     player
 }
 
-/// Moves the observer back until the camera stays in sight throughout the animation; returns the observer
-/// before and after if it moved. An animation of a lesson's step keeps the step's observer.
+/// Moves the observer back until the camera stays in sight throughout the animation. Returns the observer
+/// before and after, if it moved. An animation of a lesson's step keeps the step's observer.
 fn step_back(
     kind: Kind,
     start: &Start,

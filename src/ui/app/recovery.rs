@@ -1,5 +1,5 @@
-//! Recovery files: writes unsaved changes while the user works, and offers those of a window that ended without
-//! asking.
+//! Recovery files: writes unsaved changes while the user works, and offers the changes of a window that ended
+//! without asking.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use crate::model::recovery::{Found, Slot, Unsaved, in_words};
 use crate::model::store::Store;
 use crate::ui::dialogs::Dialog;
 
-/// Seconds from the last edit, and at most from the first one, until changes are written.
+/// Seconds until changes are written: after the last edit, and the maximum after the first one.
 const REST: f64 = 1.0;
 const LONGEST: f64 = 4.0;
 
-/// Time until the next attempt while the last write is not finished.
+/// Time until the next attempt if the last write is not finished.
 const BUSY: Duration = Duration::from_millis(100);
 
 /// This window's recovery slot, and the changes found in others.
@@ -40,7 +40,7 @@ pub(super) struct Recovery {
 }
 
 impl Recovery {
-    /// Opens a slot and finds the changes that other windows have left.
+    /// Opens a slot, and finds the changes that other windows have left.
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
@@ -50,7 +50,7 @@ impl Recovery {
         Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
     }
 
-    /// Returns a dialog that offers the next recovered changes, if there are any.
+    /// Returns a dialog that offers the next recovered changes, if there are any left.
     pub(super) fn offer(&mut self) -> Option<Dialog> {
         let found = self.found.get(self.next)?;
         self.next += 1;
@@ -64,13 +64,13 @@ impl Recovery {
         (self.next < self.found.len()).then(|| self.found.remove(self.next))
     }
 
-    /// Continues in the slot of the restored changes, where they stay until they are saved.
+    /// Continues in the slot of the restored changes, which stay there until they are saved.
     pub(super) fn go_on_in(&mut self, slot: Slot) {
         self.clear();
         (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
-    /// Writes changes in another thread once editing pauses or has gone on for long.
+    /// Writes changes in another thread once the user pauses or has been editing for long.
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
         if self.slot.is_none() {
             return;
@@ -100,7 +100,7 @@ impl Recovery {
         self.write(Unsaved::of(open));
     }
 
-    /// Writes pending changes at once, because the next frame may be long in coming.
+    /// Writes pending changes at once, because it may be a long time until the next frame.
     pub(super) fn write_now(&mut self, open: &OpenDocument) {
         if self.first_edit.is_some() {
             self.write_changes(open);
@@ -126,7 +126,7 @@ impl Recovery {
         }));
     }
 
-    /// Waits until the last write is finished, so that a later one cannot overtake it.
+    /// Waits until the last write is finished, so that it cannot overwrite a later one.
     fn finish_writing(&mut self) {
         if let Some(writing) = self.writing.take() {
             // A thread that panicked has written nothing.
@@ -134,7 +134,7 @@ impl Recovery {
         }
     }
 
-    /// Clears the slot, because its changes are saved or not wanted.
+    /// Clears the slot, because its changes are saved or no longer wanted.
     fn clear(&mut self) {
         self.finish_writing();
         (self.seen, self.first_edit) = (None, None);
@@ -143,8 +143,8 @@ impl Recovery {
         }
     }
 
-    /// Writes unsaved changes when the window ends without asking, as when the display is lost; clears the slot
-    /// if they are saved or discarded.
+    /// Writes unsaved changes when the window ends without asking, for example because the display is lost.
+    /// Clears the slot if the changes are saved or discarded.
     pub(super) fn end(&mut self, open: &OpenDocument, discarded: bool) {
         if discarded || !open.has_changes() {
             self.clear();

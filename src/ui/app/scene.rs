@@ -31,7 +31,7 @@ pub(super) struct OpenScene {
     pub(super) lessons: Lessons,
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
-    /// The observer that was framed last; the current one differs if the user has moved it.
+    /// The observer that was framed last. The current observer differs from it if the user has moved it.
     pub(super) framed: Option<Framed>,
 }
 
@@ -42,14 +42,14 @@ pub(super) struct Framed {
     size: ViewSize,
     /// The camera that was framed.
     camera: Camera,
-    /// The observer given by a lesson's step, whose direction and target this one keeps.
+    /// The observer given by a lesson's step; this observer keeps its direction and target.
     named: Option<Observer>,
 }
 
-/// The work that opening a scene leaves to the other parts.
+/// The work that remains for the other parts after a scene is opened.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Opened {
-    /// True if the scene is another one, so that nothing derived from the last one may be shown.
+    /// True if the scene is a different one, so that nothing derived from the last scene may be shown.
     pub(super) is_another: bool,
     /// The animation to open once the ray's hit is known.
     pub(super) play: Option<Kind>,
@@ -111,7 +111,7 @@ impl OpenScene {
     }
 
     /// Frames the whole scene in a world view of this size if there is no observer yet. An observer that the
-    /// user has not moved is fitted again when the size changes, or when eye or at leave its sight while
+    /// user has not moved is fitted again when the size changes, or when eye or at leaves its sight while
     /// nothing is dragged or played.
     pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
         let shown = self.session.observer;
@@ -168,12 +168,12 @@ impl OpenScene {
             Observe::FrameCamera => {
                 *observer = observer.framing_camera(&self.open.document.camera, size);
             }
-            // The next pass, which knows the view's aspect, frames the whole scene.
+            // The next pass frames the whole scene, because it knows the view's aspect.
             Observe::FrameAll => self.session.observer = None,
         }
     }
 
-    /// Adds, removes or chooses an object; returns a message if that fails.
+    /// Adds, removes or chooses an object. Returns a message if that fails.
     pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
         let document = &mut self.open.document;
         let count = document.object_count();
@@ -183,7 +183,8 @@ impl OpenScene {
             ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
             ObjectAction::Choose(index) if index < count => self.chosen_object = Some(index),
             ObjectAction::Next(by) if count > 0 => {
-                // With no object chosen, forward starts at the first and backward at the last.
+                // If no object is chosen, moving forward starts at the first object and moving backward at
+                // the last.
                 let from = chosen.map_or(if by > 0 { -1 } else { 0 }, |chosen| chosen as i64);
                 let next = (from + i64::from(by)).rem_euclid(count as i64);
                 self.chosen_object = Some(next as usize);
@@ -198,14 +199,15 @@ impl OpenScene {
         None
     }
 
-    /// Replaces the camera; the selected pixel keeps its place in the image.
+    /// Replaces the camera. The selected pixel keeps its position in the image.
     pub(super) fn replace_camera(&mut self, camera: Camera) {
         let before = std::mem::replace(&mut self.open.document.camera, camera);
         let selection = self.session.selection;
         self.session.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, removes the ghost, or swaps both. Returns true if the camera changed.
+    /// Freezes the camera as the ghost, removes the ghost, or swaps the two. Returns true if the camera
+    /// changed.
     pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
         let camera = &mut self.open.document.camera;
         let ghost = &mut self.session.ghost;
@@ -233,14 +235,14 @@ impl OpenScene {
         }
     }
 
-    /// Replaces the document with another version of the same scene; the selection follows the camera as in an
-    /// edit.
+    /// Replaces the document with another version of the same scene. The selection follows the camera, as it
+    /// does after an edit.
     pub(super) fn edit_back(&mut self, document: Document) {
         self.session.follow_camera(&self.open.document.camera, &document.camera);
         self.open.document = document;
     }
 
-    /// Sets a given number as its field in the side panel does.
+    /// Sets a given number in the same way as its field in the side panel.
     pub(super) fn give(&mut self, ctx: &Context, given: Given, value: f64) {
         let (document, session) = (&mut self.open.document, &mut self.session);
         let before = document.camera;
@@ -256,7 +258,7 @@ impl OpenScene {
         session.follow_camera(&before, &document.camera);
     }
 
-    /// Returns to another scene or step with the view that it had. The window's own settings stay.
+    /// Returns to another scene or step with its previous view. The window's own settings stay.
     pub(super) fn go_back(&mut self, to: OpenScene) {
         let now = &self.session.settings;
         let settings = Settings {

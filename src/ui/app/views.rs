@@ -19,7 +19,7 @@ use crate::ui::widgets::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 
-/// Keys that move the camera, the observer or a handle, repeatedly while held.
+/// Keys that move the camera, the observer or a handle, and repeat while they are held.
 const STEERING: [Key; 7] = [
     Key::ArrowLeft,
     Key::ArrowRight,
@@ -66,7 +66,7 @@ impl Views {
         let subsampling = self.adaptive_resolution.now(moves, time, objects);
         let under_hand = self.adaptive_resolution.is_followed(time);
         let sizes = ViewSizes { subsampling, under_hand, ..sizes };
-        // Without this reference, spheres are updated in place rather than copied.
+        // Dropping this reference lets spheres be updated in place rather than copied.
         self.derived.scene = None;
         let stopwatch = Stopwatch::start();
         let tell = |work| stopwatch.tell(work);
@@ -79,7 +79,7 @@ impl Views {
         if let Some(frame_work) = &mut self.frame_work {
             frame_work.add(ctx.cumulative_frame_nr(), times);
         }
-        // Coarse pictures are refined once the drag rests. A grade may be postponed until then, too.
+        // Coarse pictures are refined once the drag rests. Grading may be postponed until then, too.
         let waits = self.adaptive_resolution.is_followed(time) && session.answers.is_some();
         let is_coarse = |shown: &Subsampling| self.adaptive_resolution.is_made_finer(*shown);
         if waits || self.derived.subsampling.iter().any(is_coarse) {
@@ -113,7 +113,7 @@ impl Views {
             views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &spoken);
         }
-        // At most one of the two labels is shown at a time.
+        // Only one of the two labels is shown at a time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
             let style = NumberStyle::new(&session.settings);
@@ -144,8 +144,8 @@ fn is_hand_moving(ctx: &Context) -> bool {
     ctx.input(|i| {
         let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
         let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
-        // The set of held keys is unreliable: if Shift is released before =, the key that is released last is a
-        // different one.
+        // The set of held keys is unreliable: if Shift is released before =, the key whose release is
+        // reported is a different one.
         let is_steered = i.events.iter().any(|event| match event {
             Event::Key { key, pressed, .. } => *pressed && STEERING.contains(key),
             _ => false,

@@ -1,5 +1,5 @@
-//! The window itself: its title and place, closing it, the watch over the scene's files, and the settings for
-//! the next run.
+//! The window itself: its title and place, closing it, checking the scene's files for changes, and the
+//! settings for the next run.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -57,7 +57,7 @@ impl AppWindow {
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// Returns true if the close button was pressed and closing is not allowed yet.
+    /// Returns true if the close button was pressed and the window may not close yet.
     pub(super) fn is_to_close(&self, ctx: &Context) -> bool {
         ctx.input(|i| i.viewport().close_requested()) && !self.may_close
     }
@@ -81,7 +81,7 @@ impl AppWindow {
         }
     }
 
-    /// Fills the window's screen when presenting begins, and restores the window at the end.
+    /// Makes the window fill its screen when presenting begins, and restores it when presenting ends.
     fn fill_screen(&mut self, ctx: &Context, presenting: bool) {
         let to = match (presenting, self.filled_before) {
             (true, None) => {
@@ -119,7 +119,7 @@ impl AppWindow {
     }
 }
 
-/// Returns the settings without the changes made by lessons and presenter mode.
+/// Returns the settings without the changes that lessons and presenter mode made.
 fn settings_to_remember(scene: &OpenScene) -> Settings {
     let mut session = scene.session.clone();
     if let Some(presenting) = session.presenting {
@@ -128,7 +128,7 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
     scene.lessons.settings_without(&session)
 }
 
-/// Writes a message to standard error, and ignores failure, which can be reported nowhere.
+/// Writes a message to standard error. Ignores a failure, because there is nowhere to report it.
 pub(crate) fn complain(text: &str) {
     let _ = writeln!(std::io::stderr(), "pinhole: {text}");
 }
@@ -136,15 +136,16 @@ pub(crate) fn complain(text: &str) {
 /// Notices that another program has changed the scene's files.
 #[derive(Default)]
 pub(super) struct FileWatch {
-    /// The files' stamps at the last check, if one was changed.
+    /// The files' stamps at the last check, if a file had changed.
     seen: Option<Stamps>,
     /// The stamps of the last reported change.
     told: Option<Stamps>,
 }
 
 impl FileWatch {
-    /// Takes the files' stamps if one of them was changed. Returns true if the change is to be reported: once,
-    /// and only when the stamps are the same in two checks, because the file may still be being written.
+    /// Takes the files' stamps if one of them has changed. Returns true if the change must be reported. That
+    /// happens once, and only when two checks see the same stamps, because another program may still be
+    /// writing the file.
     pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {
         let rests = touched.is_some() && touched == self.seen;
         self.seen = touched;

@@ -1,7 +1,8 @@
 //! The table of commands: each command's name, description, keys and [`Action`].
-//!  Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so that a
-//! new command is a row in `table.rs`. A [`Gesture`], which depends on what is under the pointer, is listed
-//! there but handled by the views.
+//!
+//! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a new
+//! command is a row in `table.rs`. A [`Gesture`] depends on what is under the pointer; it is listed there,
+//! but the views handle it.
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -59,7 +60,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Returns the heading, which precedes a command's name in the palette.
+    /// Returns the group's heading, which precedes a command's name in the palette.
     pub fn label(self) -> &'static str {
         match self {
             Group::File => "File",
@@ -114,12 +115,12 @@ impl UiCommand {
 
 static ALL: LazyLock<Vec<UiCommand>> = LazyLock::new(table::table);
 
-/// Returns every command that does not depend on what is open, by group.
+/// Returns every command that does not depend on what is open, sorted by group.
 pub fn all() -> &'static [UiCommand] {
     &ALL
 }
 
-/// Returns the first key of this action, such as `Ctrl+O`; empty if it has none.
+/// Returns the first key of this action, such as `Ctrl+O`; empty if the action has no key.
 pub fn shortcut(action: impl Into<Action>) -> String {
     with_action(&action.into())
         .and_then(|command| command.keys.first())
@@ -127,7 +128,7 @@ pub fn shortcut(action: impl Into<Action>) -> String {
         .unwrap_or_default()
 }
 
-/// Returns all keys of this action, such as `Page Down, Right`; empty if it has none.
+/// Returns all keys of this action, such as `Page Down, Right`; empty if the action has none.
 pub fn keys_text(action: impl Into<Action>) -> String {
     with_action(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
 }
@@ -136,7 +137,7 @@ fn with_action(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|command| command.action == *action)
 }
 
-/// Returns the common name of commands that differ only in direction.
+/// Returns the common name of commands that differ only in direction; `None` for other commands.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
@@ -153,7 +154,7 @@ fn family(action: &Action) -> Option<&'static str> {
     }
 }
 
-/// Returns the keys of a family of commands: `Alt+arrows`, or a list of all keys.
+/// Returns the keys of a family of commands: a short form such as `Alt+arrows`, or a list of all keys.
 fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
     let keys: Vec<&Keys> = family.iter().flat_map(|command| command.keys).collect();
@@ -167,8 +168,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
     keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the list of keys: commands with keys and gestures, by group, with commands that differ only in
-/// direction as one entry.
+/// Returns the list of keys: commands with keys and gestures, by group. Commands that differ only in
+/// direction share one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
     let with_keys: Vec<&UiCommand> =
@@ -286,8 +287,8 @@ fn name(key: Key) -> &'static str {
     }
 }
 
-/// Returns the actions of the keys that were pressed, once per press; `counts` says which conditions hold now.
-/// If two commands share a key, the first one in the table gets it.
+/// Returns the actions of the keys that were pressed, once per press; `counts` returns true for conditions
+/// that hold now. If two commands share a key, the first one in the table gets it.
 pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Action)> {
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     if !ctx.input(|input| input.events.iter().any(is_key)) {

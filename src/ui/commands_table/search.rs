@@ -17,7 +17,7 @@ const SYNONYMS: [(&str, &str); 9] = [
     ("wall", "plane"),
 ];
 
-/// How well a typed word matches a command, from worst to best.
+/// The quality of the match between a typed word and a command, from worst to best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Fit {
     /// The title contains its letters in order.
@@ -32,8 +32,8 @@ enum Fit {
     Whole,
 }
 
-/// Returns the commands that match the typed words, best first, ranked by their worst-matching word. Returns
-/// all commands in order if nothing was typed.
+/// Returns the commands that match the typed words, ranked by their worst-matching word, best first. If
+/// nothing was typed, returns all commands in their order.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
     let typed = typed.to_lowercase();
     let words: Vec<&str> = typed.split_whitespace().collect();
@@ -55,7 +55,8 @@ pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> 
     ranked.into_iter().map(|(_, command)| command).collect()
 }
 
-/// Returns how well a word matches a command, all in lower case; `None` if it does not.
+/// Returns the quality of a word's match with a command, all in lower case; `None` if the word does not
+/// match.
 fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     let other = SYNONYMS.iter().find(|(typed, _)| *typed == word).map(|(_, word)| *word);
     let in_words = |word: &str| {
@@ -69,7 +70,7 @@ fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     })
 }
 
-/// Returns how well a word matches a text at its best place.
+/// Returns the quality of the best match of a word in a text.
 fn stands_in(word: &str, text: &str) -> Option<Fit> {
     let matches = text.match_indices(word).map(|(at, _)| {
         let begins = !text[..at].ends_with(char::is_alphanumeric);

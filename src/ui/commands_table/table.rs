@@ -1,5 +1,5 @@
-//! The rows of the table: every command with its group, name, sentence, keys and action, and the gestures of
-//! the mouse.
+//! The rows of the table: every command with its group, name, description, keys and action, and the mouse
+//! gestures.
 
 use std::borrow::Cow;
 
@@ -38,7 +38,8 @@ macro_rules! commands {
     };
 }
 
-/// A gesture of the mouse or of held keys, which is listed but not looked up.
+/// A gesture with the mouse or with held keys. It appears in the list of keys, but the keyboard does not look
+/// it up.
 #[derive(Clone, Copy, Debug)]
 pub struct Gesture {
     /// The group that it is listed in.

@@ -1,4 +1,4 @@
-//! The dialog that exports a figure: its content, its size, and its file.
+//! The dialog that exports a figure: it asks for the content, the size and the file.
 
 use std::path::Path;
 
@@ -34,7 +34,8 @@ impl OnScreen {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
 
-    /// Returns the order for a figure of this size, at the largest scale at which all points fit.
+    /// Returns the order for a figure of this size in pixels, at the largest scale at which the figure fits;
+    /// a derivation must fit only in width.
     pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
         let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
         let scale =
@@ -52,7 +53,7 @@ pub(crate) struct ExportForm {
     size: [u32; 2],
     style: Style,
     transparent: bool,
-    /// The kind and the frames of an animation; `None` exports a single figure.
+    /// The kind and the frames of an animation; with `None`, a single figure is exported.
     animation: Option<(Kind, Frames)>,
     /// The error in the path.
     problem: Option<String>,
@@ -74,7 +75,7 @@ const ANIMATION: FileQuestion = FileQuestion {
 };
 
 impl ExportForm {
-    /// Creates the form with a path near the scene's file. The first subject is chosen.
+    /// Creates the form, with a path near the scene's file and the first subject chosen.
     pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
         let name = subjects.first().map_or("figure", |first| first.subject.name());
         let field = PathField::new(FIGURE, scene, &format!("{name}.svg"));
@@ -90,7 +91,7 @@ impl ExportForm {
         }
     }
 
-    /// Returns the same form for an animation, with all the frames of its duration.
+    /// Returns the same form for an animation, with all frames of the animation's duration.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
         self.animation = Some((kind, Frames::new(kind, Frames::PER_SECOND)));
         self.field.question = ANIMATION;
@@ -176,7 +177,7 @@ impl ExportForm {
             }
             subject => {
                 let is_higher = number(ui, "height", "figure height", dots(height));
-                // The camera's figure keeps its aspect, so that its pixels keep their shape.
+                // The camera's figure keeps its aspect ratio, so that its pixels keep their shape.
                 if subject == FigureSubject::Camera && is_wider {
                     *height = follow(*width, down / across);
                 } else if subject == FigureSubject::Camera && is_higher {
@@ -208,7 +209,7 @@ impl ExportForm {
     }
 }
 
-/// Shows a row with a number. Returns true if it changed.
+/// Shows a row with a number. Returns true if the number changed.
 fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
     ui.label(label);
     let response = ui.add(field).named(name);

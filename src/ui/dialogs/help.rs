@@ -6,7 +6,7 @@ use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 use crate::ui::dialogs::Dialog;
 
-/// Minimum and maximum size of the text, in points; the largest that fits is used.
+/// Minimum and maximum size of the text, in points; the largest size at which the text fits is used.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
 /// Width of a column and height of a row, relative to the text's size.
 const COLUMN: f32 = 21.0;
@@ -73,7 +73,8 @@ fn height(groups: &[Entries]) -> usize {
     groups.iter().map(|(_, rows)| rows.len() + 2).sum()
 }
 
-/// Returns a group's column: the one that holds the group's middle if one long column is cut into equal parts.
+/// Returns a group's column. All groups form one long column that is cut into equal parts; the group belongs
+/// to the part that contains its middle.
 fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
     let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
     (columns * middle / height(groups).max(1)).min(columns - 1)

@@ -1,5 +1,5 @@
-//! Dialogs over the window: files, figures, unsaved changes and messages. Its modules hold the command
-//! palette, the list of keys and the texts of the Help menu.
+//! Dialogs over the window: files, figures, unsaved changes and messages. The submodules also hold the
+//! command palette, the list of keys and the texts of the Help menu.
 
 use std::path::{Path, PathBuf};
 
@@ -24,18 +24,18 @@ pub(crate) enum Dialog {
     Answers(PathField),
     /// Asks for a file to save to.
     SaveAs { field: PathField, then: Option<Leave> },
-    /// Asks for a file to write the camera to, in another program's format.
+    /// Asks for the file to which the camera is written in another program's format.
     Translate(PathField),
-    /// Asks for a figure and a file to write it to.
+    /// Asks for a figure and the file to which it is written.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
     Progress { done: u32, frames: u32 },
     /// Asks whether to save unsaved changes before leaving them.
     Unsaved { title: String, then: Leave },
-    /// Offers the unsaved changes of a window that ended without asking.
+    /// Offers the unsaved changes of a window that ended without asking the user.
     Found { title: String, file: Option<PathBuf>, age: String },
     /// Asks which version to keep after another program has changed the scene's file. `saves` is true if the
-    /// file was about to be saved.
+    /// user was about to save the scene to that file.
     Theirs { title: String, saves: bool, then: Option<Leave> },
     /// A message to read and close.
     Message(Message),
@@ -62,8 +62,8 @@ impl Dialog {
         Dialog::Message(Message::new(title, text))
     }
 
-    /// Lets the desktop's dialog ask for the file, if the dialog asks for one; for a figure, only once its
-    /// button is clicked.
+    /// Lets the desktop's dialog ask for a file, if this dialog needs one. The dialog for a figure does so
+    /// only when its button is clicked.
     pub(crate) fn leave_to_desktop(&mut self) {
         let at_once = !matches!(self, Dialog::Export(_));
         if let Some(field) = self.field() {
@@ -152,8 +152,8 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         close |= answer.is_some();
         actions.extend(answer);
     });
-    // The dialog was centred by its last size, which may be another dialog's, and would move under the pointer
-    // in the next frame.
+    // The dialog was centred by the last size, which may belong to another dialog, so it would move under the
+    // pointer in the next frame.
     if size() != size_before {
         ctx.request_discard("a dialog has another size");
     }
