@@ -46,7 +46,7 @@ pub struct BasisFromUp {
     pub at: Option<DVec3>,
     /// The view direction: as given, or `at - eye`. `None` if a coordinate is not finite.
     pub view: Option<VectorAndLength>,
-    /// `-view`, what w is made of.
+    /// `-view`, from which w is calculated.
     pub backwards: Option<DVec3>,
     /// `-view / |view|`; `None` if view is zero.
     pub w: Option<DVec3>,
@@ -58,7 +58,7 @@ pub struct BasisFromUp {
     pub u: Option<DVec3>,
     /// `w x u`, which is v. The factors are unit vectors at a right angle, so its area is 1.
     pub w_cross_u: Option<Cross>,
-    /// The whole, or why there is none.
+    /// The basis, or the reason why there is none.
     pub basis: Result<Basis, BasisError>,
 }
 

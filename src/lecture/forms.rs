@@ -102,7 +102,7 @@ impl NumberForm {
         }
     }
 
-    /// The number with another sign.
+    /// Returns the number with the opposite sign.
     #[must_use]
     pub fn negated(self) -> NumberForm {
         NumberForm { numerator: -self.numerator, ..self }
@@ -135,7 +135,7 @@ impl NumberForm {
         self.root
     }
 
-    /// m; 1 where the root stands below.
+    /// Returns m; 1 if the root is in the denominator.
     pub fn denominator(self) -> u64 {
         self.denominator
     }

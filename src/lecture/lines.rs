@@ -90,7 +90,7 @@ pub enum Meeting {
     At(Crossing),
     /// The lines meet at one t, but t, x or y is beyond the range of `f64`.
     TooFar {
-        /// True where `t > 0`.
+        /// True if `t > 0`.
         ray_hits: bool,
     },
 }

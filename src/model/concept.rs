@@ -60,11 +60,11 @@ pub enum Concept {
 pub struct Hovered {
     /// The hovered concept.
     pub concept: Concept,
-    /// The position where it is hovered.
+    /// Where the pointer hovers it.
     pub by: HoverSource,
 }
 
-/// A position where a concept is hovered.
+/// A place in the window where a concept is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoverSource {
     /// The numbers below the views.

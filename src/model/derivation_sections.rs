@@ -13,7 +13,7 @@ pub enum DerivationSection {
 }
 
 impl DerivationSection {
-    /// All of them, in order.
+    /// All sections, in order.
     pub const ALL: [DerivationSection; 3] = {
         use DerivationSection::*;
         [Basis, PixelToRay, Objects]

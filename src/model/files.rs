@@ -85,7 +85,7 @@ pub struct OpenDocument {
     text: Option<String>,
     /// The source's stamp when this window read or wrote it; `None` if there was no file.
     stamp: Option<Stamp>,
-    /// That of the table of spheres.
+    /// The stamp of the table of spheres.
     csv_stamp: Option<Stamp>,
     /// The document's origin.
     origin: Origin,

@@ -43,7 +43,7 @@ pub enum Item {
 }
 
 impl Item {
-    /// All of them, in order.
+    /// All items, in order.
     pub const ALL: [Item; 17] = {
         use Item::*;
         [

@@ -180,7 +180,7 @@ impl Slot {
         }
     }
 
-    /// Removes what was written.
+    /// Removes the recorded changes.
     pub fn clear(&self) {
         // A missing file need not be removed; a file that cannot be removed is offered once more.
         let _ = fs::remove_file(&self.scene);
@@ -232,7 +232,7 @@ impl Found {
         Ok((open, self.slot))
     }
 
-    /// Forgets what was written.
+    /// Discards the recorded changes.
     pub fn discard(self) {
         self.slot.clear();
     }

@@ -215,9 +215,9 @@ pub struct Row {
     pub ours: String,
     /// Its form there.
     pub theirs: String,
-    /// True where a sign is turned.
+    /// True if a sign is reversed.
     pub flipped: bool,
-    /// True where it differs from here.
+    /// True if it differs from Pinhole's convention.
     pub differs: bool,
 }
 

@@ -41,7 +41,7 @@ pub enum Verdict {
 pub(super) const ENOUGH_DIGITS: usize = 4;
 
 impl Verdict {
-    /// Returns whether the answer counts as right.
+    /// Returns true if the answer counts as right.
     pub fn is_right(&self) -> bool {
         match self {
             Verdict::Right | Verdict::Multiple { .. } => true,
@@ -347,7 +347,7 @@ pub enum Finding {
         /// `d . w`, which should be below 0.
         along_w: f64,
     },
-    /// The number is another one, or none.
+    /// The answer is another number, or not a number.
     Another,
 }
 

@@ -10,7 +10,7 @@ use crate::mistakes::Mistake;
 pub enum Exercise {
     /// Warm-up 1a: the view ray of a (u, v).
     WarmUpRay,
-    /// Warm-up 1b: where it meets a wall.
+    /// Warm-up 1b: the intersection of that ray with a wall.
     WarmUpPlane,
     /// A ray and a wall, with a viewport whose distance is not 1.
     Distance,
@@ -154,7 +154,7 @@ pub struct Question {
 }
 
 impl Exercise {
-    /// All of them, in the lecture's order.
+    /// All exercises, in the lecture's order.
     pub const ALL: &'static [Exercise] = &[
         Exercise::WarmUpRay,
         Exercise::WarmUpPlane,
@@ -197,7 +197,7 @@ pub fn title(exercise: Exercise) -> &'static str {
 }
 
 impl Asked {
-    /// The name of its field.
+    /// Returns the name of the answer's field.
     pub fn id(self) -> &'static str {
         match self {
             Asked::Origin => "p",
@@ -212,7 +212,7 @@ impl Asked {
         }
     }
 
-    /// Returns whether it is of length 1.
+    /// Returns true if the answer has length 1.
     pub fn is_unit(self) -> bool {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
     }

@@ -41,7 +41,7 @@ pub struct Written<T> {
     pub rounding: f64,
 }
 
-/// A vector as it was written.
+/// A vector as the student wrote it.
 pub type WrittenVector = Written<DVec3>;
 
 /// A pixel's view ray.
@@ -49,7 +49,7 @@ pub type WrittenVector = Written<DVec3>;
 pub struct RayAnswer {
     /// The pixel.
     pub pixel: Pixel,
-    /// The point where it starts.
+    /// The ray's origin.
     pub origin: WrittenVector,
     /// The direction, of any length above 0.
     pub direction: WrittenVector,
@@ -115,7 +115,7 @@ impl Answers {
         }
     }
 
-    /// Returns whether there is none.
+    /// Returns true if there are no answers.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

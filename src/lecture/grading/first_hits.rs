@@ -79,7 +79,7 @@ pub(super) fn hits_of_each(
 }
 
 impl<'a> Sight<'a> {
-    /// `None` of what is no ray.
+    /// Returns `None` if the numbers do not form a ray.
     fn new(camera: &'a PipelineCamera, direction: DVec3, tolerance: f64) -> Option<Sight<'a>> {
         let length = length(direction);
         let is_ray = direction.is_finite() && length > 0.0 && camera.eye.is_finite();
@@ -216,7 +216,7 @@ impl PossibleHit {
     }
 }
 
-/// A sphere's quadratic, but for its radius.
+/// A sphere's quadratic, without its radius.
 struct Terms {
     quadratic: Quadratic,
     a: f64,
@@ -225,7 +225,7 @@ struct Terms {
     away_squared: f64,
     /// The distance of the line from the centre.
     beside: f64,
-    /// t where both roots meet.
+    /// The t at which both roots meet.
     vertex: f64,
 }
 

@@ -114,7 +114,7 @@ impl Grade {
         self.is_right.iter().filter(|is_right| **is_right).count()
     }
 
-    /// Returns whether all are right.
+    /// Returns true if all answers are right.
     pub fn all_agree(&self) -> bool {
         self.agree() == self.answers()
     }

@@ -24,7 +24,7 @@ pub struct Graded {
 /// A pixel's answer on a map. If a pixel has several answers, the greatest value is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
-    /// There is none.
+    /// There is no answer.
     Unanswered,
     /// It is right.
     Right,
@@ -239,7 +239,7 @@ impl Graded {
         }
     }
 
-    /// Remarks beside each mistake's own sentence.
+    /// Returns remarks in addition to each mistake's own sentence.
     pub fn remarks(&self) -> Vec<String> {
         self.grade.remarks().into_iter().chain(self.own_remarks()).collect()
     }

@@ -16,7 +16,7 @@ use super::hits::{Rays, Vectors};
 use super::picture::{Picture, brightest, off, right_pictures};
 use crate::mistakes::{GivenCamera, Mistake};
 
-/// Answers, and what they are graded by.
+/// Answers, and everything that grading them needs.
 pub(super) struct Grader<'a> {
     truth: &'a Truth<'a>,
     answers: &'a Answers,

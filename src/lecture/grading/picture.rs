@@ -1,4 +1,4 @@
-//! Whole pictures against those of pipelines.
+//! Compares whole pictures with those of pipelines.
 
 use std::array;
 

@@ -17,7 +17,7 @@ macro_rules! checks {
         }
 
         impl Check {
-            /// All of them.
+            /// All checks.
             pub const ALL: &'static [Check] = &[$(Check::$name,)*];
 
             /// The number that the check examines, as a formula.
@@ -94,7 +94,7 @@ pub enum Value {
 /// The value that a right camera has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanted {
-    /// This, but for rounding.
+    /// This value, up to rounding.
     Equal(Value),
     /// Below 0.
     Negative,
@@ -114,7 +114,7 @@ pub struct Checked {
     pub value: Value,
     /// The value that a right camera has.
     pub wanted: Wanted,
-    /// True where both are the same.
+    /// True if the value is the wanted one.
     pub passes: bool,
 }
 

@@ -79,7 +79,7 @@ pub(crate) enum Distance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rows {
     FromTop,
-    /// v has the other sign.
+    /// v has the opposite sign.
     SignOfV,
     /// The row is counted as `H - 1 - i`.
     FromLast,
@@ -103,7 +103,7 @@ pub(crate) enum Extent {
     Right,
     WidthForHeight,
     HeightForWidth,
-    /// 1 and 1, where they differ.
+    /// Both are 1, if width and height differ.
     Ones,
     /// The width is calculated from the height and the image's W / H.
     WidthByImage,
@@ -455,7 +455,7 @@ pub(crate) struct PipelineCamera {
     pub(crate) w: DVec3,
     /// u, v and w as multiples of the right vectors.
     pub(crate) factors: DVec3,
-    /// v, where it is no such multiple.
+    /// v, if up is used as v.
     pub(crate) up_as_v: Option<DVec3>,
     /// The viewport's.
     distance: f64,

@@ -67,7 +67,7 @@ macro_rules! mistakes {
         }
 
         impl Mistake {
-            /// All of them.
+            /// All mistakes.
             pub const ALL: &'static [Mistake] =
                 &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$answer_name,)*];
 

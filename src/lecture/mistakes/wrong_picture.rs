@@ -33,7 +33,7 @@ struct StandInAxis {
     /// Number of the stand-in's pixels, so large that all positions lie in it. If rows are used as
     /// columns, it can be almost three times the image's number.
     count: u32,
-    /// Its extent, of the same pixels.
+    /// The stand-in's extent, with pixels of the same size.
     extent: f64,
     /// Ascending, without repetition.
     sorted: Vec<u32>,

@@ -85,7 +85,7 @@ fn its_parts_for_typesetting() {
     assert_eq!([1.0 / 3.0, 0.5_f64.sqrt()].map(decimals), [None; 2]);
 }
 
-/// Every number of the lecture's scenes, with 4 ulps of noise either way.
+/// Tests every number of the lecture's scenes, with 4 ulps of noise in both directions.
 #[test]
 fn the_lecture_s_numbers_are_recognised_through_noise() {
     let (s, root) = (0.5_f64.sqrt(), f64::sqrt);
@@ -111,12 +111,12 @@ fn the_lecture_s_numbers_are_recognised_through_noise() {
 proptest! {
     #![proptest_config(config(2000))]
 
-    /// n sqrt k / m for all small n, k and m.
+    /// Tests n sqrt k / m for all small n, k and m.
     #[test]
     fn small_forms_are_recognised_through_noise(
         n in 1..40_i64, k in 1..25_u64, m in 1..25_u64, noise in -4..=4_i64, negative in any::<bool>(),
     ) {
-        // Of the number's square, numerator times denominator: the limit that is stated.
+        // The stated limit is on numerator times denominator of the number's square.
         prop_assume!((n * n) as u64 * k * m * m <= 1 << 20);
         let x = (n as f64) * (k as f64).sqrt() / m as f64;
         let x = if negative { -x } else { x };
@@ -124,7 +124,7 @@ proptest! {
         prop_assert!(ulps(form.value(), x) <= 3, "{} for {:?}", form, x);
         prop_assert_eq!(NumberForm::recognise(off_by(form.value(), noise)), Some(form));
         prop_assert_eq!(form.negated().value(), -form.value());
-        // One form: no common divisor and no square under the root.
+        // The form is unique: there is no common divisor and no square under the root.
         let (n, k, m) = (form.numerator().unsigned_abs(), form.root(), form.denominator());
         prop_assert!((2..=m).all(|p| m % p != 0 || n % p != 0), "{}", form);
         prop_assert!((2..=k).all(|p| k % (p * p) != 0), "{}", form);
@@ -132,7 +132,7 @@ proptest! {
         prop_assert!(!form.is_root_below() || m == 1);
     }
 
-    /// Whole directions at length 1, as a basis has them.
+    /// Tests vectors of whole numbers scaled to length 1, as in a basis.
     #[test]
     fn unit_vectors_of_whole_directions_are_recognised(
         x in -60..=60_i64, y in -60..=60_i64, z in -60..=60_i64, noise in prop::array::uniform3(-4..=4_i64),
@@ -153,7 +153,7 @@ proptest! {
     }
 }
 
-/// With random digits there is no form. The odds of one here are 3e-9 a number.
+/// Numbers with random digits have no form. The probability of a form is 3e-9 per number.
 #[test]
 fn random_numbers_are_not_recognised() {
     let mut numbers = Numbers(2024);
@@ -207,7 +207,7 @@ fn vectors_of_the_lecture() {
     assert_eq!(form.entries().map(|entry| entry.to_string()), ["5/√74", "0", "−7/√74"]);
 }
 
-/// From a camera to the forms, with the roundings that happen on the way.
+/// Tests the way from a camera to the forms, with the rounding errors that occur on it.
 #[test]
 fn derived_vectors_have_their_forms() {
     let BasisDerivation::FromUp(derived) = BasisDerivation::new(&EXERCISE) else {

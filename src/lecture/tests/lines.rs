@@ -1,5 +1,5 @@
-//! Lines in two dimensions: the lecture's examples, verdicts that do not depend on rounding, and
-//! values against arithmetic of 5000 bits.
+//! Tests of lines in two dimensions: the lecture's examples, verdicts that do not depend on
+//! rounding, and values compared with arithmetic of 5000 bits.
 
 use std::cmp::Ordering;
 
@@ -37,14 +37,14 @@ fn big(x: f64) -> Big {
     Big::try_from(x).unwrap().with_precision(5000).value()
 }
 
-/// Any bits, with an exponent between -60 and 60.
+/// Returns numbers with any bits and an exponent between -60 and 60.
 fn number() -> impl Strategy<Value = f64> {
     (any::<u64>(), -60..60_i32).prop_map(|(bits, exponent)| {
         f64::from_bits(bits & !(0x7ff << 52) | (1023 << 52)) * 2_f64.powi(exponent)
     })
 }
 
-/// Few values, so that there is much to coincide.
+/// Returns few different values, so that coincidences are frequent.
 fn small() -> impl Strategy<Value = f64> {
     (-3..=3).prop_map(f64::from)
 }
@@ -74,7 +74,7 @@ fn both_terms_of_the_substitution() {
 fn parallel_and_coincident_are_told_apart_by_the_last_bit() {
     let line = implicit(0.1, 0.3, -0.7);
     let ray = |shift: f64| {
-        // On the line exactly where f is exactly 0; 0.1, 0.3 and 0.7 are no decimals in f64.
+        // A point is on the line exactly if f is exactly 0; 0.1, 0.3 and 0.7 are not exact in f64.
         parametric([0.0, shift], [0.3, -0.1])
     };
     assert_eq!(meeting(line, ray(0.0)), Meeting::Parallel);

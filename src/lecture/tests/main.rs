@@ -1,4 +1,5 @@
-//! Everything that is taught, against the lecture's own numbers, the reference, and what students do.
+//! Tests of everything that is taught, against the lecture's own numbers, the reference, and
+//! students' programs.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "../../core/tests/common/mod.rs"]

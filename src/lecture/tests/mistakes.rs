@@ -1,4 +1,5 @@
-//! The classic wrong cameras against numbers found by hand, and the checks that find them.
+//! Tests of the classic wrong cameras against numbers found by hand, and of the checks that find
+//! them.
 
 use std::f64::consts::FRAC_1_SQRT_2 as S;
 
@@ -17,7 +18,8 @@ fn assert_near(a: DVec3, b: DVec3) {
     assert!((a - b).length() <= 1e-14 * b.length().max(1.0), "{a} is not {b}");
 }
 
-/// Eye (20, 4, 10), at (-1, 0, -5), up (0, 1, 0): u = (5, 0, -7)/sqrt 74, w = (21, 4, 15)/sqrt 682.
+/// Returns the camera with eye (20, 4, 10), at (-1, 0, -5), up (0, 1, 0): u = (5, 0, -7)/sqrt 74, w
+/// = (21, 4, 15)/sqrt 682.
 fn exercise() -> Camera {
     let (eye, at) = (vec3(20.0, 4.0, 10.0), vec3(-1.0, 0.0, -5.0));
     Camera { eye, orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL }
@@ -29,7 +31,7 @@ fn exercise_basis() -> Basis {
     Basis { u, v: w.cross(u), w }
 }
 
-/// As general as a camera gets: every mistake shows on it.
+/// Returns a camera so general that every mistake shows in it.
 fn general() -> Camera {
     Camera {
         eye: vec3(1.0, 2.0, 3.0),
@@ -64,7 +66,7 @@ fn as_printed_is_orthonormal_right_handed_and_looks_backwards() {
 #[test]
 fn the_construction_mistakes_have_the_vectors_found_by_hand() {
     let Basis { u, v, w } = exercise_basis();
-    // |up x w| is the sine of up's angle: sqrt 666 / sqrt 682. |view| is sqrt 682.
+    // |up x w| is the sine of the angle between up and w: sqrt 666 / sqrt 682. |view| is sqrt 682.
     let (sine, far) = ((666.0f64 / 682.0).sqrt(), 682f64.sqrt());
     for (mistake, wu, wv, ww) in [
         (Mistake::VIsUCrossW, u, -v, w),
@@ -94,7 +96,7 @@ fn the_lectures_view_down_as_printed() {
     assert_near(printed.u(), vec3(0.0, 0.0, -1.0));
     assert_near(printed.v(), vec3(1.0, 0.0, 0.0));
     assert_near(printed.w(), vec3(0.0, -1.0, 0.0));
-    // up x w = (1, 1, 0) x (0, 1, 0) = (0, 0, 1): a unit vector without normalizing it.
+    // up x w = (1, 1, 0) x (0, 1, 0) = (0, 0, 1): it is a unit vector even without normalization.
     let none = WrongCamera::new(&camera, Mistake::NotNormalized);
     assert_eq!(none, Err(NoWrongCamera::ChangesNothing(Mistake::NotNormalized)));
     assert_eq!(wrong(&camera, Mistake::UpAsV).v(), up);
@@ -206,7 +208,7 @@ fn balls() -> Scene {
     Scene::new(spheres, vec![floor]).unwrap()
 }
 
-/// Each pixel of the wrong picture against its own ray.
+/// Compares each pixel of the wrong picture with its own ray.
 fn assert_picture(scene: &Scene, right: &Camera, mistake: Mistake, raster: &Raster) {
     let camera = &wrong(right, mistake);
     let picture = WrongPicture::trace(scene, camera, raster).unwrap();
@@ -220,7 +222,7 @@ fn assert_picture(scene: &Scene, right: &Camera, mistake: Mistake, raster: &Rast
             if let (Some(hit), true) = (hit, object == picture.object[index]) {
                 hits += 1;
                 let off = (hit.t - f64::from(picture.t[index])).abs();
-                // On an outline a direction's last digit moves t by far more.
+                // At an outline, the last digit of a direction changes t by far more.
                 assert!(off <= 1e-6 * hit.t, "{mistake}: {row}, {column}");
             }
             index += 1;
@@ -244,8 +246,8 @@ fn the_picture_is_what_the_wrong_rays_meet() {
     }
 }
 
-/// Rows for columns of a tall image, and a pixel more than the widest one: far outside of it, and
-/// wider than any image may be.
+/// Rows are used as columns in a tall image, with one pixel more than the widest one: far outside
+/// of it, and wider than any image may be.
 #[test]
 fn the_largest_images_have_wrong_pictures_too() {
     let scene = balls();
@@ -275,7 +277,7 @@ fn a_wrong_picture_is_coloured_as_a_right_one_is() {
     let (scene, camera) = (balls(), general());
     let raster = Raster::full(camera.image);
     let color_of = |i: u32| [50 * i as u8, 200, 255 - 40 * i as u8];
-    // Half a turn, so that row and column count from the other end of the right picture.
+    // Half a turn, so that row and column count from the opposite end of the right picture.
     let turned = wrong(&camera, Mistake::UIsWCrossUp);
     let picture = WrongPicture::trace(&scene, &turned, &raster).unwrap();
     let right = trace(&scene, &camera.resolve().unwrap(), &raster, Outputs::default());
@@ -358,7 +360,7 @@ fn the_table_has_what_each_mistake_is_asked_for() {
     assert_eq!(ids.len(), Mistake::ALL.len());
     let mut named = Mistake::GRADED.iter().chain(Mistake::ALONE);
     assert!(named.all(|mistake| !mistake.advice().is_empty()));
-    // The ids that `pinhole check --json` may write: they stay.
+    // These ids may appear in the output of `pinhole check --json`, so they must not change.
     let graded: Vec<_> = Mistake::GRADED.iter().map(|mistake| mistake.id()).collect();
     let known = "w-as-printed v-is-u-cross-w not-normalized up-as-v distance-dropped pixel-corner \
                  rows-from-bottom rows-columns-swapped counted-from-one aspect-dropped left-handed \
@@ -373,7 +375,7 @@ fn the_table_has_what_each_mistake_is_asked_for() {
     assert_eq!(Mistake::from_id("upside-down"), None);
 }
 
-/// The objects seen in each pixel of the camera's image.
+/// Returns the object seen in each pixel of the camera's image.
 fn seen_by(scene: &Scene, wrong: &WrongCamera) -> Vec<u32> {
     let raster = Raster::shown_on(wrong.image(), 72, 72);
     WrongPicture::trace(scene, wrong, &raster).unwrap().object

@@ -37,7 +37,7 @@ const WALK_TO: f64 = 10.0;
 const STEPS: u64 = 24;
 
 impl Kind {
-    /// All of them, in order.
+    /// All kinds, in order.
     pub const ALL: [Kind; 5] = {
         use Kind::*;
         [SwingUp, Orbit, OverTheTop, Walk, Scan]

@@ -12,7 +12,7 @@ use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
 pub struct AnswerMark {
     /// The shape that is drawn.
     pub shape: MarkShape,
-    /// The label beside it.
+    /// The label next to it.
     pub label: String,
     /// True for a student's answer, which is drawn dashed; false for the right answer.
     pub is_dashed: bool,

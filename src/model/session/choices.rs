@@ -15,14 +15,14 @@ pub enum Workspace {
     Scene,
     /// The derivation of every number.
     Derivation,
-    /// One ray and what it meets.
+    /// One ray and its intersections.
     Ray,
     /// Questions, wrong cameras and answers.
     Practice,
 }
 
 impl Workspace {
-    /// All of them, in order.
+    /// All workspaces, in order.
     pub const ALL: [Workspace; 4] =
         [Workspace::Scene, Workspace::Derivation, Workspace::Ray, Workspace::Practice];
 
@@ -76,16 +76,16 @@ pub enum ViewLayout {
     World,
     /// The camera view alone.
     Camera,
-    /// The derivation beside the views.
+    /// The derivation to the right of the views.
     #[serde(alias = "Ledger")]
     Derivation,
     /// The plot of f(p + t d).
     Plot,
     /// The lab of lines.
     Lines,
-    /// A wrong camera beside the right one.
+    /// A wrong camera and the right one, side by side.
     Mistakes,
-    /// The camera beside the ghost.
+    /// The camera and the ghost, side by side.
     Compare,
     /// The translator.
     Translator,
@@ -214,7 +214,7 @@ pub enum Split {
     Stack,
     /// The world view's share of the width when the ghost's picture is shown.
     CompareViews,
-    /// The same in practice.
+    /// The world view's share of the width in practice.
     PracticeViews,
     /// The views' share of the width, to the left of the derivation or the translator.
     Derivation,

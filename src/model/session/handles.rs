@@ -73,8 +73,8 @@ impl Handle {
         }
     }
 
-    /// Returns the overlay item that must be shown, besides the handles, for this handle to be
-    /// there.
+    /// Returns the overlay item that must be shown, in addition to the handles, so that this handle
+    /// exists.
     pub fn item(self) -> Item {
         match self {
             Handle::Eye => Item::Eye,
@@ -107,7 +107,7 @@ pub struct HandleState {
     pub is_busy: bool,
 }
 
-/// What the pointer has taken.
+/// The object of a drag: a handle or the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grabbed {
     /// A handle of the world view.
@@ -118,22 +118,24 @@ pub enum Grabbed {
     Orbit,
 }
 
-/// A drag, as it was when it began: its effect is always computed from that, so that dragging back
-/// changes nothing.
+/// A drag, with the state at its beginning. Its effect is always computed from that state, so that
+/// dragging back to the start changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
-    /// What is dragged.
+    /// The handle or view that is dragged.
     pub grabbed: Grabbed,
     /// The values that the drag changes.
     pub before: HandleValues,
-    /// Position in the viewport of the observer, or of the camera in its own view, where the pointer was.
+    /// Position where the pointer was, in the viewport of the observer, or of the camera in its own
+    /// view.
     pub begun_at: DVec2,
     /// Position of the handle in the world.
     pub at: DVec3,
-    /// Length in the world at which an arrow of length 1 was drawn, if its tip is held: it keeps the
-    /// tip under the pointer.
+    /// Length in the world at which an arrow of length 1 was drawn, if its tip is dragged. With it,
+    /// the tip stays under the pointer.
     pub length: f64,
-    /// Unit vector from a sphere's centre to the held point of its surface. It follows the pointer.
+    /// Unit vector from a sphere's centre to the dragged point of its surface. It follows the
+    /// pointer.
     pub toward: DVec3,
 }
 

@@ -58,7 +58,7 @@ pub struct Session {
     /// The number of the derivation's lines that are shown, counted from the first one; `None`
     /// shows all. The derivation determines how many lines there are.
     pub revealed_lines: Option<usize>,
-    /// The wrong camera beside the right one.
+    /// The comparison of a wrong camera with the right one.
     pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
     pub exercises: Exercises,
@@ -115,7 +115,7 @@ pub struct Settings {
     pub eye_keeps: Keep,
     /// True if the camera panel's part for teaching is unfolded.
     pub teaching: bool,
-    /// True if the panel beside the views is hidden.
+    /// True if the side panel is hidden.
     pub hides_panel: bool,
     /// The sections of the panel that are unfolded.
     pub unfolded: Unfolded,
@@ -147,7 +147,7 @@ pub struct Settings {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Unfolded {
-    /// What to look for in the scene.
+    /// The note on what to look for in the scene.
     pub note: bool,
     /// Viewport and image.
     pub viewport: bool,

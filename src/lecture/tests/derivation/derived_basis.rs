@@ -110,7 +110,7 @@ fn a_derivation_goes_as_far_as_it_can() {
     assert!(matches!(derived.basis, Err(BasisError::NotFinite { field: "up", .. })));
 }
 
-/// `|x - truth|` in ulps of the truth, which fits into one number and a rest.
+/// Returns `|x - truth|` in ulps of the truth, which is split into one number and a remainder.
 fn ulps_off(x: f64, truth: &Big) -> f64 {
     let unit = near(truth).abs().max(f64::MIN_POSITIVE);
     let unit = unit.next_up() - unit;
@@ -172,7 +172,7 @@ proptest! {
         check_against_oracle(&camera, &view.into(), up)?;
     }
 
-    /// What the checks say together is what the door says.
+    /// The checks together give the same verdict as [`Basis::by_hand`].
     #[test]
     fn the_checks_by_hand_decide_as_the_door_does(
         view in vector(-1.0..1.0), up in vector(-1.0..1.0), noise in vector(-14.0..-6.0),
@@ -196,7 +196,8 @@ proptest! {
     }
 }
 
-/// The hard bases of the reference: eye and at far out, up close to the view, extreme lengths.
+/// Compares with the reference on difficult bases: eye and at far from the origin, up close to the
+/// view, extreme lengths.
 #[test]
 fn the_vectors_are_those_of_the_reference() {
     let mut vectors = 0;
@@ -219,7 +220,7 @@ fn the_vectors_are_those_of_the_reference() {
                     assert!((0..3).all(|i| off(i) <= 1.2e-16), "{camera:?}");
                     vectors += 1;
                 }
-                // Whatever the lengths, each step is a number.
+                // Each step is a number, whatever the lengths.
                 let up_cross_w = derived.up_cross_w.unwrap();
                 assert!(up_cross_w.area > 0.0 && up_cross_w.sine.unwrap() > 0.0);
                 assert!(up_cross_w.product.is_finite() && up_cross_w.product != DVec3::ZERO);
@@ -250,7 +251,7 @@ fn a_basis_by_hand_is_checked_number_by_number() {
     assert!(right.lengths.iter().all(|check| (check.unwrap().value - 1.0).abs() < 2e-16));
     assert!((right.handedness.unwrap().value - 1.0).abs() < 4e-16);
 
-    // As typed from the blackboard: 0.7071 is no 1/sqrt 2.
+    // Typed from the blackboard: 0.7071 is not 1/sqrt 2.
     let x = 7071.0 / 10_000.0;
     let typed = by_hand(vec3(x, 0.0, -x), DVec3::Y, vec3(x, 0.0, x));
     let [u, v, w] = typed.lengths.map(Option::unwrap);
@@ -268,7 +269,7 @@ fn a_basis_by_hand_is_checked_number_by_number() {
     let broken = by_hand(vec3(f64::NAN, 0.0, 0.0), DVec3::Y, DVec3::Z);
     assert_eq!((broken.lengths[0], broken.dots[0], broken.handedness), (None, None, None));
     assert!(broken.dots[1].unwrap().passes && broken.basis.is_err());
-    // Sums of products of 1e308 are no NaN.
+    // Sums of products of 1e308 are not NaN.
     let huge = by_hand(vec3(1e200, 1e200, 0.0), vec3(1e200, -1e200, 0.0), DVec3::Z);
     assert_eq!(huge.dots[0].unwrap().value, 0.0);
     assert!(!huge.lengths[0].unwrap().passes);

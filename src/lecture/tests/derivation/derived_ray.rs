@@ -44,7 +44,7 @@ fn a_pixel_and_its_ray() {
 proptest! {
     #![proptest_config(config(500))]
 
-    /// The parts make the direction: each is rounded once, and so is their sum.
+    /// The direction is the sum of its components: each of them is rounded once, and so is the sum.
     #[test]
     fn the_parts_make_the_direction(
         view in vector(-3.0..3.0), up in vector(-3.0..3.0),
@@ -76,7 +76,7 @@ proptest! {
     }
 }
 
-/// The frames of the reference, extreme measures among them.
+/// Compares with the reference's frames, including extreme measures.
 #[test]
 fn the_direction_is_that_of_the_reference() {
     let mut rays = 0;

@@ -1,4 +1,4 @@
-//! The unit in which an implicit function is plotted.
+//! Tests of the unit in which an implicit function is plotted.
 
 use pinhole_core::*;
 use pinhole_lecture::{ImplicitUnit, UnitOrigin};

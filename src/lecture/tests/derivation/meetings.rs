@@ -1,4 +1,4 @@
-//! The derivation of where a ray meets an object.
+//! Tests of the derivation of a ray's intersection with an object.
 
 use pinhole_core::*;
 use pinhole_lecture::{
@@ -120,7 +120,7 @@ fn every_way_to_meet_a_plane() {
     assert_eq!(error, Err(ObjectError::NormalIsZero));
 }
 
-/// What it says is what the tracer does, and the roots are the reference's.
+/// Its results agree with the tracer, and its roots agree with the reference.
 #[test]
 fn roots_and_hits_are_those_of_the_reference() {
     let mut seen = 0;

@@ -1,4 +1,5 @@
-//! What is worked out for teaching: the lecture's own numbers, and accuracy against the reference.
+//! Tests of the derivations for teaching: the lecture's own numbers, and accuracy against the
+//! reference.
 
 mod derived_basis;
 mod derived_ray;
@@ -21,7 +22,7 @@ pub(crate) const AT_45_DEGREES: Camera = Camera {
     ..Camera::CANONICAL
 };
 
-/// A vector of any direction and a length of about 10 to a power in the range.
+/// Returns vectors of any direction, whose length is about 10 to a power in the range.
 fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
     let coordinate = || -1.0..1.0_f64;
     ((coordinate(), coordinate(), coordinate()), powers)

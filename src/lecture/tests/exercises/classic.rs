@@ -1,5 +1,5 @@
-//! Sheets of answers as students hand them in: what each wrong number comes from is found by hand,
-//! and which mistakes are named, part by part.
+//! Sheets of answers as students hand them in. The cause of each wrong number was found by hand;
+//! the tests check which mistakes the verdict names, part by part.
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
@@ -7,7 +7,7 @@ use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
 use pinhole_lecture::exercises::{Answer, Asked, Exercise, Question, Verdict};
 use pinhole_lecture::mistakes::Mistake;
 
-/// A part, its numbers, and the mistakes that are named; none where the answer is right.
+/// A part, its numbers, and the mistakes that are named; no mistakes if the answer is right.
 type Line<'a> = (Asked, &'a [f64], &'a [Mistake]);
 
 #[track_caller]
@@ -43,7 +43,7 @@ fn sheet(exercise: Exercise, lines: &[Line<'_>]) {
 fn a_view_ray() {
     let origin =
         |p: [f64; 3]| sheet(Exercise::WarmUpRay, &[(Origin, &p, &[Mistake::ViewportForEye])]);
-    // The viewport's middle, the ray's place in it, and that place moved into the eye's plane.
+    // The viewport's middle, the ray's point in it, and that point moved into the eye's plane.
     origin([0.0, 0.0, -1.0]);
     origin([0.2, -0.1, -1.0]);
     origin([0.2, -0.1, 0.0]);
@@ -58,7 +58,7 @@ fn a_view_ray() {
     ] {
         sheet(Exercise::WarmUpRay, &[(Origin, &[0.0; 3], &[]), (Direction, &d, &[mistake])]);
     }
-    // Any positive multiple is the same ray, the unit vector among them.
+    // Any positive multiple, such as the unit vector, is the same ray.
     let length = 1.05f64.sqrt();
     for times in [0.1, 5.0, 1.0 / length] {
         let d = [0.2 * times, -0.1 * times, -times];
@@ -71,10 +71,10 @@ fn the_wall() {
     let wall = |lines: &[Line<'_>]| sheet(Exercise::WarmUpPlane, lines);
     let point: Line<'_> = (Point, &[1.2, -0.6, -6.0], &[]);
     let t: Line<'_> = (T, &[6.0], &[]);
-    // z = -6 itself, or 6 with a minus; not d's z, which would have spoilt the point.
+    // z = -6 itself, or 6 with a minus; not d's z, because it would have spoilt the point.
     let minus = [Mistake::SignOfT, Mistake::CoordinateForT];
     wall(&[(T, &[-6.0], &minus), point]);
-    // 6 |d| = 6 sqrt 1.05, a sixth, and 6 less the 1 up to the viewport.
+    // 6 |d| = 6 sqrt 1.05, a sixth, and 6 minus the 1 up to the viewport.
     wall(&[(T, &[6.0 * 1.05f64.sqrt()], &[Mistake::TForDistance]), point]);
     wall(&[(T, &[1.0 / 6.0], &[Mistake::TInverted]), point]);
     wall(&[(T, &[5.0], &[Mistake::FromViewport])]);
@@ -82,7 +82,7 @@ fn the_wall() {
         (T, &[5.0], &[Mistake::FromViewport]),
         (Point, &[1.0, -0.5, -5.0], &[Mistake::FromViewport]),
     ]);
-    // d = (0.2, -0.1, 1) gives -6 = t, and -6 d = (-1.2, 0.6, -6).
+    // d = (0.2, -0.1, 1) gives t = -6, and -6 d = (-1.2, 0.6, -6).
     wall(&[(T, &[-6.0], &[Mistake::SignOfZ]), (Point, &[-1.2, 0.6, -6.0], &[Mistake::SignOfZ])]);
     for (p, mistake) in [
         ([1.2, -0.6, 6.0], Mistake::SignOfZ),
@@ -142,7 +142,7 @@ fn a_turned_basis() {
         5.0,
         mistake,
     );
-    // The axes' mean: half of all that but of v, and -6 = -0.6 t.
+    // The axes' mean gives half of all numbers except v, and -6 = -0.6 t.
     let (short_u, short_w) = ([0.5, 0.0, -0.5], [0.5, 0.0, 0.5]);
     all(
         [(short_u, mistake), (v, right), (short_w, mistake), ([-0.4, -0.1, -0.6], mistake)],
@@ -158,10 +158,10 @@ fn a_turned_basis() {
         t,
         mistake,
     );
-    // With the right w it is the sign in front of it.
+    // With the right w, the sign in front of it is wrong.
     let mistake: &[Mistake] = &[Mistake::DistanceAdded];
     all([(u, right), (v, right), (w, right), ([1.2 * S, -0.1, 0.8 * S], mistake)], t, mistake);
-    // And with all else right, the vector alone.
+    // If everything else is right, the vector alone is wrong.
     all(
         [(u, right), (v, right), (minus_w, &[Mistake::WForwards]), (d, right)],
         5.0 * SQRT_2,
@@ -196,7 +196,7 @@ fn a_turned_basis() {
     let of_d = |d: [f64; 3], mistake: Mistake, t: f64, of_t: &[Mistake]| {
         all([(u, right), (v, right), (w, right), (d, &[mistake])], t, of_t);
     };
-    // The basis is forgotten, or its z: -6 = -t.
+    // The basis, or only its z, is forgotten: -6 = -t.
     let mistake = Mistake::BasisForgotten;
     of_d([0.2, -0.1, -1.0], mistake, 6.0, &[mistake]);
     let mistake = Mistake::ZIsMinusDistance;
@@ -219,7 +219,7 @@ fn a_turned_basis() {
     of_t(5.0 * SQRT_2 - 1.0, Mistake::FromViewport);
 }
 
-/// The three of a constructed basis, in the order in which they are asked for.
+/// Checks the three vectors of a constructed basis, in the order in which they are asked for.
 #[track_caller]
 fn basis(exercise: Exercise, lines: [([f64; 3], &[Mistake]); 3]) {
     let [(w, of_w), (u, of_u), (v, of_v)] = &lines;
@@ -234,10 +234,10 @@ fn view_and_up() {
     let (w, u, v) = ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
     let (left, down) = ([0.0, 0.0, -1.0], [-1.0, 0.0, 0.0]);
     basis(exercise, [(w, right), (u, right), (v, right)]);
-    // w = view/|view| turns u round, and w x u is v again.
+    // w = view/|view| reverses u, and w x u is v again.
     let mistake = [Mistake::WAsPrinted];
     basis(exercise, [([0.0, -1.0, 0.0], &mistake), (left, &mistake), (v, right)]);
-    // As printed and found by hand: u right all the same.
+    // w as printed, but the rest found by hand: u is right nevertheless.
     basis(exercise, [([0.0, -1.0, 0.0], &mistake), (u, right), (v, right)]);
     // w = view; u = up x view normalized; v = (0, -2, 0) x (0, 0, -1).
     let mistake = [Mistake::WIsView];
@@ -254,7 +254,7 @@ fn view_and_up() {
         exercise,
         [([0.0, 2.0, 0.0], &mistake), ([0.0, 0.0, 4.0], &mistake), ([8.0, 0.0, 0.0], &mistake)],
     );
-    // u = w x up, v = w x u of it; both the other way round; the second alone.
+    // u = w x up and v = w x u with this u; both products exchanged; only the second exchanged.
     let mistake = [Mistake::UIsWCrossUp];
     basis(exercise, [(w, right), (left, &mistake), (down, &mistake)]);
     let mistake = [Mistake::ULeftwards, Mistake::LeftHanded];
@@ -281,7 +281,7 @@ fn eye_at_and_up() {
     basis(exercise, [(w, right), (u, right), (v, right)]);
     let mistake = [Mistake::WIsAtMinusEye];
     basis(exercise, [(minus(w), &mistake), (minus(u), &mistake), (v, right)]);
-    // Nothing normalized, w alone not, u alone not: |up x w| = sqrt(666/682).
+    // Nothing normalized; only w not normalized; only u not normalized: |up x w| = sqrt(666/682).
     let mistake = [Mistake::NothingNormalized];
     let all = [[21.0, 4.0, 15.0], [15.0, 0.0, -21.0], [-84.0, 666.0, -60.0]];
     basis(exercise, [(all[0], &mistake), (all[1], &mistake), (all[2], &mistake)]);
@@ -300,7 +300,7 @@ fn eye_at_and_up() {
     basis(exercise, [(w, right), (u, right), (minus(v), &[Mistake::VIsUCrossW])]);
     basis(exercise, [(w, right), (u, right), ([0.0, 1.0, 0.0], &[Mistake::UpAsV])]);
     basis(exercise, [(w, right), (v, &[Mistake::UAndVSwapped]), (u, &[Mistake::UAndVSwapped])]);
-    // From at alone: -(-1, 0, -5); from eye alone; eye + at = (19, 4, 5).
+    // From at only: -(-1, 0, -5); from eye only; eye + at = (19, 4, 5).
     for (from, length, mistake) in [
         ([1.0, 0.0, 5.0], 26f64.sqrt(), Mistake::EyeForgotten),
         ([20.0, 4.0, 10.0], 516f64.sqrt(), Mistake::AtForgotten),
@@ -313,7 +313,7 @@ fn eye_at_and_up() {
     }
 }
 
-/// With nothing else to tell them apart, the mistake that holds another and more is not named.
+/// If nothing else distinguishes them, the verdict does not name a mistake that includes another.
 #[test]
 fn one_vector_alone() {
     let w: Line<'_> = (W, &[21.0, 4.0, 15.0], &[Mistake::WNotNormalized]);
@@ -350,12 +350,13 @@ fn a_sphere() {
         );
     };
     normal([0.0, 0.0, 1.0], &[]);
-    // From the centre (0, 0, -5) to (0, 0, -6), too, but the point is right; and from the origin.
+    // The vector from the centre (0, 0, -5) to (0, 0, -6), although the point is right; and the
+    // vector from the origin.
     normal([0.0, 0.0, -1.0], &[Mistake::NormalInwards, Mistake::NormalFromOrigin]);
     let far: Line<'_> = (Normal, &[0.0, 0.0, -1.0], &[Mistake::FarRoot]);
     let mistake = [Mistake::FarRoot];
     sheet(Exercise::Sphere, &[(T, &[6.0], &mistake), (Point, &[0.0, 0.0, -6.0], &mistake), far]);
-    // The second root, although the point is that of the first.
+    // The second root, although the point is that of the first root.
     sheet(Exercise::Sphere, &[(T, &[6.0], &mistake), (Point, &[0.0, 0.0, -4.0], &[])]);
 }
 

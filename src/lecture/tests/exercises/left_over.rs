@@ -1,4 +1,5 @@
-//! Wrong numbers that no mistake gives: what is left over where they are put in.
+//! Wrong numbers that no mistake gives; the verdict states the remainder that they leave in the
+//! equation.
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
@@ -7,7 +8,7 @@ use pinhole_lecture::exercises::{Answer, Asked, Exercise, Finding, Verdict};
 
 use super::{alone, judged, numbers, questions};
 
-/// What is left over where the answer is put in.
+/// The verdict states the remainder when the answer is substituted.
 #[test]
 fn a_wrong_number_is_told_by_what_it_leaves_over() {
     let wrong = |exercise, asked, answer: &[f64]| match judged(exercise, asked, numbers(answer)) {
@@ -21,7 +22,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
     else {
         panic!("{findings:?}")
     };
-    // |(0, 1, 0)|^2 less the square of d's share, (-0.1)^2/1.05.
+    // |(0, 1, 0)|^2 minus the square of its component along d, (-0.1)^2/1.05.
     assert!((distance.powi(2) - (1.0 - 0.01 / 1.05)).abs() < 1e-12);
     let ray = Exercise::WarmUpRay;
     assert_eq!(
@@ -33,7 +34,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
     assert_eq!(findings, [Finding::OffUv { uv, wanted }]);
     let findings = wrong(ray, Asked::Direction, &[1.0, 0.5, 2.0]);
     assert_eq!(findings, [Finding::NotForwards { along_w: 2.0 }]);
-    // Straight along -w = (-s, 0, -s), and half of u = (s, 0, -s) more.
+    // Straight along -w = (-s, 0, -s), plus half of u = (s, 0, -s).
     let findings = wrong(Exercise::Turned, Asked::Direction, &[-0.5 * S, 0.0, -1.5 * S]);
     let [Finding::OffUv { uv, .. }] = findings[..] else { panic!("{findings:?}") };
     assert!(uv.distance(DVec2::new(0.5, 0.0)) < 1e-12);
@@ -53,19 +54,19 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
     assert!((degrees - 0.8f64.acos().to_degrees()).abs() < 1e-12);
     let lines = Exercise::Lines;
     assert_eq!(wrong(lines, Asked::T, &[2.5]), [Finding::OffLine { value: 3.0 }]);
-    // On the line, and beside the ray: (3, -1) is 2 √2 from (1, 1) across it.
+    // On the line but not on the ray: (3, -1) is 2 √2 from (1, 1), perpendicular to the ray.
     let findings = wrong(lines, Asked::Point, &[3.0, -1.0]);
     let [Finding::OffRay { distance }] = findings[..] else { panic!("{findings:?}") };
     assert!((distance - 2.0 * SQRT_2).abs() < 1e-12);
 }
 
-/// Whatever is typed for a number, what is said of it is more than that it is another one.
+/// Whatever number is typed, the verdict says more than that it is another number.
 #[test]
 fn every_wrong_number_gets_a_reason() {
     for question in questions() {
         for (index, part) in question.parts.iter().enumerate() {
             let Answer::Numbers(truth) = &part.truth else { continue };
-            // All coordinates wrong, by nothing that a mistake would give.
+            // All coordinates are wrong, and no mistake gives them.
             let given: Vec<f64> =
                 (0..truth.len()).map(|k| truth[k] + 0.128_374_65 + 0.037_1 * k as f64).collect();
             let verdict = alone(&question, index, numbers(&given));

@@ -1,4 +1,4 @@
-//! Every exercise answered rightly, and with each classic mistake.
+//! Tests every exercise with right answers, and with each classic mistake.
 #![allow(clippy::approx_constant, reason = "answers that are rounded are what is tested")]
 
 use std::collections::HashSet;
@@ -22,7 +22,7 @@ fn judged(exercise: Exercise, asked: Asked, answer: Answer) -> Verdict {
     alone(&question, part, answer)
 }
 
-/// What is said of one answer while the other parts are not answered.
+/// Returns the verdict on one answer while the other parts are not answered.
 fn alone(question: &Question, part: usize, answer: Answer) -> Verdict {
     let mut answers = vec![None; question.parts.len()];
     answers[part] = Some(answer);
@@ -69,7 +69,7 @@ fn the_lectures_answers_are_right() {
     assert_eq!(no, Verdict::Mistakes(vec![Mistake::LineForRay]));
 }
 
-/// All questions of many seeds, the lecture's among them.
+/// Returns the questions of many seeds, and the lecture's own.
 fn questions() -> impl Iterator<Item = Question> {
     Exercise::ALL.iter().copied().flat_map(|exercise| {
         (0..200).map(Some).chain([None]).map(move |seed| Question::new(exercise, seed))
@@ -106,7 +106,7 @@ fn every_mistake_that_gives_an_answer_is_named() {
                 let tells = |named: &Mistake| named == mistake || named.is_part_of(*mistake);
                 let named =
                     matches!(&verdict, Verdict::Mistakes(mistakes) if mistakes.iter().any(tells));
-                // The same line, backwards, is told so first.
+                // The verdict on the same line, backwards, says so first.
                 let backwards = part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. });
                 let given = question.given;
                 assert!(named || backwards, "{given:?}: {mistake:?} {answer:?}: {verdict:?}");
@@ -115,7 +115,8 @@ fn every_mistake_that_gives_an_answer_is_named() {
     }
 }
 
-/// A whole sheet with one mistake in it: no other is named, unless it gives all the same answers.
+/// On a whole sheet with one mistake, no other mistake is named unless it gives all the same
+/// answers.
 #[test]
 fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
     for question in questions() {
@@ -217,7 +218,7 @@ fn a_direction_may_be_any_positive_multiple_where_the_question_allows_it() {
     };
     assert!((times * length - 1.0).abs() < 1e-15);
     assert_eq!(verdict(ray, [0.195, -0.0976, -0.976]), Verdict::Rounded { digits: 3 });
-    // Where t is asked for too, the length matters.
+    // If t is also asked for, the length matters.
     let Verdict::OtherLength { times } = verdict(Exercise::Turned, [-1.6 * S, -0.2, -2.4 * S])
     else {
         panic!()
@@ -234,7 +235,7 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     let u = |x: f64, z: f64| judged(Exercise::Turned, Asked::U, numbers(&[x, 0.0, z]));
     assert_eq!(u(0.707, -0.707), Verdict::Rounded { digits: 3 });
     assert_eq!(u(0.71, -0.70711), Verdict::Rounded { digits: 2 });
-    // One digit is too few to be called rounded.
+    // One digit is too few for a rounded answer.
     assert!(matches!(u(0.7, -0.70711), Verdict::Wrong(_)));
     assert!(matches!(u(0.7, -0.7), Verdict::OtherLength { .. }));
     assert_eq!(u(0.7071067811865, -S), Verdict::Right, "all the digits that matter");
@@ -246,7 +247,8 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     assert!(matches!(t(7.0), Verdict::Wrong(_)));
 }
 
-/// The truth less 1 in the last place typed is no cut-off truth, whatever binary subtraction gives.
+/// The truth minus 1 in the last typed place is not the truncated truth, whatever binary
+/// subtraction gives.
 #[test]
 fn a_number_just_below_a_short_one_is_wrong() {
     for (exercise, asked, answer) in [
@@ -255,7 +257,7 @@ fn a_number_just_below_a_short_one_is_wrong() {
         (Exercise::WarmUpPlane, Asked::T, vec![5.99]),
         (Exercise::Distance, Asked::T, vec![2.99]),
         (Exercise::WarmUpPlane, Asked::Point, vec![1.1, -0.6, -6.0]),
-        // Nor are these the mistakes that give 6, 8 and 5.
+        // These numbers do not come from the mistakes that give 6, 8 and 5, either.
         (Exercise::Sphere, Asked::T, vec![5.99]),
         (Exercise::Sphere, Asked::T, vec![7.9]),
         (Exercise::WarmUpPlane, Asked::T, vec![4.9]),
@@ -277,7 +279,7 @@ fn digits_cut_off_are_told_like_rounded_ones() {
     assert!(u(0.5812, -0.8137).is_right() && !u(0.581, -0.814).is_right());
     assert_eq!(u(0.58123, -0.81373), Verdict::Rounded { digits: 5 });
     assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
-    // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...
+    // A mistake's number may be truncated, too: 6 |d| = 6.1481...
     let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[6.14]));
     assert_eq!(t, Verdict::Mistakes(vec![Mistake::TForDistance]));
 }
@@ -306,7 +308,7 @@ fn otherwise_it_says_what_is_wrong() {
             Finding::NotOrthogonal { to: "u", dot: 0.8 }
         ]
     );
-    // A point has no length and does not point anywhere.
+    // A point has no length and no direction.
     let of_point = |v: [f64; 3]| judged(Exercise::WarmUpPlane, Asked::Point, numbers(&v));
     for v in [[0.2, -0.1, -1.0], [0.0; 3]] {
         let Verdict::Wrong(findings) = of_point(v) else { panic!("{:?}", of_point(v)) };

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn where_a_hair_decides_neither_side_is_wrong() {
-    // The lecture's sphere, touched exactly by the rays of row 0: D is 0, or what rounding makes of it.
+    // The rays of row 0 touch the lecture's sphere exactly: D is 0 up to rounding.
     let exercise = Exercise {
         eye: [0.0; 3],
         at: [0.0, 0.0, -1.0],
@@ -35,7 +35,7 @@ fn where_a_hair_decides_neither_side_is_wrong() {
 
 #[test]
 fn single_precision_is_enough_at_every_pixel_of_an_ordinary_scene() {
-    // Some of these rays graze a sphere so closely that D is 0 in `f32`, or on its other side.
+    // Some of these rays graze a sphere so closely that D is 0 in `f32`, or has the opposite sign.
     let distance_two = Exercise {
         eye: [0.0; 3],
         at: [0.0, 0.0, -1.0],

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The first set that is named of a student's hits, and of its rays.
+/// Returns the first set of mistakes that is named for a student's hits, and for its rays.
 fn named(exercise: &Exercise, mistake: &str) -> [Vec<&'static str>; 2] {
     let mistakes = [mistake];
     let student = Student { exercise, mistakes: &mistakes };
@@ -11,7 +11,8 @@ fn named(exercise: &Exercise, mistake: &str) -> [Vec<&'static str>; 2] {
 
 #[test]
 fn other_ways_to_make_a_mistake_have_its_name() {
-    // The viewport's ratio is not the image's, so that one cannot be made of the other.
+    // The viewport's ratio differs from the image's, so that neither can be calculated from the
+    // other.
     let exercise = Exercise { viewport: [1.5, 1.1, 2.0], ..general() };
     for (way, id) in [
         ("aspect-dropped/image", "aspect-dropped"),
@@ -59,7 +60,7 @@ fn right_answers_that_count_from_one_are_told_to_be() {
     assert!(grade.diagnosis.counted_from_one);
 }
 
-/// Two mistakes are named, and one gives the same rays.
+/// Two mistakes are named, and a single other slip gives the same rays.
 #[test]
 fn one_mistake_that_looks_like_two_is_told_too() {
     let exercise = general();
@@ -86,7 +87,7 @@ fn one_mistake_that_looks_like_two_is_told_too() {
                 "{}",
                 found.advice()
             );
-            // Where u, v and w are given, w cannot be the other way round.
+            // If u, v and w are given, w cannot be reversed.
             let camera = camera_of(&exercise);
             let basis = *camera.resolve().unwrap().basis();
             let camera = Camera { orientation: Orientation::Basis(basis), ..camera };
@@ -109,7 +110,7 @@ fn only_t(hits: Vec<HitAnswer>, write: impl Fn(f64) -> Written<f64>) -> Answers 
     Answers::Hits(hits.collect())
 }
 
-/// `%.3f` and one mistake: what the digits lack is not put down to `f32`.
+/// `%.3f` and one mistake: the missing digits are not attributed to `f32`.
 #[test]
 fn few_digits_beside_a_mistake_are_told_and_are_no_f32() {
     let exercise = general();
@@ -124,7 +125,7 @@ fn few_digits_beside_a_mistake_are_told_and_are_no_f32() {
     }
 }
 
-/// Numbers of full precision behind many that are short, as those of a plane are.
+/// A number of full precision follows many short ones, such as those of a plane.
 #[test]
 fn one_number_of_full_precision_anywhere_is_no_f32() {
     let exercise = general();
@@ -187,7 +188,7 @@ fn objects_from_one_are_told_apart_from_rows() {
     }
 }
 
-/// So many of both that each held against each would take minutes.
+/// With so many answers and spheres, comparing all of them would take minutes.
 #[test]
 fn many_answers_and_spheres_are_sampled_and_that_is_told() {
     let ball = |k: u32| ([f64::from(k % 100) - 50.0, f64::from(k / 100) - 50.0, -60.0], 0.4);
@@ -207,7 +208,7 @@ fn many_answers_and_spheres_are_sampled_and_that_is_told() {
     assert!(grade.advice().ends_with("One of 2 answers was looked at."), "{}", grade.advice());
 }
 
-/// `%.4g`: a point whose coordinates are each right to their digits.
+/// `%.4g`: a point is right if each of its coordinates is right to its digits.
 #[test]
 fn a_point_is_right_where_each_coordinate_is() {
     let exercise = general();
@@ -225,7 +226,7 @@ fn a_point_is_right_where_each_coordinate_is() {
     assert_eq!(grade.right_digits, Some(4), "{}", grade.advice());
 }
 
-/// A program that has planes alone sees the wall behind every ball.
+/// A program that has only planes sees the wall behind every ball.
 #[test]
 fn what_lies_behind_alone_is_a_guess() {
     let exercise = Exercise {

@@ -1,4 +1,4 @@
-//! Answers of a student's own programs, right ones and wrong ones.
+//! Tests with answers of a student's own programs, right ones and wrong ones.
 
 mod grazing;
 mod habits;
@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use student::double::{Student, exactly};
 use student::{Exercise, single};
 
-/// As general as a scene gets: every mistake shows in it. Ball 2 is behind the eye; the back wall
+/// An exercise so general that every mistake shows in it. Ball 2 is behind the eye; the back wall
 /// is behind everything.
 fn general() -> Exercise {
     Exercise {
@@ -66,7 +66,7 @@ fn ids(mistakes: &[Mistake]) -> Vec<&'static str> {
     mistakes.iter().map(|mistake| mistake.id()).collect()
 }
 
-/// Whether all answers agree; else, what is said to explain them, and what would as well.
+/// Returns `right` if all answers agree; otherwise the named explanation and its alternatives.
 fn found(exercise: &Exercise, answers: &Answers) -> Vec<Vec<&'static str>> {
     let grade = graded(exercise, answers);
     assert_eq!(grade.worst.is_some_and(|worst| grade.is_right[worst.index]), grade.all_agree());
@@ -85,7 +85,8 @@ fn assert_right(exercise: &Exercise, answers: &Answers) {
     assert_eq!((grade.diagnosis, worst.is_some()), (Diagnosis::default(), true));
 }
 
-/// The mistakes, each with the ways in which the student makes it. The last one is of `f32` alone.
+/// The mistakes, each with the ways in which the student makes it. `single-precision` is missing,
+/// because it needs a program in `f32`.
 const MISTAKES: [(&str, &[&str]); 15] = [
     ("w-as-printed", &["w-as-printed"]),
     ("v-is-u-cross-w", &["v-is-u-cross-w"]),
@@ -104,8 +105,8 @@ const MISTAKES: [(&str, &[&str]); 15] = [
     ("t-for-distance", &["t-for-distance", "t-for-distance/point"]),
 ];
 
-/// The mistakes that are looked for alone, and the last object, each with the ways in which the
-/// student makes it.
+/// The mistakes that are only looked for alone, and the last object, each with the ways in which
+/// the student makes it.
 const ALONE: [(&str, &[&str]); 9] = [
     ("last-object", &["last-object", "last-object/farthest"]),
     ("sign-of-b", &["sign-of-b"]),
@@ -118,8 +119,9 @@ const ALONE: [(&str, &[&str]); 9] = [
     ("eye-in-direction", &["eye-in-direction"]),
 ];
 
-/// Here each of [`ALONE`] gives hits that no other mistake gives: balls overlap, none is before a
-/// wall, one is behind the eye, and the eye is so near the origin that it turns no ray back.
+/// An exercise in which each of [`ALONE`] gives hits that no other mistake gives. Balls overlap,
+/// none of them is in front of a wall, one is behind the eye, and the eye is so near the origin
+/// that no ray is reversed.
 fn telling() -> Exercise {
     Exercise {
         eye: [0.3, -0.2, -0.5],
@@ -136,7 +138,7 @@ fn telling() -> Exercise {
     }
 }
 
-/// What a basis shows, and what rays show.
+/// The mistakes that a basis reveals, and those that only hits reveal.
 const OF_BASIS: [&str; 5] =
     ["w-as-printed", "v-is-u-cross-w", "not-normalized", "up-as-v", "left-handed"];
 const OF_HITS: [&str; 4] = ["b-for-half-b", "far-root", "negative-t", "t-for-distance"];
@@ -153,7 +155,8 @@ fn each_mistake_alone_is_found_by_name() {
             } else {
                 assert_right(&exercise, &basis_of(&student));
             }
-            // Upside down is upside down, whether v or the rows are: no ray tells.
+            // The picture is upside down, whether v or the rows are reversed; rays cannot
+            // distinguish the two.
             let upside_down = vec![vec!["rows-from-bottom"], vec!["v-is-u-cross-w"]];
             let expected = match id {
                 "v-is-u-cross-w" | "rows-from-bottom" => upside_down,
@@ -161,14 +164,14 @@ fn each_mistake_alone_is_found_by_name() {
             };
             let sets = found(&exercise, &rays_of(&student));
             if *way == "distance-dropped" {
-                // At half the distance, the viewport is seen twice as large.
+                // At half the distance, the viewport appears twice as large.
                 assert_eq!(sets, [["distance-dropped"], ["viewport-scaled"]]);
             } else if !OF_HITS.contains(&id) {
                 assert_eq!(sets, expected, "rays, {way}");
             }
             let sets = found(&exercise, &hits_of(&student));
             if *way == "b-for-half-b/halved" {
-                // It sees none of the balls, but only the wall, the farthest of all.
+                // It sees none of the balls, but only the wall, which is the farthest object.
                 assert_eq!(sets, [["b-for-half-b"], ["far-root"], ["last-object"]], "hits, {way}");
             } else {
                 assert_eq!(sets, expected, "hits, {way}");
@@ -203,7 +206,7 @@ fn each_slip_alone_is_found_by_name() {
     assert_eq!(found(&exercise, &hits_of(&last))[0], ["rows-from-bottom", "last-object"]);
 }
 
-/// Several mistakes give these answers: the one that is named is not said to be the one.
+/// Several mistakes give these answers, so the advice does not present the named one as certain.
 #[test]
 fn what_may_be_another_mistake_says_so() {
     let exercise = general();
@@ -240,9 +243,9 @@ fn pairs_are_found_wherever_they_can_be_told() {
             let are_in = |known: &[&str]| pair.iter().all(|id| known.contains(id));
             if are_in(&OF_BASIS) {
                 let expected: &[&str] = match pair {
-                    // u = w x up, v = u x w is what makes it left-handed already.
+                    // u = w x up and v = u x w already form the left-handed basis.
                     ["v-is-u-cross-w", "left-handed"] => &["left-handed"],
-                    // v is up, whatever it would have been made of.
+                    // v is up, whatever the calculation of v would have given.
                     ["v-is-u-cross-w", "up-as-v"] => &["up-as-v"],
                     _ => &pair,
                 };
@@ -253,11 +256,11 @@ fn pairs_are_found_wherever_they_can_be_told() {
                 ["v-is-u-cross-w", "up-as-v"] => &["up-as-v"],
                 // Upside down twice.
                 ["v-is-u-cross-w", "rows-from-bottom"] => &["right"],
-                // u and v the other way round: the same as u alone made the other way round.
+                // Reversing u and v is the same as reversing u alone.
                 ["rows-from-bottom", "left-handed"] => &["left-handed"],
                 _ => &pair,
             };
-            // Of two that look alike, rows are named.
+            // Of two mistakes that look alike, the one about rows is named.
             let mut alike = expected.to_vec();
             for id in &mut alike {
                 if *id == "v-is-u-cross-w" {
@@ -274,7 +277,8 @@ fn pairs_are_found_wherever_they_can_be_told() {
                 check("rays", found(&exercise, &rays_of(&student)));
             }
             if pair == ["b-for-half-b", "far-root"] {
-                // The far root of a doubled b is behind the wall: hits without it tell.
+                // The far root of a doubled b is behind the wall, so hits without the wall
+                // distinguish the mistakes.
                 let exercise = alone(&exercise);
                 let student = Student { exercise: &exercise, mistakes: &pair };
                 check("hits", found(&exercise, &hits_of(&student)));
@@ -290,7 +294,7 @@ fn rows_and_columns_from_one_are_right_when_said_and_a_mistake_when_not() {
     let exercise = general();
     let student = Student { exercise: &exercise, mistakes: &[] };
     assert_right(&exercise, &hits_of(&student));
-    // What was said is taken off before: these are the numbers as written.
+    // A stated first row and column is subtracted beforehand; these are the numbers as written.
     let next = |pixel: Pixel| Pixel { row: pixel.row + 1, column: pixel.column + 1 };
     let rays = student.rays().into_iter().map(|ray| RayAnswer { pixel: next(ray.pixel), ..ray });
     let hits = student.hits().into_iter().map(|hit| HitAnswer { pixel: next(hit.pixel), ..hit });
@@ -372,7 +376,7 @@ fn a_stricter_tolerance_wants_its_digits() {
     assert!(grade(&truth, &hits_of(&double), Some(1e-10)).unwrap().all_agree());
 }
 
-/// Far from the world's origin, where `f32` has three digits behind the point.
+/// An exercise far from the world's origin, where `f32` has three decimals.
 fn far_out() -> Exercise {
     let by = [8000.25, -3000.5, 5000.125];
     let moved = |v: [f64; 3]| [v[0] + by[0], v[1] + by[1], v[2] + by[2]];
@@ -399,7 +403,7 @@ fn single_precision_is_found_where_it_does_not_suffice() {
         let mut wanted = vec![mistake, "single-precision"];
         wanted.sort_by_key(|id| Mistake::from_id(id));
         assert_eq!(sets[0], wanted);
-        // In double precision, nothing of the kind is said.
+        // In double precision, `f32` is not mentioned.
         let student = Student { exercise: &exercise, mistakes: &mistakes };
         assert_eq!(found(&exercise, &hits_of(&student))[0], [mistake]);
     }
@@ -407,7 +411,7 @@ fn single_precision_is_found_where_it_does_not_suffice() {
 
 #[test]
 fn many_spheres_are_graded_as_few_are() {
-    // Enough for an index over them, in which a ray finds those that are near.
+    // There are enough balls for an index, with which a ray finds the balls near it.
     let ball = |k: u32| {
         let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8 & 0xffff) / 65536.0;
         let [x, y, z] = [2_654_435_761, 2_246_822_519, 3_266_489_917].map(part);
@@ -457,7 +461,7 @@ fn what_cannot_be_graded_is_told() {
         let error = graded_by(&camera, &picture, None).unwrap_err();
         assert_eq!(error, GradeError::PictureSize { pixels, image: camera.image });
     }
-    // Rays so short that t is too large.
+    // The directions are so short that t is too large.
     let viewport = Viewport { width: 1e-310, height: 1e-310, distance: 1e-310 };
     let camera = Camera { viewport, image: ImageSize::new(1, 1).unwrap(), ..Camera::CANONICAL };
     let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };

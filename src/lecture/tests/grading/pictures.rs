@@ -4,7 +4,7 @@ use super::*;
 
 const COLORS: [Rgb; 4] = [[230, 159, 0], [86, 180, 233], [0, 158, 115], [204, 121, 167]];
 
-/// The student's picture, shaded as the exercise says: by a light at the eye.
+/// Returns the student's picture, shaded as the exercise says: by a light at the eye.
 fn painted(student: &Student, lit: bool) -> Answers {
     let [columns, rows] = student.exercise.image;
     let linear = |byte: u8| {
@@ -57,8 +57,8 @@ fn the_right_picture_is_right_in_its_shading() {
 fn mistakes_that_show_in_a_picture_are_found() {
     let exercise = general();
     for (id, ways) in MISTAKES {
-        // A colour is the same along the whole ray, and where it leaves a sphere as where it
-        // enters: neither shows.
+        // A colour is the same along the whole ray, and the same where the ray enters a sphere and
+        // where it leaves, so neither mistake shows.
         if ["far-root", "t-for-distance"].contains(&id) {
             let student = Student { exercise: &exercise, mistakes: &[id] };
             assert!(graded(&exercise, &painted(&student, true)).all_agree(), "{id}");
@@ -91,7 +91,7 @@ fn slips_that_show_in_a_picture_are_found() {
     }
 }
 
-/// Spheres that are not seen at all may be missed for many reasons.
+/// Spheres that are not seen at all may be missing for many reasons.
 #[test]
 fn a_picture_of_nothing_is_a_guess() {
     let exercise =

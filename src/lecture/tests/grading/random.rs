@@ -39,7 +39,7 @@ proptest! {
         ..Default::default()
     })]
 
-    /// Nobody who is right is called wrong, be the scene and the rounding as they may.
+    /// No right program is called wrong, whatever the scene and the rounding.
     #[test]
     fn right_programs_are_right(exercise in exercise(), scale in 0.01..50.0_f64) {
         let student = Student { exercise: &exercise, mistakes: &[] };
@@ -57,7 +57,8 @@ proptest! {
         }
     }
 
-    /// In `f32` they are right, or it is said that it does not suffice, and nothing else.
+    /// In `f32` the answers are right, or the only mistake named is that `f32` is not precise
+    /// enough.
     #[test]
     fn single_precision_is_blamed_for_nothing_else(exercise in exercise()) {
         let student = single::Student { exercise: &exercise, mistakes: &[] };
@@ -68,7 +69,7 @@ proptest! {
         }
     }
 
-    /// A mistake that was made is among those that are found, wherever it shows at all.
+    /// A mistake is among those that are found, if it shows at all.
     #[test]
     fn a_mistake_is_found_in_any_scene(exercise in exercise(), which in 0..24_usize) {
         let all = [&MISTAKES.map(|(id, ways)| (id, &ways[..1]))[..], &ALONE].concat();
@@ -103,7 +104,7 @@ proptest! {
             ray.direction.value += DVec3::from(*turn);
         }
         prop_assert_eq!(found(&exercise, &Answers::Rays(rays)), [[""; 0]]);
-        // One wrong answer among right ones is nobody's way of going wrong.
+        // No mistake makes one wrong answer among right ones.
         let mut hits = student.hits();
         let k = (turns[0][0].abs() * 1999.0) as usize % hits.len();
         hits[k].hit = Some(GivenHit {

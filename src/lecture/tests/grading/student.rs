@@ -1,5 +1,6 @@
-//! A student's ray tracer, as first written: plain loops, the textbook's formulas, nothing of ours.
-//! Each mistake is a line that is wrong. Once in `f64` and once in `f32`.
+//! A student's ray tracer, as first written: plain loops and the textbook's formulas, without any
+//! of the program's own code. Each mistake is one wrong line. It exists once in `f64` and once in
+//! `f32`.
 
 /// The exercise as the student reads it.
 #[derive(Clone, Debug)]
@@ -64,8 +65,8 @@ macro_rules! student {
                 mul(1.0 / norm(a), a)
             }
 
-            /// The student, with the mistakes made: their ids, some with the way in which it is made behind a
-            /// slash.
+            /// The student, with the ids of the mistakes made. Some ids are followed by a slash and
+            /// the way in which the mistake is made.
             pub(crate) struct Student<'a> {
                 pub(crate) exercise: &'a Exercise,
                 pub(crate) mistakes: &'a [&'a str],
@@ -95,7 +96,7 @@ macro_rules! student {
                     let keeps_u =
                         ["not-normalized", "not-normalized/all"].iter().any(|m| self.makes(m));
                     let u = if keeps_u { across } else { normalize(across) };
-                    // A left-handed cross product is the other way round each time.
+                    // A left-handed cross product is reversed each time.
                     let v = if self.makes("up-as-v") {
                         up
                     } else if self.makes("v-is-u-cross-w") || self.makes("left-handed") {
