@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::view::derive::WorkKind;
 
-/// The time that a frame took for each kind of work before it was painted.
+/// The time that a frame spent on each kind of work before it was painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WorkTimes {
     pub(crate) trace: Duration,
@@ -24,7 +24,7 @@ impl Stopwatch {
         Stopwatch(Mutex::new((Instant::now(), WorkTimes::default())))
     }
 
-    /// Adds the time since the last call to this kind of work.
+    /// Adds the time since the last call to the total of this kind of work.
     pub(crate) fn tell(&self, work: WorkKind) {
         let now = Instant::now();
         let (since, times) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -38,7 +38,7 @@ impl Stopwatch {
         times.is_new |= work != WorkKind::Rest;
     }
 
-    /// Attributes the remaining time to the rest and returns all times.
+    /// Adds the remaining time to the total of all other work, and returns all times.
     pub(crate) fn stop(self) -> WorkTimes {
         self.tell(WorkKind::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
@@ -61,7 +61,7 @@ pub(crate) struct FrameWork {
 }
 
 impl FrameWork {
-    /// Adds a pass of the frame with this number. Passes before the first new picture are ignored.
+    /// Adds a pass of the frame with this number. Ignores passes before the first new picture.
     pub(crate) fn add(&mut self, frame: u64, pass: WorkTimes) {
         if self.frame != frame {
             *self = FrameWork { frame, work: None };

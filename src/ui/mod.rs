@@ -1,6 +1,6 @@
-//! The window's contents: the order of a frame ([`app`]), the workspaces' pages and their parts
-//! ([`scene`], [`derivation`], [`ray`], [`practice`], [`tools`]), the panels around them, dialogs, widgets,
-//! and the table of commands.
+//! The window's contents: the order of a frame ([`app`]), the workspaces' pages and their parts ([`scene`],
+//! [`derivation`], [`ray`], [`practice`], [`tools`]), the panels around them, dialogs, widgets, and the table
+//! of commands.
 
 pub mod action;
 pub mod app;

@@ -1,4 +1,4 @@
-//! The command palette: finds every command by a few of its letters.
+//! The command palette, which finds every command by a few of its letters.
 
 use egui::{
     Align, Button, Context, Id, Key, Label, Layout, Modal, Modifiers, RichText, ScrollArea,
@@ -22,8 +22,8 @@ pub(crate) struct CommandPalette {
     chosen: usize,
 }
 
-/// Shows the palette of these commands, and adds the chosen one to `actions`. Returns true if the
-/// palette stays open.
+/// Shows the palette with these commands, and adds the chosen one to `actions`. Returns true if the palette
+/// stays open.
 pub(crate) fn ui(
     ctx: &Context,
     palette: &mut CommandPalette,
@@ -58,8 +58,8 @@ pub(crate) fn ui(
     is_open && !response.should_close()
 }
 
-/// Returns the number of commands by which the pressed keys move down, and consumes these keys so
-/// that the text field does not get them.
+/// Returns the number of commands by which the pressed keys move the selection down. Consumes these keys, so
+/// that the text field does not receive them.
 fn moves(ctx: &Context) -> isize {
     let page = ROWS as isize - 1;
     let keys =
@@ -93,7 +93,8 @@ fn list(
     let row = row + 2.0 * ui.spacing().button_padding.y;
     let most = ROWS * (row + ui.spacing().item_spacing.y);
     let room = ui.ctx().content_rect().height() - 140.0;
-    // The list's height does not depend on the number of commands, so that nothing moves during typing.
+    // The list's height does not depend on the number of commands, so that nothing moves while the user
+    // types.
     ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink(false).show(ui, |ui| {
         for (k, command) in fitting.iter().enumerate() {
             // Each entry is as wide as the palette, with its keys at the right edge.

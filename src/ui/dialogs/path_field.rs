@@ -18,7 +18,7 @@ pub struct FileQuestion {
     pub endings: &'static [&'static str],
     /// The hint in the empty field.
     pub hint: &'static str,
-    /// The extension that a file to write gets if it has none; `None` for a file to read.
+    /// The extension added to the name of a file to write if it has none; `None` for a file to read.
     pub writes: Option<&'static str>,
 }
 
@@ -36,9 +36,9 @@ pub struct FileRequest {
 /// The answer of the desktop's dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileAnswer {
-    /// This file was chosen; the desktop has asked about overwriting it.
+    /// The user chose this file; the desktop has already asked about overwriting it.
     Chosen(PathBuf),
-    /// The URI of a place that is not on this computer was chosen.
+    /// The user chose a place with this URI, which is not on this computer.
     Elsewhere(String),
     /// The dialog was closed without a choice.
     Cancelled,
@@ -59,7 +59,7 @@ enum Chooser {
     Answered(PathBuf),
 }
 
-/// A field for a path, typed or chosen from a list.
+/// A field for a path, which the user types or chooses from a list.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PathField {
     /// The typed text.
@@ -81,7 +81,7 @@ struct FolderEntry {
 }
 
 impl PathField {
-    /// Creates the field; starts in the folder of `path`, with `name` filled in.
+    /// Creates the field. It starts in the folder of `path`, with `name` filled in.
     pub(crate) fn new(question: FileQuestion, path: Option<&Path>, name: &str) -> PathField {
         let folder = path
             .and_then(Path::parent)
@@ -105,7 +105,7 @@ impl PathField {
         field
     }
 
-    /// Lets the desktop's dialog ask, at once or when the button is clicked.
+    /// Lets the desktop's dialog ask for the file, immediately or when the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
         self.chooser = Chooser::Desktop;
         if at_once {
@@ -165,8 +165,8 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the field. Returns the path of a file once it is chosen; in the list, an existing file must be
-    /// confirmed before it is overwritten.
+    /// Shows the field. Returns the path of a file once the user has chosen it. In the list, the user must
+    /// confirm before an existing file is overwritten.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = match self.chooser {
             Chooser::Field => self.list_ui(ui, cancel),
@@ -246,7 +246,7 @@ impl PathField {
             self.close_desktop();
         }
         let is_open = self.request().is_some();
-        // The button stays in place, so that a second click meets it again.
+        // The button stays in place, so that a second click hits it again.
         let waits = "Choose the file in the dialog of your desktop.";
         ui.label(if is_open { waits } else { self.question.hint });
         ui.add_space(8.0);
@@ -271,7 +271,7 @@ impl PathField {
         chosen
     }
 
-    /// Returns the path with its extension once it may be written.
+    /// Returns the path with its extension once it is safe or confirmed to write to it.
     fn check_overwriting(
         &mut self,
         ui: &mut Ui,
@@ -300,8 +300,8 @@ impl PathField {
     }
 }
 
-/// Returns the height of the list of files, which depends on the window alone: an area's remaining height is
-/// known only after several frames.
+/// Returns the height of the list of files. It depends only on the window, because the remaining height of an
+/// area is known only after several frames.
 fn list_height(ctx: &Context) -> f32 {
     (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
 }

@@ -15,8 +15,8 @@ use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 
-/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, the ratio of width : height
-/// to W : H, and `keep_picture` locks distance : width : height.
+/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, which is the ratio of width :
+/// height to W : H. The setting `keep_picture` locks distance : width : height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -35,7 +35,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     section(ui, "Viewport and image", &mut unfolded, |ui| {
         Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
         if let Err(fault) = camera.viewport.check() {
-            // Below the grid, where the text wraps: in a cell it would widen the panel.
+            // The message is below the grid, where its text wraps; in a cell it would widen the panel.
             ui.label(fault_text(ui, fault));
         }
         let hint = "Editing width, height, W or H changes another of them to match";
@@ -45,7 +45,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     settings.unfolded.viewport = unfolded;
 }
 
-/// Shows the choice of how the camera is given, and converts the camera.
+/// Shows the choice of how the camera is given, and converts the camera to the chosen form.
 fn given_by(ui: &mut Ui, camera: &mut Camera) {
     ui.horizontal(|ui| {
         ui.label("Given by");
@@ -145,8 +145,8 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     field_of_view(ui, camera, !settings.keep_picture);
 }
 
-/// Restores the picture or the pixels' shape after an edit of the viewport or the image, if the settings
-/// lock it.
+/// Restores the picture or the pixels' shape after an edit of the viewport or the image, if the settings lock
+/// it.
 pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
     if settings.keep_picture && camera.viewport != before.viewport {
         teaching::keep_picture(ctx, before, camera);
@@ -166,7 +166,7 @@ fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     ui.end_row();
 }
 
-/// Shows both fields of view in degrees; editing one changes width and height and keeps the
+/// Shows both fields of view in degrees. Editing one of them changes width and height, and keeps the
 /// distance.
 fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     if camera.viewport.check().is_err() {
@@ -180,7 +180,7 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
         response.changed().then(|| degrees.to_radians())
     };
     ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
-    // At a distance of 1e308, a wide viewport is beyond the range of numbers.
+    // At a distance of 1e308, a wide viewport exceeds the range of numbers.
     let take = |seen: Viewport| if seen.check().is_ok() { seen } else { viewport };
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
         camera.viewport = take(viewport.with_horizontal_fov(fov));
@@ -192,7 +192,7 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     ui.end_row();
 }
 
-/// Range of the fields of view of a flat viewport: less than 180 degrees, where it would be
+/// Range of the field of view of a flat viewport. It is less than 180 degrees, where the viewport would be
 /// infinite.
 const FOV_DEGREES: std::ops::RangeInclusive<f64> = 1e-6..=179.999;
 
@@ -201,9 +201,9 @@ fn shape_of(camera: &Camera) -> f64 {
     camera.viewport.width / camera.viewport.height / camera.image.aspect()
 }
 
-/// Adapts another extent after an edit: the height, or the width if the height was edited. After an
-/// edit of the image the larger of both extents is as large as before: no field of view grows.
-/// Nothing is adapted where the other extent would be beyond the range of numbers.
+/// Adapts the height of the viewport after an edit of its width, and the width after an edit of its height.
+/// After an edit of the image, the larger extent stays as large as before, so that no field of view grows.
+/// Nothing is adapted if the other extent would exceed the range of numbers.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     let ratio = shape_of(before) * camera.image.aspect();
     let Viewport { width, height, .. } = camera.viewport;
@@ -227,7 +227,7 @@ fn is_extent(x: f64) -> bool {
     x.is_finite() && x > 0.0
 }
 
-/// Shows the shape of pixels that are not square, and a button that makes them square.
+/// If pixels are not square, shows their shape and a button that makes them square.
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
     let is_known = camera.viewport.check().is_ok() && is_extent(shape);
@@ -260,7 +260,7 @@ pub(crate) fn selected_ray(
     *selection = selection.inside(resolved.image());
     let uv = selection.uv(resolved);
     let position = resolved.pixel_of_uv(uv);
-    // A point on an edge or corner belongs to no single pixel.
+    // A point on an edge or a corner does not belong to a single pixel.
     let (inside, known) = match *selection {
         Selection::Pixel(pixel) => (Some(pixel), true),
         Selection::Uv(_) => (
@@ -290,8 +290,8 @@ pub(crate) fn selected_ray(
     });
 }
 
-/// Shows a field for a row or column, with a dash if the ray passes outside the image or between
-/// pixels. Returns true if it changed.
+/// Shows a field for a row or column. The field has a dash if the ray passes outside the image or between
+/// pixels. Returns true if the number changed.
 fn index_field(
     ui: &mut Ui,
     name: &str,

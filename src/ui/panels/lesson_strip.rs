@@ -12,7 +12,7 @@ use crate::ui::widgets::Asking as _;
 use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::marked_text;
 
-/// Size of the text, in points: legible from the back row.
+/// Size of the text, in points; it is legible from the back row.
 const TEXT: f32 = 18.0;
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
@@ -21,8 +21,8 @@ const SHOW_ANSWER: &str = "Show the answer";
 /// Number of lines that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
-/// Shows the strip and adds the chosen actions to `actions`. `changed` is true if something differs
-/// from the step.
+/// Shows the strip, and adds the chosen actions to `actions`. `changed` is true if anything differs from the
+/// step.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenLesson,
@@ -60,7 +60,7 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
         marked_text::label(ui, &step.text, TEXT);
         if let Some(question) = &step.question {
             let text = if is_asking { &question.ask } else { &question.answer };
-            // The views stay where they are when the answer takes the question's position.
+            // The views stay in place when the answer replaces the question.
             let texts = [&question.ask, &question.answer];
             let height = texts.map(|text| marked_text::height(ui, text, TEXT));
             ui.scope(|ui| {
@@ -72,8 +72,8 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
 }
 
-/// Shows the titles of the lesson and the step, and keeps `reserved` points free. If both titles do not
-/// fit at every step of the lesson, the lesson's title is only its number.
+/// Shows the titles of the lesson and the step, leaving `reserved` points free. If both titles do not fit at
+/// every step of the lesson, the lesson's title is reduced to its number.
 fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
     let gap = 10.0;
     ui.spacing_mut().item_spacing.x = gap;
@@ -136,12 +136,12 @@ fn buttons(
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));
 }
 
-/// Number of columns of the contents: all lessons fit into a window of 720 points.
+/// Number of columns of the table of contents; with it, all lessons fit into a window of 720 points.
 const COLUMNS: usize = 3;
 /// Width of a column, in points.
 const COLUMN: f32 = 330.0;
 
-/// Shows all lessons with their steps, with a teacher's lesson above the built-in ones.
+/// Shows all lessons with their steps; a teacher's lesson is above the built-in ones.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
     let width = COLUMNS as f32 * COLUMN;
     // The default limit of a menu is too small for all lessons.
@@ -158,7 +158,8 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut
         let all = builtin::all();
         ui.columns(COLUMNS, |columns| {
             for (index, lesson) in all.iter().enumerate() {
-                // The column that its middle would be in if all columns were one.
+                // All columns form one long column that is cut into equal parts; the lesson belongs to the
+                // part that contains its middle.
                 let middle = rows(&all[..index]) + lesson.steps.len() / 2;
                 let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
                 entries(&mut columns[column], Which::Builtin(index), lesson, open, actions);

@@ -1,4 +1,4 @@
-//! The scene's spheres and planes: a list for selection, and the fields of the chosen object.
+//! The scene's spheres and planes: a list to choose from, and the fields of the chosen object.
 
 use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
@@ -12,7 +12,7 @@ use crate::view::typesetting::theme;
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
 
-/// Edits the objects; `chosen` is the index of the one whose fields are shown, if any.
+/// Edits the objects; `chosen` is the index of the object whose fields are shown, if any.
 pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize>) {
     ui.horizontal(|ui| {
         if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
@@ -66,20 +66,20 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Returns the message that a sphere of a CSV file is edited in that file.
+/// Returns the message that a sphere from a CSV file must be edited in that file.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
     let row = index - document.spheres.len() + 1;
     format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
-/// The centres of the picture's quarters, as shares of the viewport, and the distance between spheres
-/// behind each other, in viewport distances.
+/// The centres of the picture's quarters, as shares of the viewport; and the distance between spheres behind
+/// each other, in viewport distances.
 const QUARTERS: [[f64; 2]; 4] = [[0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25], [0.25, -0.25]];
 const BEHIND: f64 = 1.5;
 
-/// Returns a sphere that the camera sees: in the upper right quarter of the picture, or where the next
-/// one touches no other.
+/// Returns a sphere that the camera sees. It is in the upper right quarter of the picture, or at the next
+/// position where it touches no other sphere.
 fn new_sphere(document: &Document) -> Sphere {
     let camera = document.camera.resolve().ok();
     let at = |k: usize| {
@@ -91,7 +91,7 @@ fn new_sphere(document: &Document) -> Sphere {
             // A diameter of a fifth of the picture's height.
             Sphere::new(ray.at(far), far * 0.1 * viewport.height).ok()
         });
-        // For a viewport of 1e308, the sphere is beyond the range of numbers.
+        // With a viewport of 1e308, the sphere exceeds the range of numbers.
         seen.unwrap_or(Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 })
     };
     let is_free = |new: &Sphere| {
@@ -156,8 +156,8 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     }
 }
 
-/// Edits an object. The object is written only if it has changed, because the list is shared with the
-/// history and is copied on a write. Returns true if the object was removed.
+/// Edits an object. Writes the object only if it has changed, because the list is shared with the history and
+/// is copied when it is written. Returns true if the object was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,
@@ -177,8 +177,8 @@ fn edit<S: Clone + PartialEq>(
     false
 }
 
-/// Shows the name, the colour and the remove button. Returns true if the button was clicked. The
-/// object's colour can be edited unless the colour scheme replaces it.
+/// Shows the name, the colour and the remove button. Returns true if the button was clicked. The object's
+/// colour can be edited unless the colour scheme replaces it.
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     ui.horizontal(|ui| {
         let mut color = own;

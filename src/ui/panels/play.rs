@@ -25,7 +25,7 @@ pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// Shows the strip, and adds to `actions` the changes that cannot be made in place.
+/// Shows the strip. Changes that cannot be made in place are added to `actions`.
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
@@ -66,7 +66,7 @@ fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction, actions:
     ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play, actions);
 }
 
-/// Shows the buttons that end the animation, and its position; from right to left.
+/// Shows, from right to left, the buttons that end the animation, and its position.
 fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     let hint = "Close, with everything as it was at the start";
     button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close, actions);
@@ -100,8 +100,7 @@ fn speed(ui: &mut Ui, speed: &mut f64) {
     ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("speed"));
 }
 
-/// Shows the position as text and as a slider; dragging the slider pauses the animation. From right
-/// to left.
+/// Shows, from right to left, the position as text and as a slider. Dragging the slider pauses the animation.
 fn position(ui: &mut Ui, player: &mut Player) {
     let width = if player.kind == Kind::Scan { SCAN_PLACE } else { PLACE };
     let height = ui.spacing().interact_size.y;

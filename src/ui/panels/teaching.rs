@@ -1,5 +1,5 @@
-//! The camera panel's experiments: edits that change a single property of the camera, and a dial of the
-//! camera's conditioning, in degrees of roll for each degree that up is tipped sideways.
+//! The camera panel's experiments: edits that change a single property of the camera, and a dial that shows
+//! the camera's conditioning, in degrees of roll per degree that up is tipped sideways.
 
 use std::f32::consts::PI;
 
@@ -39,13 +39,13 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     }
 }
 
-/// Scales the other two extents of the viewport after an edit of one.
+/// Scales the other two extents of the viewport after the user edits one of them.
 pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) {
     let kept = Kept::resume(ctx, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
-        // An invalid extent is reported below the fields, as without the lock; the next valid one
-        // restores the picture.
+        // An invalid extent is reported below the fields, as without the lock. The next valid extent restores
+        // the picture.
         if from.check().is_ok() {
             Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
         }
@@ -58,7 +58,7 @@ pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) 
     Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
 }
 
-/// The camera from which a control's turn or scaling starts. Every move of the control starts there
+/// The camera from which a control starts to turn or scale. Every move of the control starts from this camera
 /// again, so that rounding errors do not accumulate.
 #[derive(Clone, Copy)]
 struct Kept {
@@ -68,8 +68,8 @@ struct Kept {
 }
 
 impl Kept {
-    /// Returns the state from which `now` was made, or a new state that starts at `now` if `is_now` is false
-    /// for the camera that the control made last.
+    /// Returns the stored state, from which `now` was made. If `is_now` is false for the last camera that the
+    /// control made, returns a new state that starts at `now`.
     fn resume(
         ctx: &Context,
         name: &'static str,
@@ -86,7 +86,8 @@ impl Kept {
     }
 }
 
-/// Turns up about the view direction, in degrees from its position before the control was touched.
+/// Turns up about the view direction. The angle is in degrees from the direction of up before the user
+/// touched the control.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
@@ -106,7 +107,7 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
     });
 }
 
-/// Turns up towards the view or away from it, in the plane of both.
+/// Turns up towards the view direction or away from it, in the plane that contains both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
@@ -163,7 +164,7 @@ const NUMBER: f32 = 20.0;
 const WORDS: f32 = 15.0;
 const TICK: f32 = 12.0;
 
-/// Conditioning from which on the camera is called sensitive, and very sensitive.
+/// Conditioning above which the camera is called sensitive or very sensitive.
 const SENSITIVE: f64 = 2.0;
 const VERY_SENSITIVE: f64 = 20.0;
 
@@ -172,7 +173,7 @@ fn dial(ui: &mut Ui, camera: &Camera) {
     let angle = camera.up_angle();
     let shown = match &angle {
         Ok(UpAngle { conditioning, .. }) => Some(*conditioning),
-        // The end of the scale: there is no camera beyond it.
+        // This is the end of the scale, where no camera exists.
         Err(BasisError::UpParallelToView { .. }) => Some(f64::INFINITY),
         Err(_) => None,
     };
@@ -201,7 +202,7 @@ fn words(ui: &mut Ui, conditioning: f64) {
     ui.label(RichText::new(meaning).size(WORDS));
 }
 
-/// Draws the half circle with its scale, 1 on the left and a million on the right, and the needle.
+/// Draws the semicircle with its scale, from 1 on the left to a million on the right, and the needle.
 fn face(ui: &mut Ui, conditioning: f64) {
     let size = vec2(ui.available_width(), RADIUS + 30.0);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -222,7 +223,7 @@ fn face(ui: &mut Ui, conditioning: f64) {
     ui.painter().circle_filled(hub, 5.0, text);
 }
 
-/// Draws the zones calm, sensitive and very sensitive, which differ in width as well as in colour.
+/// Draws the zones calm, sensitive and very sensitive, which differ both in width and in colour.
 fn arcs(ui: &Ui, hub: Pos2) {
     let quiet = ui.visuals().weak_text_color();
     let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);
@@ -242,7 +243,7 @@ fn arcs(ui: &Ui, hub: Pos2) {
     }
 }
 
-/// Returns the angle of a number with this logarithm: from the left over the top to the right.
+/// Returns the angle of a number with this logarithm. The angles run from the left over the top to the right.
 fn angle_of(decades: f32) -> f32 {
     PI * (1.0 - decades / DECADES)
 }

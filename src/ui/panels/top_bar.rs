@@ -1,4 +1,4 @@
-//! The bar at the top: the menus, the four workspaces, and the open one's pages.
+//! The bar at the top: the menus, the four workspaces, and the pages of the open workspace.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
@@ -25,7 +25,7 @@ use crate::ui::widgets::Spoken as _;
 use crate::view::derivation::Markup;
 
 /// Shows the bar, and writes the user's choices to `actions` and `settings`. `steps` are the names of the
-/// steps that can be undone and redone.
+/// steps that the user can undo and redo.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
@@ -71,8 +71,8 @@ fn workspaces(ui: &mut Ui, settings: &mut Settings) {
     }
 }
 
-/// Shows the pages of the open workspace, or the tools while one of them is open; in a menu if they do
-/// not fit side by side.
+/// Shows the pages of the open workspace, or the tools while one of them is open. They are in a menu if they
+/// do not fit side by side.
 fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     let pages: Vec<ViewLayout> = match settings.layout.workspace() {
         Some(Workspace::Scene) => return ghost(ui, there, settings, actions),
@@ -100,7 +100,7 @@ fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut V
     }
 }
 
-/// Shows the switch for the comparison with the ghost, a frozen camera.
+/// Shows the switch that turns on the comparison with the ghost, a frozen camera.
 fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
     let is_on = settings.layout == ViewLayout::Compare;
     ui.separator();
@@ -113,7 +113,7 @@ fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut V
     }
 }
 
-/// Returns the width of a button with this text, including the space after it.
+/// Returns the width of a button with this text, including the space after the button.
 fn width_of(ui: &Ui, text: &str) -> f32 {
     let font = TextStyle::Button.resolve(ui.style());
     let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
@@ -171,7 +171,7 @@ fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>, actions: &mut Vec<A
     ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action, actions);
 }
 
-/// Shows a menu entry that is disabled while its action is impossible.
+/// Shows a menu entry that is disabled while its action is not possible.
 fn possible_entry(
     ui: &mut Ui,
     text: &str,

@@ -1,5 +1,5 @@
-//! A student's answers: the error map next to the camera's picture, and below them the number of right
-//! answers, the worst answer, and the mistake that explains the errors.
+//! A student's answers: the error map next to the camera's picture; below them, the number of right answers,
+//! the worst answer, and the mistake that explains the errors.
 
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
@@ -22,7 +22,7 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// Widths of the map, in points, below which its title is only the file's name, and below which its
+/// Widths of the map, in points: below the first, the title is only the file's name; below the second, the
 /// legend omits missing answers.
 const NARROW: f32 = 440.0;
 const NARROWEST: f32 = 330.0;
@@ -42,7 +42,7 @@ fn not_graded(derived: &Derived) -> &'static str {
     if derived.fault.is_some() { FAULT } else { WAITS }
 }
 
-/// Shows the title above the map: the name of the answers.
+/// Shows the title above the map, which is the name of the answers.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, has_map: bool) {
     strip_above(ui, area, |ui| {
         let title = match answers {
@@ -61,7 +61,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, h
     });
 }
 
-/// Shows the legend of the map's colours, from the right; in a narrow map only those of given answers.
+/// Shows the legend of the map's colours, from right to left. A narrow map has only the colours of given
+/// answers.
 fn legend(ui: &mut Ui, whole: bool) {
     let cells =
         [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];

@@ -1,4 +1,4 @@
-//! The exercises page: the list, the question with its answer fields and verdicts, and on the right the
+//! The exercises page: the list, and the question with its answer fields and verdicts. On the right are the
 //! question's scene with the typed and the correct answers, and the derivation as the solution.
 
 use egui::{
@@ -32,11 +32,11 @@ use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Sizes of the text, in points. While presenting, when everything is enlarged, the text has the largest
-/// size at which all answer fields are visible at once.
+/// Sizes of the text, in points. While presenting, when everything is enlarged, the text has the largest of
+/// these sizes at which all answer fields are visible at once.
 const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
 
-/// Height of a row of fields with the space below it, in points.
+/// Height of a row of fields, including the space below it, in points.
 const ROW: f32 = 41.0;
 
 /// What may be typed.
@@ -66,16 +66,16 @@ fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
 /// Width of the list, in points.
 const LIST: f32 = 206.0;
 
-/// Width of the page, in points, below which the list is folded into a menu.
+/// Width of the page, in points, below which the list becomes a menu.
 const NARROW: f32 = 940.0;
 
 /// Space between the columns, in points.
 const GAP: f32 = 18.0;
 
-/// Indent of the fields and of the text below them, as a share of the text's size.
+/// Indent of the fields and of the text below them, as a multiple of the text's size.
 const INDENT: f32 = 4.94;
 
-/// Height of the bar with the buttons, as a share of the text's size.
+/// Height of the bar with the buttons, as a multiple of the text's size.
 const BAR: f32 = 4.6;
 
 /// Width of one answer field, in points.
@@ -84,7 +84,7 @@ const FIELD: f32 = 150.0;
 /// Space on each side of the text in a field, in points.
 const MARGIN: f32 = 4.0;
 
-/// The coordinates of a vector: for screen readers, and as symbols.
+/// The names of a vector's coordinates: for screen readers, and as symbols.
 const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
 
 /// Shows the current exercise; opening its camera adds to `actions`.
@@ -115,7 +115,7 @@ pub(crate) fn ui(
             ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
         });
     }
-    // The buttons stay in place, however long the text above them is.
+    // The buttons stay in place, no matter how long the text above them is.
     let (above, bar) =
         column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR * text_size(ui));
     let mut wants_check = false;
@@ -155,7 +155,7 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     }
 }
 
-/// Shows the question with its fields. Returns true if Enter was pressed in one.
+/// Shows the question with its fields. Returns true if Enter was pressed in one of the fields.
 fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source: bool) -> bool {
     let question = exercises.question().clone();
     if has_title {
@@ -179,7 +179,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source:
     wants_check
 }
 
-/// Shows the buttons, and how many answers are right. Returns true if they are to be checked.
+/// Shows the buttons and the number of right answers. Returns true if the answers must be checked.
 fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
     let mut wants_check = false;
     ui.horizontal(|ui| {
@@ -198,7 +198,7 @@ fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
     wants_check
 }
 
-/// Shows the choice between the lecture's question and one from a seed.
+/// Shows the choice between the lecture's question and a question generated from a seed.
 fn source(ui: &mut Ui, exercises: &mut Exercises) {
     let exercise = exercises.question().exercise;
     let seed = exercises.seed();
@@ -225,12 +225,12 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
     });
 }
 
-/// Shows the fields of one part. Returns true if Enter was pressed in one.
+/// Shows the fields of one part. Returns true if Enter was pressed in one of the fields.
 fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal(|ui| {
-        // Without a frame, a field hardly stands out from a light or a black page.
+        // Without a frame, a field hardly stands out from a white or a black page.
         let frame = Stroke::new(1.0, ui.visuals().weak_text_color());
         ui.visuals_mut().widgets.inactive.bg_stroke = frame;
         if part.count() == 0 {
@@ -248,7 +248,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
             ui.label(text.color(color));
         });
-        // The fields share the row with the gaps between them and their margins.
+        // The fields share the row with their margins and the gaps between them.
         let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
         let width = ui.available_width() / part.count() as f32 - between;
         let width = width.clamp(44.0, FIELD);
@@ -271,7 +271,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         if changed {
             typed.feedback = None;
         }
-        // Only when the field loses focus: a vector may also be typed with its brackets.
+        // This happens only when the field loses focus, because a vector may also be typed with its brackets.
         if left {
             typed.spread();
         }
@@ -298,13 +298,13 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
 /// Height of the title above the scene, in points.
 const TITLE: f32 = 26.0;
 
-/// The scene's share of the height while the solution is below it.
+/// Share of the height that the scene takes while the solution is below it.
 const SHARE: f32 = 0.52;
 
 /// Name of the picture of a question in two dimensions.
 const PLANE: &str = "Lines in the plane";
 
-/// The world view of a question, with an observer apart from the open scene's.
+/// The world view of a question. Its observer is separate from the open scene's.
 #[derive(Default)]
 pub(crate) struct QuestionScene {
     deriver: Deriver,
@@ -318,12 +318,12 @@ pub(crate) struct QuestionScene {
 struct QuestionObserver {
     question: (Exercise, Option<u64>),
     observer: Observer,
-    /// The observer that sees everything in a picture of this size.
+    /// The observer that sees everything, and the size of the picture for which it was framed.
     framed: (Observer, ViewSize),
 }
 
 impl QuestionScene {
-    /// Shows the scene, and the solution below it if that is asked for.
+    /// Shows the scene. Below it, shows the solution if the user has asked for it.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
@@ -354,7 +354,7 @@ impl QuestionScene {
         world_title(ui, picture, has_yours, exercises, document, actions);
     }
 
-    /// Shows the world view. Returns the session in which it was derived.
+    /// Shows the world view. Returns the session with which the view was derived.
     fn world(
         &mut self,
         ui: &mut Ui,
@@ -384,7 +384,7 @@ impl QuestionScene {
         own
     }
 
-    /// The observer of this question, which sees all of it until it is moved.
+    /// Returns the observer of this question, which sees the whole scene until the user moves it.
     fn observer(
         &mut self,
         exercises: &Exercises,
@@ -405,7 +405,7 @@ impl QuestionScene {
     }
 }
 
-/// Shows the title above the world view, the key to typed answers if there are some, and the button that
+/// Shows the title above the world view, the key to the typed answers if there are any, and the button that
 /// opens the question's scene.
 fn world_title(
     ui: &mut Ui,
@@ -478,7 +478,7 @@ fn sections(exercises: &Exercises) -> DerivationSections {
     sections.into_iter().filter(|(_, is_shown)| *is_shown).map(|(section, _)| section).collect()
 }
 
-/// The lines of a question in two dimensions, where they meet.
+/// Returns the lines of a question in two dimensions, with t where they meet.
 fn lab(exercises: &Exercises) -> Option<LinesLab> {
     let Given::Lines { line, origin, direction } = exercises.question().given else { return None };
     let line = ImplicitLine { a: line.x, b: line.y, c: line.z };

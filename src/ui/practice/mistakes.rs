@@ -1,5 +1,5 @@
-//! The mistakes view: a wrong camera's picture next to the right one, and below them the gallery, the
-//! explanation of the mistake, and the checks that catch it or miss it.
+//! The mistakes view: a wrong camera's picture next to the right one. Below them are the gallery, the
+//! explanation of the mistake, and the checks, which catch the mistake or miss it.
 
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
@@ -29,7 +29,7 @@ const GALLERY: f32 = 200.0;
 /// Width of the table of checks, in points.
 const CHECKS: f32 = 440.0;
 
-/// Width of the page, in points, below which the checks are below the explanation.
+/// Width of the page, in points, below which the checks go below the explanation.
 const NARROW: f32 = 760.0;
 
 /// Width of a vector's letter, in points.
@@ -38,7 +38,7 @@ const LETTER: f32 = 16.0;
 /// Width of the letter, the signs and the gaps in a row with two vectors, in points.
 const BESIDE_VECTORS: f32 = 110.0;
 
-/// Shows the title above the wrong picture, and the choice between it and the map of differences.
+/// Shows the title above the wrong picture, and the choice between that picture and the map of differences.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -84,7 +84,7 @@ pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> St
     }
 }
 
-/// Returns the reason why there is no wrong picture; it does not name the mistake during a vote.
+/// Returns the reason why there is no wrong picture. During a vote, the reason does not name the mistake.
 pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match mistakes_view.is_revealed() {
@@ -99,7 +99,7 @@ fn seen(wrong: &ComparedCamera) -> Option<String> {
     Some(format!("{} of the picture differs", percent(seen.differing, seen.pixels)))
 }
 
-/// Shows the gallery, the explanation, and the checks, side by side; or the vote in their place.
+/// Shows the gallery, the explanation and the checks side by side, or the vote instead of them.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -190,7 +190,7 @@ fn sentence(text: &str) -> String {
         .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
-/// Shows u, v, w of both cameras, side by side if they fit, otherwise one above the other.
+/// Shows u, v, w of both cameras: side by side if they fit, otherwise one above the other.
 fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     let right = camera.right_camera().basis();
     let rows = [
@@ -230,7 +230,7 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     }
 }
 
-/// Shows a cell of a row with a fixed width, in which text wraps.
+/// Shows a cell of fixed width in a row; its text wraps.
 fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
     let layout = Layout::top_down(Align::LEFT);
     let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
@@ -244,7 +244,7 @@ fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
 const VERDICT: f32 = 76.0;
 const FORMULA: f32 = 192.0;
 
-/// Shows the checks as a table, those that catch the mistake first.
+/// Shows the checks as a table, in which the checks that catch the mistake come first.
 fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     if wrong.checks.is_empty() {
         ui.label("Without a wrong camera there is nothing to check.");
@@ -274,8 +274,8 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 
-/// Shows a check's verdict, formula and value, and the right value if it differs. Values that do not fit
-/// in the row go below it.
+/// Shows a check's verdict, formula and value, and the right value if it differs. Values that do not fit in
+/// the row are shown below it.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     let value = text_of(here.value, style);
     let right = format!("right: {}", wanted(here, right, style));
@@ -309,7 +309,7 @@ fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
 }
 
-/// Shows the wrong value and the right one, in two lines if one is too narrow.
+/// Shows the wrong value and the right one, in two lines if they do not fit in one.
 fn both(ui: &mut Ui, value: &str, right: &str) {
     cell(ui, ui.available_width(), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;

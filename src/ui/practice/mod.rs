@@ -10,7 +10,7 @@ use egui::{DragValue, Ui};
 use crate::model::practice::LARGEST_SEED;
 use crate::ui::widgets::Spoken as _;
 
-/// Shows the field of a seed, which is taken over once it is typed in full.
+/// Shows the field for a seed. The seed takes effect once it is typed in full.
 fn seed_field(ui: &mut Ui, seed: &mut u64, name: &str, hint: &str) {
     let field = DragValue::new(seed).speed(0.1).range(0..=LARGEST_SEED);
     ui.add(field.update_while_editing(false)).on_hover_text(hint).named(name);

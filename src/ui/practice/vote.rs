@@ -1,5 +1,5 @@
-//! A vote on the question which mistake made the wrong picture. It has four large options; the right one
-//! and its explanation are shown once it is revealed.
+//! A vote on which mistake made the wrong picture. It has four large options; the right option and its
+//! explanation are shown once the answer is revealed.
 
 use egui::{
     Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
@@ -33,7 +33,7 @@ const WHY: f32 = 78.0;
 const WHY_IF_WIDE: f32 = 70.0;
 const BAR: f32 = 32.0;
 
-/// Heights, in points, of an option and of the reason in a low window.
+/// Minimum heights, in points, of an option and of the reason in a low window.
 const LEAST_OPTION: f32 = 36.0;
 const LEAST_REASON: f32 = 24.0;
 
@@ -47,10 +47,10 @@ const GAP: f32 = 8.0;
 const LETTER_WIDTH: f32 = 46.0;
 const SIGN_WIDTH: f32 = 44.0;
 
-/// Height of an option, in points, from which it shows its formula, too.
+/// Height of an option, in points, above which it also shows its formula.
 const WITH_FORMULA: f32 = 54.0;
 
-/// The camera and the scene from which a vote is made.
+/// The camera and the scene from which a vote is created.
 pub(super) type VoteInputs<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
 
 /// Reveals the right option of an open vote if Enter or Page Down was pressed.
@@ -127,7 +127,7 @@ fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
         let (column, row) = ((index % 2) as f32, (index / 2) as f32);
         let min = area.min + vec2(column * (size.x + GAP), row * (size.y + GAP));
         let rect = Rect::from_min_size(min, size);
-        // In the pass that opens the vote, its area may still be too small.
+        // In the pass in which the vote opens, its area may still be too small.
         let has_room = size.x > LETTER_WIDTH + SIGN_WIDTH && size.y > LEAST_HEIGHT;
         if has_room && option(ui, rect, index, open) && !open.is_revealed {
             open.answer = Some(index);

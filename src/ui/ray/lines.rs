@@ -1,5 +1,5 @@
-//! The lab of lines: the drawing, in which everything can be dragged, and on its right the numbers and the
-//! substitution.
+//! The lab of lines: the drawing, in which everything can be dragged, and to the right of it the numbers and
+//! the substitution.
 
 use egui::accesskit::Role;
 use egui::{
@@ -22,7 +22,7 @@ fn lab_id() -> Id {
     Id::unique("the lab's area")
 }
 
-/// Returns the width and height of the lab when it was last shown, in points.
+/// Returns the width and height at which the lab was last shown, in points.
 pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
     ctx.data(|data| data.get_temp::<Vec2>(lab_id())).map(Into::into)
 }
@@ -104,7 +104,7 @@ fn fields(ui: &mut Ui, lab: &mut LinesLab) {
     });
 }
 
-/// Shows t as a slider that generates points, and the options of the trail.
+/// Shows t as a slider that generates points, and the options for the trail of points.
 fn time(ui: &mut Ui, lab: &mut LinesLab) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {
@@ -150,7 +150,7 @@ fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     }
 }
 
-/// Pans by a drag that starts on no handle, and zooms about the pointer by the wheel.
+/// Pans when a drag does not start on a handle, and zooms about the pointer with the wheel.
 fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
     let response = response.with_role(Role::Image).named("Plane with both lines");
@@ -171,7 +171,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     }
 }
 
-/// Handles the drags of a handle. Returns the response of its area, if it is visible.
+/// Handles the dragging of a handle. Returns the response of its area, if it is visible.
 fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
     let at = plane.in_sight(lab, handle)?;
     let id = ui.scope_id().with(handle.name());
@@ -184,7 +184,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Opti
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {
         response.request_focus();
-        // A handle that was grabbed off its centre keeps this offset from the pointer.
+        // A handle that was grabbed off-centre keeps its offset from the pointer.
         let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
         ui.data_mut(|data| data.insert_temp(id, at - pressed));
     }

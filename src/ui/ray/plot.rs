@@ -1,5 +1,5 @@
-//! The plot of f(p + t d) against t, with the point that walks along the ray. It lies below both views,
-//! has all objects on one axis of t, and has a text for each curve on its right.
+//! The plot of f(p + t d) against t, with the point that walks along the ray. It lies below both views, shows
+//! all objects on a common t axis, and has a text for each curve to the right.
 
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
@@ -24,9 +24,9 @@ use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::{self, formula, plain, unbroken};
 use crate::view::typesetting::theme;
 
-/// Size of the text, in points: legible from the back row.
+/// Size of the text, in points; it is legible from the back row.
 const TEXT: f32 = 15.5;
-/// Maximum width of the text on the plot's right, in points and as a share of the whole.
+/// Maximum width of the text to the right of the plot, in points and as a share of the total width.
 const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
@@ -89,7 +89,7 @@ fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT, ui.visuals().text_color());
 }
 
-/// Shows the t of the walking point, as a number and as a slider.
+/// Shows the t of the walking point as a number and as a slider.
 fn walk(
     ui: &mut Ui,
     ray_point_t: &mut Option<f64>,
@@ -104,7 +104,7 @@ fn walk(
         let Some(t) = ray_point_t else { return };
         text(ui, "t =");
         NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
-        // Without room for a slider, the line in the plot can be dragged.
+        // If there is no space for a slider, the user can still drag the line in the plot.
         if ui.available_width() < SLIDER {
             return;
         }
@@ -120,7 +120,8 @@ fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
     format!("p + t d = ({x}, {y}, {z})")
 }
 
-/// Returns which objects contain the point, and on which ones it is, by the values of f there.
+/// Returns text that says which objects contain the point, and which have it on their surface, judging by the
+/// values of f there.
 fn objects_at(plot: &Plot, values: &[f64]) -> String {
     let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
         let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
@@ -177,15 +178,15 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f, in units, at the upper edge: for even and for compressed heights.
+/// Value of f, in units, at the upper edge: with even heights and with compressed heights.
 const TOP: (f64, f64) = (4.4, 45.0);
-/// Value of f, in units, at the lower edge: with and without planes.
+/// Value of f, in units, at the lower edge: with planes and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap in points, by a curve's place.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 
-/// Distance from one position of a caption to the one above it, in points.
+/// Vertical distance between two positions of a caption, in points.
 const ROW: f32 = 20.0;
 
 /// The plot on the screen.
@@ -203,7 +204,8 @@ struct PlotDrawing<'a> {
 struct DrawnCurve {
     /// The parts inside the plot.
     parts: Vec<Vec<Pos2>>,
-    /// The points where it leaves the plot, each with the direction, down or up, in which it does.
+    /// The points where the curve leaves the plot, each with the direction (down or up) in which the curve
+    /// does so.
     exits: Vec<(Pos2, Vec2)>,
 }
 
@@ -216,7 +218,7 @@ fn draw(
     ray_point_t: &mut Option<f64>,
 ) {
     let colors = theme::style(ui).colors();
-    // Leave room for the numbers of f at the left, those of t below, and the title above.
+    // Leaves space for the numbers of f on the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let has_planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if has_planes { BOTTOM.0 } else { BOTTOM.1 };
@@ -239,7 +241,7 @@ fn draw(
     drawing.names(&curves, &mut words);
 }
 
-/// Sets t by a press or a drag in the plot, and moves it by arrow keys.
+/// Sets t when the user presses or drags in the plot, and changes it with the arrow keys.
 fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
     // With only as many digits as a point's width justifies.
     let per_unit = 10_f64.powf(scale.unit().log10().ceil());
@@ -282,7 +284,7 @@ fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     chart::line(painter, points, (3.0, color_of(curve)), dashes);
 }
 
-/// Draws a sample of the curve's line, as a key to the text about it.
+/// Draws a sample of the curve's line, which links the text to the curve.
 fn line_sample(ui: &Ui, rect: Rect, curve: &Curve) {
     stroke(ui.painter(), &[rect.left_center(), rect.right_center()], curve);
 }
@@ -346,7 +348,7 @@ impl PlotDrawing<'_> {
         let ends = parts.iter().flat_map(|part| [part[0], part[part.len() - 1]]);
         let mut exits: Vec<(Pos2, Vec2)> = ends.filter_map(exit).collect();
         if parts.is_empty() {
-            // An arrow in the middle of the edge shows on which side the curve is.
+            // An arrow in the middle of the edge shows in which direction the curve lies.
             let edge = points.first().map(|at| at.y.clamp(self.rect.top(), self.rect.bottom()));
             exits.extend(edge.and_then(|y| exit(pos2(self.rect.center().x, y))));
         }
@@ -357,7 +359,7 @@ impl PlotDrawing<'_> {
     fn curves(&self, curves: &[DrawnCurve]) {
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let dashes = DASHES[curve.index % DASHES.len()];
-            // The casing has the curve's dashes, so that an equal curve below is seen in the gaps.
+            // The casing is dashed like the curve, so that an equal curve below shows in the gaps.
             for stroke in [Stroke::new(5.0, self.colors.halo), Stroke::new(3.0, color_of(curve))] {
                 for part in &drawn.parts {
                     chart::line(&self.painter, part, stroke, dashes);
@@ -369,7 +371,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Returns the curve and the t of every zero in sight, but not of the first hit.
+    /// Returns the curve and the t of every visible zero except the first hit.
     fn zeros(&self) -> impl Iterator<Item = (&Curve, f64)> {
         let curves = self.plot.curves.iter();
         let all =
@@ -382,7 +384,7 @@ impl PlotDrawing<'_> {
         self.first.filter(|(_, t)| self.plot.range.contains(t))
     }
 
-    /// Draws every zero as a ring, and the first hit as a large disc.
+    /// Draws a ring at every zero, and a large disc at the first hit.
     fn roots(&self, words: &mut LabelLayout) {
         for (curve, t) in self.zeros() {
             let (at, stroke) = (self.at(t, 0.0), Stroke::new(3.0, color_of(curve)));
@@ -398,7 +400,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Draws the vertical line that is dragged, and every f on it.
+    /// Draws the vertical line that the user drags, and every curve's f on it.
     fn ray_point(&self, words: &mut LabelLayout) {
         let Some((t, values)) = &self.plot.ray_point_t else { return };
         let x = self.t.position(*t);
@@ -415,7 +417,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Names the lines of the eye and of the viewport, where no curve runs through the words.
+    /// Labels the lines of the eye and of the viewport, at positions where no curve runs through the words.
     fn captions(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let [eye, viewport] = [0.0, 1.0].map(|t| self.t.position(t));
         for x in [eye, viewport] {
@@ -448,7 +450,7 @@ impl PlotDrawing<'_> {
         chains.flat_map(|chain| closely(chain)).collect()
     }
 
-    /// Writes t at the zeros; at the first hit, also what it is.
+    /// Writes t at the zeros. At the first hit, also writes that it is the hit, if there is room.
     fn numbers(&self, words: &mut LabelLayout) {
         let ink = self.colors.ink;
         if let Some((_, t)) = self.first_hit() {
@@ -505,7 +507,7 @@ impl PlotDrawing<'_> {
     }
 }
 
-/// Returns points of a chain, at most four points of the screen apart.
+/// Returns points along a polyline that are at most four screen points apart.
 fn closely(chain: &[Pos2]) -> impl Iterator<Item = Pos2> {
     chain.windows(2).flat_map(|ends| {
         let count = (ends[0].distance(ends[1]) / 4.0).ceil().max(1.0) as usize;
@@ -527,7 +529,7 @@ struct Paragraph {
     text: String,
 }
 
-/// Shows the text while presenting: a paragraph for each curve, at the largest size that fits.
+/// Shows the text for presenting: a paragraph for each curve, at the largest size that fits.
 fn brief(
     ui: &mut Ui,
     plot: &Plot,
