@@ -142,7 +142,7 @@ impl BasisDerivation {
         }
     }
 
-    /// The basis, or the reason why there is none; the same as [`Camera::basis`].
+    /// Returns the basis, or the reason why there is none; the same as [`Camera::basis`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
         match self {
             BasisDerivation::FromUp(from_up) => from_up.basis,
@@ -196,7 +196,7 @@ impl VectorAndLength {
 }
 
 impl Cross {
-    /// `up x w` with `w = -f / |f|`. With `R = f x up` it equals `R / |f|`, and R is exact.
+    /// Returns `up x w` with `w = -f / |f|`. With `R = f x up` it equals `R / |f|`, and R is exact.
     fn of_up_and_w(view: &Exact3, up: &Exact3, w: DVec3) -> Cross {
         let right = cross(view, up);
         let (ff, gg, rr) = (dot(view, view), dot(up, up), dot(&right, &right));
@@ -250,7 +250,7 @@ impl BasisByHand {
     }
 }
 
-/// Each coordinate rounded once.
+/// Returns the vector with each coordinate rounded once.
 fn rounded(v: &Exact3) -> DVec3 {
     DVec3::from_array(v.each_ref().map(|x| x.rounded_times(0)))
 }
@@ -410,11 +410,11 @@ pub enum PlaneMeeting {
     Ahead,
     /// t < 0: the line meets the plane but the ray does not.
     Behind,
-    /// t = 0: the ray starts in the plane and leaves it, which is no hit.
+    /// t = 0: the ray starts in the plane and leaves it, which does not count as a hit.
     AtOrigin,
     /// `n . d = 0`: the line never meets the plane.
     Parallel,
-    /// `n . d = 0`, and the line lies in the plane: every t solves the equation, none is a hit.
+    /// `n . d = 0`, and the line lies in the plane: every t solves the equation, but none counts as a hit.
     Within,
 }
 
@@ -440,7 +440,7 @@ impl ObjectDerivation {
         })
     }
 
-    /// The hit, the smallest `t > 0`, if there is one.
+    /// Returns the hit, the smallest `t > 0`, if there is one.
     pub fn hit(&self) -> Option<&Root> {
         match self {
             ObjectDerivation::Sphere(sphere) => sphere.hit(),
@@ -448,7 +448,7 @@ impl ObjectDerivation {
         }
     }
 
-    /// The points at which the ray's line meets the object, by ascending `t`.
+    /// Returns the points at which the ray's line meets the object, by ascending `t`.
     pub fn roots(&self) -> impl Iterator<Item = &Root> {
         let [near, far] = match self {
             ObjectDerivation::Sphere(sphere) => sphere.roots.each_ref(),
@@ -478,7 +478,7 @@ impl SphereDerivation {
         }
     }
 
-    /// The hit, the smallest `t > 0`, if there is one.
+    /// Returns the hit, the smallest `t > 0`, if there is one.
     pub fn hit(&self) -> Option<&Root> {
         self.roots[self.first?].as_ref()
     }
@@ -497,7 +497,7 @@ impl PlaneDerivation {
         PlaneDerivation { plane: *plane, terms: plane.terms_of(ray), meeting, root }
     }
 
-    /// The hit, if `t > 0`.
+    /// Returns the hit, if `t > 0`.
     pub fn hit(&self) -> Option<&Root> {
         self.root.as_ref().filter(|_| self.meeting == PlaneMeeting::Ahead)
     }

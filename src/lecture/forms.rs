@@ -125,7 +125,7 @@ impl NumberForm {
         NumberForm { numerator: 1, ..self }
     }
 
-    /// n, with the number's sign.
+    /// Returns n, with the number's sign.
     pub fn numerator(self) -> i64 {
         self.numerator
     }
@@ -227,7 +227,7 @@ fn square_part(x: u64) -> (u64, u64) {
     (square, free * rest)
 }
 
-/// The greatest common divisor.
+/// Returns the greatest common divisor.
 fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
@@ -287,7 +287,7 @@ impl VectorForm {
         }
     }
 
-    /// Each coordinate's own form.
+    /// Returns each coordinate's own form.
     pub fn entries(self) -> [NumberForm; 3] {
         match self {
             VectorForm::Entries(entries) => entries,

@@ -223,7 +223,7 @@ impl ParametricLine {
         if d == DVec2::ZERO { Err(LineError::NoDirection { p }) } else { Ok(()) }
     }
 
-    /// `p + t d`.
+    /// Returns `p + t d`.
     pub fn at(&self, t: f64) -> DVec2 {
         self.p + t * self.d
     }

@@ -87,7 +87,7 @@ const TELLING: usize = 12;
 /// The rounding of numbers that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
-    /// To so many significant digits.
+    /// This many significant digits.
     Significant(usize),
     /// This many decimals; a small number has two significant digits, which may be more decimals. A
     /// number that ends within five decimals keeps them all.

@@ -71,7 +71,7 @@ pub enum HoverSource {
     Numbers,
     /// A view: the derivation scrolls to the concept's line.
     View,
-    /// A line of the derivation, or the text beside the plot.
+    /// A line of the derivation, or the text next to the plot.
     Derivation,
 }
 

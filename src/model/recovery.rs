@@ -42,7 +42,7 @@ pub struct Found {
     pub age: Duration,
 }
 
-/// Changes to be written aside.
+/// Unsaved changes that will be written into a slot.
 #[derive(Clone, Debug)]
 pub struct Unsaved {
     document: Document,

@@ -65,7 +65,7 @@ impl Question {
         }
     }
 
-    /// The sphere in it.
+    /// Returns the sphere of the question, if there is one.
     pub fn sphere(&self) -> Option<Sphere> {
         match self.given {
             Given::Sphere { sphere, .. } => Some(sphere),
@@ -73,7 +73,7 @@ impl Question {
         }
     }
 
-    /// The wall in it.
+    /// Returns the wall of the question, if there is one.
     pub fn plane(&self) -> Option<Plane> {
         match self.given {
             Given::UvAndWall { z, .. } | Given::Distance { z, .. } | Given::Turned { z, .. } => {

@@ -77,7 +77,7 @@ impl Dice {
         choices[self.below(choices.len())]
     }
 
-    /// A whole number, both ends included.
+    /// Draws a whole number from `low` to `high`, including both.
     fn whole(&mut self, low: i32, high: i32) -> f64 {
         f64::from(low) + self.below((high - low + 1) as usize) as f64
     }

@@ -180,12 +180,12 @@ impl Exercise {
         }
     }
 
-    /// The name in files.
+    /// Returns the exercise's name in files.
     pub fn id(self) -> &'static str {
         self.names().0
     }
 
-    /// The exercise of this [`Exercise::id`].
+    /// Returns the exercise with this [`Exercise::id`].
     pub fn from_id(id: &str) -> Option<Exercise> {
         Exercise::ALL.iter().copied().find(|exercise| exercise.id() == id)
     }

@@ -7,7 +7,7 @@ use super::judge::{ENOUGH_DIGITS, Finding, Verdict};
 use super::question::{Asked, Given, QuestionPart};
 use crate::numbers::{exact_if_short as short, written_whole as number};
 
-/// The question, a paragraph each.
+/// Returns the question, with one string for each paragraph.
 pub fn question(given: &Given) -> Vec<String> {
     const CANONICAL: &str =
         "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
@@ -105,7 +105,7 @@ fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
     vec![given, asked.to_owned()]
 }
 
-/// `2*x* − *y* + 1`
+/// Returns, for example, `2*x* − *y* + 1`.
 fn implicit(line: DVec3) -> String {
     let mut text = String::new();
     for (factor, name) in [(line.x, "*x*"), (line.y, "*y*"), (line.z, "")] {
@@ -144,7 +144,7 @@ impl Asked {
     }
 }
 
-/// `(u, v) = (0.2, −0.1)`
+/// Returns, for example, `(u, v) = (0.2, −0.1)`.
 fn uv_text(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))
 }

@@ -76,14 +76,14 @@ pub struct GivenHit {
 }
 
 impl<T> Written<T> {
-    /// A value with all its digits.
+    /// Creates a value with all its digits.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
     }
 }
 
 impl AnswerKind {
-    /// `basis`, `rays`, `hits`, `picture`.
+    /// Returns the kind's name: `basis`, `rays`, `hits` or `picture`.
     pub fn name(self) -> &'static str {
         match self {
             AnswerKind::Basis => "basis",
@@ -95,7 +95,7 @@ impl AnswerKind {
 }
 
 impl Answers {
-    /// The kind of the answers.
+    /// Returns the kind of the answers.
     pub fn kind(&self) -> AnswerKind {
         match self {
             Answers::Basis(_) => AnswerKind::Basis,
@@ -105,7 +105,7 @@ impl Answers {
         }
     }
 
-    /// The number of vectors, rays, hits or pixels.
+    /// Returns the number of vectors, rays, hits or pixels.
     pub fn len(&self) -> usize {
         match self {
             Answers::Basis(vectors) => vectors.len(),
@@ -141,7 +141,7 @@ impl Answers {
                 let mut hits = hits.iter().step_by(step).filter_map(|answer| answer.hit);
                 hits.all(|hit| hit.t.is_none_or(is_single) && hit.point.as_ref().is_none_or(vector))
             }
-            // Eight bits do not tell.
+            // Eight bits are too few to decide.
             Answers::Picture(_) => false,
         }
     }

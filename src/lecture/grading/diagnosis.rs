@@ -38,7 +38,7 @@ pub struct Diagnosis {
 
 /// Answers of one kind, compared with the truth and with pipelines.
 pub(super) trait Fits: Sync {
-    /// The count of answers.
+    /// Returns the number of answers.
     fn len(&self) -> usize;
 
     /// Returns true if the answers are u, v and w themselves.
@@ -134,7 +134,7 @@ pub(super) fn diagnose(
 const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Default for Diagnosis {
-    /// The diagnosis if nothing is wrong, or if nothing explains the answers.
+    /// Returns the diagnosis if nothing is wrong, or if nothing explains the answers.
     fn default() -> Diagnosis {
         Diagnosis::new(Vec::new())
     }

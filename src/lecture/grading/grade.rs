@@ -104,12 +104,12 @@ pub(super) struct Judged {
 }
 
 impl Grade {
-    /// The number of answers, including missing ones that are expected.
+    /// Returns the number of answers, including missing ones that are expected.
     pub fn answers(&self) -> usize {
         self.is_right.len() + self.unanswered
     }
 
-    /// The count of right answers.
+    /// Returns the number of right answers.
     pub fn agree(&self) -> usize {
         self.is_right.iter().filter(|is_right| **is_right).count()
     }

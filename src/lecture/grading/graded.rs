@@ -214,7 +214,7 @@ impl Graded {
         }
     }
 
-    /// `far-root, negative-t`, or nothing.
+    /// Returns the names of the mistakes, such as `far-root, negative-t`; empty if there are none.
     pub fn mistakes(&self) -> String {
         ids(&self.grade.diagnosis.mistakes, ", ")
     }

@@ -161,7 +161,7 @@ impl<'a> Grader<'a> {
         })
     }
 
-    /// The first hits of the rays of these answers.
+    /// Returns the first hits of these answers' rays.
     fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
         let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
         truth_of(self.truth, &self.given.resolved, &pixels)

@@ -164,7 +164,7 @@ pub(super) fn truth_of(
         let (here, after) = rest.split_at(rest.partition_point(|i| pixels[*i].row <= last));
         rest = after;
         if here.len() * 16 < rows.len() * columns.len() {
-            // Few pixels, far apart.
+            // The pixels are few and far apart.
             for index in here {
                 let hit = truth.scene.first_hit_of(&resolved.exact_ray(pixels[*index]));
                 hits[*index] = hit.map(|r| Hit { t: r.t, point: r.point, object: r.object });

@@ -20,14 +20,14 @@ macro_rules! checks {
             /// All checks.
             pub const ALL: &'static [Check] = &[$(Check::$name,)*];
 
-            /// The number that the check examines, as a formula.
+            /// Returns the number that the check examines, as a formula.
             pub fn formula(self) -> &'static str {
                 match self {
                     $(Check::$name => $formula,)*
                 }
             }
 
-            /// Its meaning when it passes.
+            /// Returns the check's meaning if it passes.
             pub fn meaning(self) -> &'static str {
                 match self {
                     $(Check::$name => $meaning,)*
@@ -119,12 +119,12 @@ pub struct Checked {
 }
 
 impl WrongCamera {
-    /// Every check, with this camera's numbers.
+    /// Returns every check, with this camera's numbers.
     pub fn checks(&self) -> Vec<Checked> {
         Check::ALL.iter().copied().map(|check| self.check(check)).collect()
     }
 
-    /// One check, with this camera's numbers.
+    /// Returns one check, with this camera's numbers.
     pub fn check(&self, check: Check) -> Checked {
         let (value, wanted) = self.value_and_wanted(check);
         let size = self.right_camera().viewport().width.max(self.right_camera().viewport().height);

@@ -40,22 +40,22 @@ pub(crate) type Way = fn(&mut Pipeline);
 /// The choices in the calculation of u, v and w.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BasisChoices {
-    /// w along the view.
+    /// w points along the view.
     pub(crate) w_forwards: bool,
-    /// w of the view's length.
+    /// w is not normalized and has the view's length.
     pub(crate) w_raw: bool,
-    /// u as long as `up x w`.
+    /// u is not normalized and has the length of `up x w`.
     pub(crate) u_raw: bool,
     /// v is normalized, whatever w and u are.
     pub(crate) v_unit: bool,
-    /// `w x up`.
+    /// u is calculated from `w x up`.
     pub(crate) u_swapped: bool,
-    /// `u x w`.
+    /// v is calculated from `u x w`.
     pub(crate) v_swapped: bool,
     pub(crate) up_as_v: UpAsV,
 }
 
-/// up in v's place.
+/// Whether up is used as v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum UpAsV {
     No,
@@ -69,7 +69,7 @@ pub(crate) enum UpAsV {
 pub(crate) enum Distance {
     Right,
     One,
-    /// There is no part along w.
+    /// The component along w is left out.
     LeftOut,
     /// It is added.
     Plus,
@@ -211,7 +211,7 @@ impl BasisChoices {
 }
 
 impl Distance {
-    /// The number taken for this distance.
+    /// Returns the number used for this distance.
     pub(crate) fn taken_for(self, distance: f64) -> f64 {
         match self {
             Distance::Right => distance,
@@ -250,7 +250,7 @@ impl Quadratic {
         square == product && !a_left_out && offset == Offset::Right && !radius_unsquared
     }
 
-    /// The vector taken for `p - center`.
+    /// Returns the vector used as `p - center`.
     pub(crate) fn offset(&self, p: DVec3, center: DVec3) -> DVec3 {
         match self.offset {
             Offset::Right => p - center,
@@ -317,7 +317,7 @@ impl Pipeline {
         if self.reversed { -direction } else { direction }
     }
 
-    /// The pipeline with one mistake more.
+    /// Returns the pipeline with one more mistake.
     pub(crate) fn with(mut self, way: Way) -> Pipeline {
         way(&mut self);
         self
@@ -335,7 +335,7 @@ impl Pipeline {
         self.from_one = true;
     }
 
-    /// The first object is 1.
+    /// Counts objects from 1.
     pub(crate) fn count_objects_from_one(&mut self) {
         self.objects_from_one = true;
     }
@@ -385,7 +385,7 @@ impl GivenCamera {
         })
     }
 
-    /// The camera that a pipeline makes.
+    /// Returns a pipeline's camera.
     pub(crate) fn camera_of(&self, pipeline: Pipeline) -> PipelineCamera {
         let Basis { u, v, w } = *self.resolved.basis();
         let factors = self.factors(&pipeline);

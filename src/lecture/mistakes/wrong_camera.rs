@@ -98,22 +98,22 @@ impl WrongCamera {
         Ok(WrongCamera { made: given.camera_of(Pipeline::RIGHT), given })
     }
 
-    /// The camera without the mistake.
+    /// Returns the camera without the mistake.
     pub fn right_camera(&self) -> &ResolvedCamera {
         &self.given.resolved
     }
 
-    /// The wrong u, which may not have length 1.
+    /// Returns the wrong u, which may not have length 1.
     pub fn u(&self) -> DVec3 {
         self.made.u
     }
 
-    /// The wrong v, which may not have length 1 or be perpendicular to w.
+    /// Returns the wrong v, which may not have length 1 or be perpendicular to w.
     pub fn v(&self) -> DVec3 {
         self.made.v
     }
 
-    /// The wrong w, which may not have length 1 or point backwards.
+    /// Returns the wrong w, which may not have length 1 or point backwards.
     pub fn w(&self) -> DVec3 {
         self.made.w
     }
@@ -126,12 +126,12 @@ impl WrongCamera {
         [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
     }
 
-    /// The distance that the rays use.
+    /// Returns the distance that the rays use.
     pub fn distance(&self) -> f64 {
         self.made.distance_taken()
     }
 
-    /// W x H.
+    /// Returns the image's size W x H.
     pub fn image(&self) -> ImageSize {
         self.given.resolved.image()
     }

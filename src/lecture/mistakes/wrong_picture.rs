@@ -139,7 +139,7 @@ impl WrongPicture {
         }
     }
 
-    /// The rows and columns that were traced.
+    /// Returns the rows and columns that were traced.
     pub fn raster(&self) -> &Raster {
         &self.raster
     }
@@ -264,7 +264,7 @@ pub struct ComparedCamera {
 /// The pixels of both pictures, compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparedPixels {
-    /// The count of pixels that are compared.
+    /// The number of pixels that are compared.
     pub pixels: usize,
     /// The number of pixels that see another object, including those where only one camera sees an
     /// object.

@@ -30,7 +30,7 @@ fn vector_value(form: VectorForm) -> DVec3 {
     DVec3::from_array(form.entries().map(NumberForm::value))
 }
 
-/// The same number, some ulps further.
+/// Returns the number shifted by some ulps.
 fn off_by(x: f64, ulps: i64) -> f64 {
     if x == 0.0 { x } else { f64::from_bits((x.to_bits() as i64 + ulps) as u64) }
 }

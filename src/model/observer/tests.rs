@@ -328,7 +328,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
         let most = seen_at.into_iter().fold(0.0, f64::max);
         assert!((0.7..1.0).contains(&most), "{seen_at:?} in {size:?}");
     }
-    // One from inside sees what it saw.
+    // An observer inside the sphere keeps its distance.
     let inside = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 3.0);
     let size = ViewSize::of_aspect(1.25);
     assert!(inside.framing_the_same(&camera, &scene, size, OverlayItems::NONE).distance() < 5.0);

@@ -72,7 +72,7 @@ fn a_tilted_up_makes_a_parallelogram() {
     assert_eq!(derived.u, Some(DVec3::X));
 }
 
-/// Where it stops, and why.
+/// Tests the step at which the derivation stops, and the reason.
 #[test]
 fn a_derivation_goes_as_far_as_it_can() {
     let at = vec3(1.0, 2.0, 3.0);
@@ -160,7 +160,7 @@ proptest! {
         check_against_oracle(&camera, &Big3::from(at).minus(&eye.into()), up)?;
     }
 
-    /// The digits of up x w do not cancel, however close up is to the view.
+    /// No digits of up x w are lost by cancellation, however close up is to the view.
     #[test]
     fn an_up_close_to_the_view_costs_no_digits(
         view in vector(-2.0..2.0), aside in vector(-2.0..2.0), power in -15.0..0.0_f64,

@@ -154,7 +154,7 @@ fn one_number_for_every_miss_is_told_to_stand_for_it() {
         assert!(grade.advice().starts_with("t = "), "{}", grade.advice());
         assert!(grade.advice().contains("seems to stand for a miss"), "{}", grade.advice());
     }
-    // Beside another mistake, both are told.
+    // If there is another mistake, both are named.
     for mistake in ["far-root", "rows-from-bottom", "distance-added"] {
         let mistakes = [mistake];
         let student = Student { exercise: &exercise, mistakes: &mistakes };

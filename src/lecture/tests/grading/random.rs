@@ -84,7 +84,7 @@ proptest! {
         }
     }
 
-    /// Numbers from nowhere are explained by nothing.
+    /// No mistakes explain random numbers.
     #[test]
     fn wrong_numbers_are_explained_by_nothing(
         factors in proptest::collection::vec(1.06..1.4_f64, 600),
