@@ -1,5 +1,5 @@
-//! The second picture of a page, along with the camera's: the error map, what a wrong camera or the
-//! ghost sees, or the marks on a student's answers.
+//! A page's second picture, next to the camera's: the error map, the picture of a wrong camera or of the
+//! ghost, or the map of a student's answers.
 
 use egui::{Rect, Ui};
 
@@ -20,7 +20,7 @@ pub(crate) fn name(second: SecondPicture) -> &'static str {
     }
 }
 
-/// Shows the picture, or the reason why there is none, in `rect`, with its title strip in `area`.
+/// Shows the picture, or the reason why there is none, in `rect`. Its title strip is in `area`.
 pub(crate) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,

@@ -1,5 +1,5 @@
-//! The workspaces' pages: what each layout of the window shows, and where. A new one is a [`Page`] here, a
-//! line in [`page`], and a row in the model's table of layouts.
+//! The workspaces' pages: what each layout of the window shows, and where. A new layout needs a [`Page`]
+//! here, a line in [`page`], and a row in the model's table of layouts.
 
 use egui::{Align, Context, Layout, Rect, RichText, Ui, pos2};
 
@@ -54,11 +54,11 @@ pub(crate) struct Page {
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
     /// The second picture, if the page has one.
     pub(crate) second: Option<SecondPicture>,
-    /// Shows the rest of the page, below the views, next to them or in their place.
+    /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Replaces `rest` while the question of a lesson's step waits for its answer.
+    /// Shown instead of `rest` while the question of a lesson's step waits for its answer.
     pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
-    /// Returns the concept under the pointer or the focus in `rest`.
+    /// Returns the concept under the pointer or under the focus in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The subject of the page's figure.
     pub(crate) figure: FigureSubject,
@@ -106,7 +106,7 @@ impl Page {
     };
 }
 
-/// Shows that the answer is hidden, and the key that reveals it, if there is room.
+/// Shows a message that the answer is hidden, and the key that reveals it, if there is room.
 fn hidden(ui: &mut Ui) {
     let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
     let room = ui.available_height();
@@ -245,7 +245,7 @@ const EXERCISES: Page = Page {
 const ACCURACY: Page = Page {
     areas: |divider| {
         let (views, rest) = divider.above(Split::Accuracy);
-        // Both views leave room for the map's legend, so that they have the same size.
+        // Both views leave space for the map's legend, so that they have the same size.
         let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
         let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
         Areas { world: None, camera: Some(left), second: Some(right), rest }

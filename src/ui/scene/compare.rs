@@ -1,5 +1,5 @@
-//! The comparison with the ghost: its picture or the differences next to the camera view, and the numbers
-//! of both cameras below.
+//! The comparison with the ghost: next to the camera view, the ghost's picture or the differences; below
+//! them, the numbers of both cameras.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
@@ -26,7 +26,7 @@ const DIGITS: usize = 4;
 /// The text if there is no ghost.
 const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
 
-/// Shows the choice between the ghost's picture and the differences, above that picture.
+/// Shows, above the picture, the choice between the ghost's picture and the differences.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     strip_above(ui, area, |ui| match ghost {
         None => {
@@ -59,7 +59,7 @@ fn seen(against: &AgainstGhost) -> String {
     format!("{} of the picture shows another object", percent(seen.differing, seen.pixels))
 }
 
-/// Shows the buttons of the ghost, and both cameras in numbers.
+/// Shows the ghost's buttons, and the numbers of both cameras.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -111,7 +111,7 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     }
 }
 
-/// A quantity of the ghost and of the current camera, and their difference.
+/// A quantity of the ghost and of the current camera, with their difference.
 #[derive(Clone)]
 struct ComparedLine {
     name: &'static str,
@@ -138,15 +138,15 @@ impl ComparedLine {
     }
 }
 
-/// Shows a text in a field as wide as this number of characters, so that nothing moves sideways while
-/// the numbers change.
+/// Shows text in a field that is this number of characters wide, so that nothing moves sideways while the
+/// numbers change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     let response = ui.label(text);
     let width = 8.2 * characters;
     ui.add_space((width - response.rect.width()).max(0.0));
 }
 
-/// Shows vectors of both cameras, one above the other, with their difference.
+/// Shows vectors of both cameras, one above the other, and their difference.
 fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -259,7 +259,7 @@ fn numbers(
     lines.map(line).to_vec()
 }
 
-/// Returns the lines of the first hit of the selected ray, for both cameras.
+/// Returns the lines about the first hit of the selected ray, for both cameras.
 fn hits(
     now: Option<&Inspection>,
     ghost: &Inspection,
@@ -267,7 +267,7 @@ fn hits(
     style: NumberStyle,
 ) -> [ComparedLine; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
-    // Objects' names do not fit; the list of objects shows their numbers, too.
+    // The names of objects do not fit; the list of objects shows their numbers as well.
     let kind = |hit: &Root| {
         let object = hit.object as usize;
         let kind = if object < document.sphere_count() { "sphere" } else { "plane" };

@@ -1,5 +1,5 @@
 //! Mouse input on the handles of the world view, and in the camera view, where dragging looks around and
-//! orbits. It is processed before anything is drawn, so that everything drawn is up to date.
+//! orbits. The input is processed before anything is drawn, so that everything drawn is up to date.
 //! [`crate::view::handles`] and [`pinhole_core::steering`] calculate the effects.
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
@@ -16,18 +16,18 @@ use crate::view::handle_drag::HandleDrag;
 use crate::view::handles::{PlacedHandle, Stage, hit, placed};
 use crate::view::overlay;
 
-/// The state of the input in the two views between passes: of drags, and of steps by keys and wheel.
+/// The state of the input in the two views between passes: the drags, and the steps by keys and wheel.
 #[derive(Debug, Default)]
 pub(crate) struct Dragging {
     /// The world view's rectangle and its id in egui.
     pub(super) world: Option<(Rect, Id)>,
     /// The camera view's rectangle and its id in egui.
     pub(super) camera: Option<(Rect, Id)>,
-    /// Where a handle was pressed, until the pointer has moved from there.
+    /// The position where a handle was pressed; `None` once the pointer has moved from there.
     pressed_at: Option<Pos2>,
-    /// The handle that was clicked last, so that the next click reaches the one below it.
+    /// The handle that was clicked last; the next click then reaches the handle below it.
     clicked: Option<Handle>,
-    /// True if the button is still down although its drag was cancelled.
+    /// True if the button is still down after its drag was cancelled.
     given_back: bool,
     /// True if a handle is under the pointer.
     pub(super) by_pointer: bool,
@@ -61,7 +61,7 @@ impl WorldArea<'_> {
         (at - self.rect.min) * self.scale
     }
 
-    /// Returns the position of a point of the screen in the observer's viewport.
+    /// Returns where a point of the screen lies in the observer's viewport.
     fn uv(&self, at: Pos2) -> DVec2 {
         let image = self.observer.image();
         let size = [image.width() as usize, image.height() as usize];
@@ -82,8 +82,8 @@ impl WorldArea<'_> {
         placed(&stage, &session.handles)
     }
 
-    /// Returns the inputs of a drag. Ctrl snaps; Alt switches between the two choices of what a moved eye
-    /// keeps.
+    /// Returns the inputs of a drag. Ctrl snaps. Alt switches between the two choices of what the eye keeps
+    /// when it moves.
     pub(super) fn handle_drag<'a>(
         &'a self,
         ctx: &Context,
@@ -104,7 +104,7 @@ impl WorldArea<'_> {
         }
     }
 
-    /// Returns the id that represents a handle in egui, for the focus and for screen readers.
+    /// Returns the id that stands for a handle in egui, for the focus and for screen readers.
     pub(super) fn id_of(&self, handle: Handle) -> Id {
         self.id.with(("handle", handle))
     }
@@ -115,8 +115,8 @@ impl WorldArea<'_> {
 }
 
 impl Dragging {
-    /// Applies the input of mouse, wheel and keys in the views, unless something covers the window.
-    /// `shown` is the last frame, to which the user reacts.
+    /// Applies mouse, wheel and key input in the views, unless something covers the window. `shown` is the
+    /// last frame, which is the one that the user saw.
     pub(crate) fn take(
         &mut self,
         ctx: &Context,
@@ -181,8 +181,7 @@ impl Dragging {
         (session.handles.drag, session.handles.over) = (None, None);
     }
 
-    /// Updates which handle the pointer or the keyboard focus is on, and takes the handle that is
-    /// pressed.
+    /// Updates which handle has the pointer or the keyboard focus, and grabs the handle that is pressed.
     fn point(
         &mut self,
         ctx: &Context,
@@ -215,7 +214,7 @@ impl Dragging {
         let pressed_at = ctx
             .input(|i| i.pointer.press_origin())
             .filter(|_| is_pressed && response.is_pointer_button_down_on());
-        // Press and release of a short click arrive in the same pass.
+        // The press and the release of a short click arrive in the same pass.
         let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
         let Some(at) = pressed_at.or(clicked_at) else { return };
         let Some(found) = self.hit(&all, view, at, session, shown) else { return };
@@ -254,7 +253,7 @@ impl Dragging {
         is_nearest.then_some(found)
     }
 
-    /// Takes the camera view with the button that looks around or orbits.
+    /// Starts a drag in the camera view, if the button that looks around or orbits is pressed.
     fn press_camera(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
         let grabbed = ctx.input(|i| {
             let pressed = |button| i.pointer.button_pressed(button);
@@ -278,7 +277,7 @@ impl Dragging {
         self.recent = None;
     }
 
-    /// Returns the position of a point of the screen in the camera's viewport.
+    /// Returns where a point of the screen lies in the camera's viewport.
     fn camera_uv(&self, camera: &Camera, at: Pos2) -> DVec2 {
         let rect = self.camera.map_or(Rect::ZERO, |(rect, _)| rect);
         let size = rect.size().round().max(Vec2::splat(1.0));
@@ -337,7 +336,8 @@ impl Dragging {
     }
 }
 
-/// Returns the camera that has looked around or orbited with the pointer, to `uv` in its viewport.
+/// Returns the camera after it has looked around or orbited with the pointer, which is at `uv` in its
+/// viewport.
 fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     let camera = drag.before.camera;
     if drag.grabbed == Grabbed::Orbit {
@@ -349,8 +349,7 @@ fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     }
 }
 
-/// Consumes all keys, so that they have no other effect during a drag. Returns true if Escape is one of
-/// them.
+/// Consumes all keys, so that they have no other effect during a drag. Returns true if one of them is Escape.
 fn is_escape_pressed(ctx: &Context) -> bool {
     ctx.input_mut(|i| {
         let is_pressed = i.events.iter().any(|event| {
@@ -370,8 +369,8 @@ pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
     frame.object.get(view).copied().filter(|object| inside && *object != NO_OBJECT)
 }
 
-/// Returns the t to which the point on the selected ray is dragged in the world view; `None` if it is
-/// not dragged.
+/// Returns the t to which the user drags the point on the selected ray in the world view; `None` if there is
+/// no such drag.
 pub(crate) fn dragged_ray_point(
     ui: &Ui,
     response: &Response,

@@ -1,5 +1,4 @@
-//! The scene workspace: the world view and the camera view, dragging in them, and the numbers
-//! below.
+//! The scene workspace: the world view and the camera view, dragging in them, and the numbers below them.
 
 pub mod compare;
 pub mod dragging;

@@ -1,4 +1,4 @@
-//! The numbers below the views, as blocks that can be selected and copied or as a strip of one or two
+//! The numbers below the views, either as blocks that can be selected and copied or as a strip of one or two
 //! rows. Hovering a number highlights its concept in both views.
 
 use egui::text::{LayoutJob, TextFormat};
@@ -28,7 +28,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
-            // As wide as the widest numbers, so that nothing moves sideways as they change.
+            // This is as wide as the widest numbers, so that nothing moves sideways while they change.
             let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
             let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
                 ui.vertical(|ui| {
@@ -37,7 +37,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 });
                 ui.separator();
             };
-            // Without room for three columns, the ray is shown below the basis.
+            // If there is no space for three columns, the ray is shown below the basis.
             let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
             let seen = derived.inspection.as_ref().zip(derived.resolved.as_ref());
             if let Some(resolved) = &derived.resolved {
@@ -59,8 +59,8 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     });
 }
 
-/// Shows, in the row above the blocks, how often hit or miss was decided for the picture and what the
-/// renderer left out.
+/// Shows, in the row above the blocks, how often the renderer decided between hit and miss for the picture,
+/// and what it left out.
 pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     if derived.resolved.is_none() {
         return;
@@ -79,7 +79,7 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
 pub(crate) const STEPS: &str = "The number of decisions on whether a ray hits, by the arithmetic that \
                                 they needed: f64 has 16 digits, double-double 32";
 
-/// Returns the text about the steps of the ladder that the picture needed.
+/// Returns the text about the steps of the ladder that were needed for the picture.
 pub(crate) fn steps(steps: Steps) -> String {
     let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
     if steps.beyond_f64() == 0 {
@@ -130,7 +130,7 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
     job
 }
 
-/// Gives a reading's label its text for screen readers and its meaning, and lets it be pointed at.
+/// Sets a reading's text for screen readers and its meaning, and makes its label react to the pointer.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
     point(&label, reading);
     let label = label.spoken(written(reading, style));
@@ -143,7 +143,7 @@ fn written(Reading { name, value, .. }: &Reading, style: NumberStyle) -> String 
     format!("{name} = {}", style.text(value))
 }
 
-/// Shows readings in a block: one in each line, and a button that copies them.
+/// Shows readings in a block, one per line, with a button that copies them.
 fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
     let copied = style.for_programs();
     self::title(ui, title, || {
@@ -188,7 +188,7 @@ fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: N
     weak(ui, "p + t d, t = 1 on the viewport");
 }
 
-/// Shows the roots, each with its object and its verdict, and the numbers that decide hit or miss.
+/// Shows the roots, each with its object and its verdict, and the numbers that decide between hit and miss.
 fn hits(
     ui: &mut Ui,
     inspection: &Inspection,
@@ -241,7 +241,7 @@ fn hits(
     }
 }
 
-/// Returns the numbers that decide hit or miss, for each object if the objects are few.
+/// Returns the numbers that decide between hit and miss, for each object if there are only a few.
 fn listed_parts(
     inspection: &Inspection,
     derived: &Derived,
@@ -253,7 +253,7 @@ fn listed_parts(
     listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }
 
-/// Returns the numbers that decide hit or miss for one object.
+/// Returns the numbers that decide between hit and miss for one object.
 fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     let number = |x| style.number(x);
     match found {
@@ -274,7 +274,7 @@ fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     }
 }
 
-/// Returns the height of the strip with the sentence and the buttons below it, in points.
+/// Returns the height of the strip, including the sentence and the buttons below it, in points.
 pub(crate) fn strip_height(width: f32) -> f32 {
     if is_narrow(width) { 92.0 } else { 66.0 }
 }
@@ -282,7 +282,7 @@ pub(crate) fn strip_height(width: f32) -> f32 {
 /// Height of the strip while presenting, in points: two rows.
 pub(crate) const PRESENTED: f32 = 48.0;
 
-/// Maximum number of significant digits in the strip: more do not fit in a row.
+/// Maximum number of significant digits in the strip; a row has no space for more.
 const DIGITS: usize = 4;
 
 /// Distance between two numbers of the strip, as a share of the text's size.
@@ -293,9 +293,9 @@ fn is_narrow(width: f32) -> bool {
     width < 780.0
 }
 
-/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as
-/// fit. While presenting, the basis has one row and the ray the other, and the reason why there are no
-/// numbers is on the picture.
+/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as fit.
+/// While presenting, the basis and the ray each have their own row, and if there are no numbers, the picture
+/// shows the reason.
 pub(crate) fn strip(
     ui: &mut Ui,
     derived: &Derived,
@@ -334,8 +334,8 @@ pub(crate) fn strip(
     }
 }
 
-/// Shows rows of numbers, at least `height` high, with the first choice of digits and size at which all
-/// of them fit.
+/// Shows rows of numbers, at least `height` high. Uses the first choice of digits and size at which all
+/// numbers fit.
 fn rows(
     ui: &mut Ui,
     rows: &[Vec<Reading>],
@@ -366,7 +366,8 @@ fn rows(
     }
 }
 
-/// Returns the numbers of a ray in two lines: its pixel and (u, v), then the object that it hits and t.
+/// Returns the numbers of a ray in two lines: first its pixel and (u, v), then the object that it hits, and
+/// t.
 pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: NumberStyle) -> String {
     let style = style.at_most(DIGITS);
     let pixel = inspection.pixel().map(|pixel| format!("{}   ", style.pixel(pixel)));
@@ -387,13 +388,13 @@ fn pointed_key() -> Id {
     Id::unique("number that is pointed at")
 }
 
-/// Remembers the concept of a reading if the mouse is on its label.
+/// Stores the concept of a reading if the mouse is on its label.
 fn point(label: &Response, reading: &Reading) {
     let Some(concept) = reading.concept.filter(|_| label.hovered()) else { return };
     let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
     if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
         label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
-        // The views are derived before the numbers are shown, so they follow in the next pass.
+        // The views are derived before the numbers are shown, so they change in the next pass.
         label.ctx.request_repaint();
     }
 }

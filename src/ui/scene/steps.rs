@@ -1,6 +1,6 @@
-//! Steps by keys and by the wheel, which move the focused handle, the camera in its view, and the loupe;
-//! and the text next to the pointer during a drag or after a step. [`pinhole_core::steering`] calculates
-//! the cameras.
+//! Steps with keys and the wheel, which move the focused handle, the camera in its view, and the loupe; and
+//! the text next to the pointer during a drag or after a step. [`pinhole_core::steering`] calculates the
+//! cameras.
 
 use std::time::Duration;
 
@@ -30,7 +30,7 @@ use crate::view::derive::Derived;
 use crate::view::handle_drag::{step_of, turned_by};
 use crate::view::handles::{PlacedHandle, label, value};
 
-/// The effect of a drag in the camera view, of its keys or of the wheel.
+/// The effect of a drag, the keys or the wheel in the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CameraMove {
     Look,
@@ -46,14 +46,14 @@ pub(super) struct RecentSteps {
     before: Camera,
     /// The resulting camera.
     made: Camera,
-    /// Sum of the steps: to the right and up; if there is only one direction, x is forwards.
+    /// Sum of the steps, to the right and up. If the movement has only one direction, x is forwards.
     total: DVec2,
     pub(super) time: f64,
     pub(super) by_keys: bool,
 }
 
 impl WorldArea<'_> {
-    /// Moves the handle that has the focus by the arrow keys.
+    /// Moves the focused handle with the arrow keys.
     pub(super) fn move_focused(&self, ctx: &Context, edited: &mut Edited) {
         let steps = arrow_steps(ctx);
         if steps == DVec3::ZERO {
@@ -77,7 +77,7 @@ impl WorldArea<'_> {
         }
     }
 
-    /// Returns the point to which steps to the right, upwards and away move a handle.
+    /// Returns the point to which a handle is moved by steps to the right, upwards and away.
     fn target(&self, handle: Handle, drag: &Drag, steps: DVec3) -> Option<DVec3> {
         let forward = steps.x + steps.y + steps.z;
         let basis = drag.before.camera.basis();
@@ -108,7 +108,7 @@ fn arrow_steps(ctx: &Context) -> DVec3 {
     })
 }
 
-/// Returns the world's axes that point most to the right, upwards and away from the observer.
+/// Returns the world axes that point most nearly to the right, upwards and away from the observer.
 fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
     let basis = observer.basis();
     let most = |direction: DVec3, taken: DVec3| {
@@ -124,12 +124,12 @@ fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
 }
 
 impl Dragging {
-    /// Applies the wheel in the camera view; Escape undoes recent steps.
+    /// Applies the wheel in the camera view. Escape undoes recent steps.
     pub(super) fn roll_wheel(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
         let time = ctx.input(|i| i.time);
         let camera = &mut edited.document.camera;
         self.forget(camera, time);
-        // Escape is consumed here, so that it does not also end presenter mode.
+        // Escape is consumed here, so that it does not end presenter mode as well.
         let is_taken_back = |_: &mut RecentSteps| {
             ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape))
         };
@@ -170,12 +170,12 @@ impl Dragging {
         self.step(way, by, camera, time, true);
     }
 
-    /// Forgets the recent steps after a pause, or if the camera has changed since.
+    /// Forgets the recent steps after a pause, or if the camera has changed since they were made.
     fn forget(&mut self, now: &Camera, time: f64) {
         self.recent.take_if(|recent| recent.made != *now || !recent.is_shown(time));
     }
 
-    /// Adds to the recent steps if they are of the same kind; otherwise starts anew.
+    /// Adds a step to the recent steps if it is of the same kind; otherwise starts a new sum.
     fn step(&mut self, way: CameraMove, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
         let now = *camera;
         let recent = self.recent.take().filter(|recent| recent.way == way);
@@ -200,8 +200,8 @@ impl RecentSteps {
     }
 }
 
-/// Turns the wheel on the loupe: forwards opens it and enlarges its pixels, backwards shows more pixels and
-/// finally closes it.
+/// Applies the wheel to the loupe: forwards opens the loupe and enlarges its pixels; backwards shows more
+/// pixels and finally closes the loupe.
 fn look_closer(settings: &mut Settings, notches: i32) {
     let (least, most) = LOUPE_PIXELS;
     for _ in 0..notches.unsigned_abs() {
@@ -218,14 +218,14 @@ fn look_closer(settings: &mut Settings, notches: i32) {
     }
 }
 
-/// Returns the camera with a larger or smaller viewport, whose width is rounded to three digits.
+/// Returns the camera with its viewport scaled by a factor. The width is rounded to three digits.
 fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     let width = factor * camera.viewport.width;
     let readable = rounded_to(width, 0.01 * width)? / camera.viewport.width;
     camera.zoomed(readable)
 }
 
-/// Sizes of the text's first line and of the rest, in points.
+/// Sizes of the text's first line and of the other lines, in points.
 const FIRST: f32 = 19.0;
 const REST: f32 = 15.0;
 
@@ -266,7 +266,7 @@ impl Dragging {
             ui.ctx().set_cursor_icon(if is_held { CursorIcon::Grabbing } else { CursorIcon::Grab });
         }
         let own = all.iter().find(|one| one.handle == handle).map(spot);
-        // A held handle may have no place for a while, when the viewport has no area.
+        // A held handle may temporarily have no position, when the viewport has no area.
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| by_pointer);
         let Some(at) = pointer.or(own) else { return };
         let text = value_of(handle, 6, document, session);
@@ -323,7 +323,7 @@ impl Dragging {
         };
         let lines = [title.to_owned(), value_of(changed, 5, document, session)];
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
-        // After a key press the text is in the picture's lower left, wherever the pointer is.
+        // After a key press, the text is at the picture's lower left, wherever the pointer is.
         let at = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
         let refused = self.refused.map(|reason| reason.to_string());
         show_lines(ui, id, at, vec2(1.0, 1.0), &lines, refused);

@@ -1,4 +1,4 @@
-//! The layout of the views and of the areas next to them, and the handles between them.
+//! The layout of the views and of the areas next to them, and the dividers that the user drags between them.
 
 use egui::accesskit::Role;
 use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
@@ -14,7 +14,7 @@ pub(crate) const STRIP: f32 = 26.0;
 const HANDLE: f32 = 8.0;
 /// Movement of a handle by an arrow key, in points.
 const PUSH: f32 = 16.0;
-/// Height of three views side by side while presenting, as a share of the width of one.
+/// Height of three views side by side while presenting, as a multiple of the width of one view.
 const THIRD: f32 = 0.92;
 /// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
@@ -28,12 +28,12 @@ pub(crate) struct ViewRects {
     pub camera_area: Option<Rect>,
     /// The rectangle of the camera view's picture, with the image's aspect ratio.
     pub camera: Option<Rect>,
-    /// The area for the picture next to the camera view: the error map, a wrong camera's picture, the
-    /// ghost's, or the map of wrong answers.
+    /// The area for the picture next to the camera view: the error map, the picture of a wrong camera or of
+    /// the ghost, or the map of wrong answers.
     pub second_area: Option<Rect>,
-    /// The rectangle of that picture, which is as large as the camera view's.
+    /// The rectangle of that picture. It is as large as the camera view's.
     pub second: Option<Rect>,
-    /// The area below, next to or instead of the pictures, for the readouts or the page's content.
+    /// The area below or next to the pictures, or instead of them, for the readouts or the page's content.
     pub rest: Rect,
 }
 
@@ -42,12 +42,12 @@ pub(crate) struct ViewRects {
 pub(crate) struct Areas {
     pub(crate) world: Option<Rect>,
     pub(crate) camera: Option<Rect>,
-    /// The area of the picture next to the camera view, which is as large.
+    /// The area of the picture next to the camera view. It is as large as the camera view's area.
     pub(crate) second: Option<Rect>,
     pub(crate) rest: Rect,
 }
 
-/// Divides the middle of the window; dragging the handles between its parts moves `splits`.
+/// Divides the middle of the window. Dragging the handles between its parts changes `splits`.
 pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
@@ -60,7 +60,7 @@ pub(crate) struct Divider<'a> {
 pub(crate) enum Numbers {
     /// All of them, in an area whose height is dragged.
     All,
-    /// The most important ones, in a strip of this height in points; 0 shows none.
+    /// The most important numbers, in a strip of this height in points; 0 shows none.
     Strip(f32),
 }
 
@@ -83,7 +83,7 @@ impl Divider<'_> {
     }
 
     /// Puts the world view, the camera view and a second picture side by side, above the rest. While
-    /// presenting, the three share the width evenly and are no higher than they need to be.
+    /// presenting, all three have the same width and are no higher than necessary.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         if theme::installed(self.ui.ctx()).presenting {
             let third = self.whole.width() / 3.0;
@@ -120,20 +120,20 @@ impl Divider<'_> {
         }
     }
 
-    /// Splits off the area below the views, as high as the user last dragged it.
+    /// Splits off the area below the views, at the height to which the user last dragged it.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         self.above_with(split, self.splits.get(split))
     }
 
-    /// Returns the height below three views at which the pictures get no more than they need for a square
-    /// image; at least the height that is stored for the boundary.
+    /// Returns the height below three views at which the pictures get only the space that a square image
+    /// needs. The result is at least the height that is stored for the boundary.
     fn rest_below_pictures(&self, split: Split) -> f32 {
         let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
         let picture = 0.5 * (1.0 - share) * self.whole.width();
         self.splits.get(split).max(self.whole.height() - picture - STRIP - HANDLE)
     }
 
-    /// Splits off the area below the views, at this height unless it is dragged.
+    /// Splits off the area below the views, at this height unless the user drags the boundary.
     fn above_with(&mut self, split: Split, height: f32) -> (Rect, Rect) {
         let area = self.whole;
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
@@ -145,15 +145,15 @@ impl Divider<'_> {
         (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
     }
 
-    /// Moves a boundary that is shown at `shown`. If it is not dragged, its stored position stays: a window
-    /// that is too small for it for a while must not change the user's choice.
+    /// Moves a boundary that is shown at `shown`. If it is not dragged, its stored position stays, because a
+    /// window that is temporarily too small must not change the user's choice.
     fn move_by(&mut self, split: Split, shown: f32, by: f32) {
         if by != 0.0 {
             self.splits.set(split, shown + by);
         }
     }
 
-    /// Splits an area into left and right, with a handle between them.
+    /// Splits an area into a left and a right part, with a handle between them.
     pub(crate) fn across(&mut self, area: Rect, split: Split, name: &str) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.width());
         let x = area.left() + share * area.width();
@@ -163,7 +163,7 @@ impl Divider<'_> {
         (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
     }
 
-    /// Splits an area into top and bottom, with a handle between them.
+    /// Splits an area into a top and a bottom part, with a handle between them.
     fn down(&mut self, area: Rect, split: Split) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.height());
         let y = area.top() + share * area.height();
@@ -190,7 +190,7 @@ impl ViewRects {
         };
         let [world, camera_area, second_area] =
             [areas.world, areas.camera, areas.second].map(|part| part.map(below_strip));
-        // Two pictures that are compared have the same size, whatever the rounding of their areas.
+        // Two pictures that are compared have the same size, even if their areas were rounded differently.
         let both = camera_area.zip(second_area).map(|(a, b)| a.size().min(b.size()));
         let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
         let [camera_area, second_area] = [camera_area, second_area].map(|area| area.map(of_both));
@@ -206,7 +206,7 @@ pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| ui.horizontal_centered(content));
 }
 
-/// Clamps a share so that both sides are large enough; in too small an area, both get half.
+/// Clamps a share so that both sides are large enough. If the area is too small, both get half of it.
 fn within(share: f32, length: f32) -> f32 {
     let least = SMALLEST / length.max(2.0 * SMALLEST);
     share.clamp(least, 1.0 - least)
@@ -219,7 +219,7 @@ pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     (left, Rect::from_min_max(pos2(x + HANDLE / 2.0, area.top()), area.max))
 }
 
-/// Shows a handle. Returns its movement in this frame, by drag or arrow keys.
+/// Shows a handle. Returns the handle's movement in this frame, by a drag or by arrow keys.
 fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
     let (cursor, line) = match vertical {
@@ -253,8 +253,8 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     )
 }
 
-/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly
-/// below its title. Large pixels get a whole number of physical pixels each, so that all look alike.
+/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly below
+/// its title. If pixels are large, each covers a whole number of physical pixels, so that all look alike.
 fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);

@@ -1,5 +1,5 @@
-//! The two views: mouse and keyboard input, display of the finished pictures, and the pen of presenter
-//! mode that draws over them.
+//! The two views: mouse and keyboard input, the display of the finished pictures, and presenter mode's pen,
+//! which draws over them.
 
 use std::sync::Arc;
 
@@ -72,8 +72,8 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// Applies the input of mouse and keys in the views. `second` is the name of the second picture, and
-/// `shown` the last frame, to which the user reacts.
+/// Applies mouse and key input in the views. `second` is the name of the second picture. `shown` is the last
+/// frame, which is the one that the user saw.
 pub(crate) fn inputs(
     ui: &mut Ui,
     rects: &ViewRects,
@@ -117,7 +117,7 @@ pub(crate) fn inputs(
     }
 }
 
-/// Creates a view's area, which takes clicks, drags and the focus.
+/// Creates a view's area, which accepts clicks, drags and the focus.
 pub(crate) fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
@@ -155,10 +155,10 @@ pub(crate) fn spoken(shown: &Derived) -> String {
     }
 }
 
-/// Returns the centre of the physical pixel under the mouse in a view, in physical pixels. A picture
-/// samples each physical pixel at its centre.
+/// Returns the centre of the physical pixel under the mouse in a view, in physical pixels. A picture samples
+/// each physical pixel at its centre.
 fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
-    // A whole number, divided by the zoom and multiplied by it, may be slightly less.
+    // A whole number that is divided by the zoom and then multiplied by it may be slightly smaller.
     const ROUNDING: Vec2 = Vec2::splat(1.0 / 64.0);
     let at = (pointer - rect.min) * ui.ctx().pixels_per_point();
     (at + ROUNDING).floor() + Vec2::splat(0.5)
@@ -204,7 +204,7 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     }
 }
 
-/// Moves the observer by the mouse: drag to orbit, with Shift or another button to pan, wheel to zoom.
+/// Moves the observer with the mouse: drag to orbit, drag with Shift or another button to pan, wheel to zoom.
 pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     let shift = ui.input(|i| i.modifiers.shift);
     let delta = response.drag_delta();
@@ -226,19 +226,19 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     }
 }
 
-/// Maximum number of objects for which the camera view looks for the hovered one.
+/// Maximum number of objects for which the camera view determines the hovered object.
 const ASKED_OBJECTS: usize = 4096;
 
-/// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
-/// mouse. A ray that follows the pointer is under it everywhere, so it is passed over.
+/// Returns the hovered concept in a view: the concept of the nearest mark, or else the object under the
+/// mouse. A ray that follows the pointer is always under it, and so is ignored.
 pub(crate) fn hovered(
     ui: &Ui,
     rects: &ViewRects,
     shown: &Derived,
     ray_follows: bool,
 ) -> Option<Hovered> {
-    // While presenting, the pointer often rests on a floor or wall: highlighting it would dim
-    // everything else.
+    // While presenting, the pointer often rests on a floor or a wall; highlighting it would dim everything
+    // else.
     let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
     let presenting = theme::installed(ui.ctx()).presenting;
     let is_ground = |concept: &Concept| {
@@ -293,7 +293,7 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
     Some(Concept::Object(scene.first_hit_of(&ray)?.object))
 }
 
-/// Returns the pixel under the mouse, in the camera view or on the viewport in the world view.
+/// Returns the pixel under the mouse, either in the camera view or on the viewport in the world view.
 pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Selection> {
     let resolved = shown.resolved.as_ref().filter(|_| shown.fault.is_none())?;
     if ui.input(|i| i.pointer.any_down()) {
@@ -345,11 +345,11 @@ pub(crate) fn show_pointed(
         });
 }
 
-/// Width of a view, in points, below which its strip omits the image's size and the button for what a
-/// moved eye keeps.
+/// Width of a view, in points, below which its strip omits the image's size and the button that switches what
+/// the eye keeps when it moves.
 const NARROW: f32 = 310.0;
 
-/// Shows the titles above the views, each with a button that maximises its view.
+/// Shows the titles above the views, each with a button that maximises the view.
 pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
@@ -387,7 +387,8 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
     }
 }
 
-/// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.
+/// Shows what the eye keeps when it is moved in the world view, as a button that switches to the other
+/// choice.
 fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
     let text = match keeps {
         Keep::At => "Eye orbits at",
@@ -418,18 +419,18 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
 /// Size of the text of a badge on a picture, in points.
 const MARK: f32 = 15.0;
 
-/// Writes on a picture which method drew it, if it was not the ladder: at the bottom, where the picture
-/// has no other marks.
+/// Writes on a picture which method drew it, if it was not the ladder. The text is at the bottom, where the
+/// picture has no other marks.
 pub(crate) fn method_badge(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
 }
 
-/// Writes in a picture's lower right corner that it is coarser than it could be.
+/// Writes in the lower right corner of a picture that the picture is coarser than it could be.
 pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| rect.max - size);
 }
 
-/// Writes black text on amber on a picture; `corner` returns the top left corner for a size.
+/// Writes black text on amber on a picture; `corner` maps the size of its box to its top left corner.
 fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) {
     let font = egui::FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
@@ -443,7 +444,7 @@ fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) 
     });
 }
 
-/// Writes across a picture the reason why it is out of date.
+/// Writes the reason why a picture is out of date across that picture.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let usual = if theme::installed(ui.ctx()).presenting { 24.0 } else { 17.0 };
     let galley = |size: f32| {
@@ -476,8 +477,8 @@ const PEN_POINTER: f32 = 5.0;
 /// Colour of the pen, which nothing in the views has.
 const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
 
-/// Draws with the pen of presenter mode on `area`, above everything below the lesson's text. The pen has a
-/// pointer that can be seen from the back row.
+/// Draws with presenter mode's pen on `area`, above everything below the lesson's text. The pen has a pointer
+/// that is visible from the back row.
 pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
     let id = ui.scope_id().with(PEN);
     Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false).show(

@@ -1,6 +1,6 @@
-//! The accuracy view: another method's error map next to the camera's picture, and below them the error
-//! of every method against its run time, as a plot and a table. `Measuring` measures them for the
-//! current scene, a slice in each frame, so that the window never stalls.
+//! The accuracy view: another method's error map next to the camera's picture; below them, the error of every
+//! method against its run time, as a plot and a table. `Measuring` measures them for the current scene, a
+//! small part in each frame, so that the window never stalls.
 
 use std::sync::{Arc, Weak};
 
@@ -39,7 +39,7 @@ use std::time::Duration;
 /// Height of the map's legend, in points.
 pub(crate) const LEGEND: f32 = 44.0;
 
-/// Maximum width of the table, in points; the plot gets the rest.
+/// Maximum width of the table, in points; the plot gets the rest of the width.
 const TABLE: f32 = 560.0;
 
 /// Shows the choice of a method; `name` is for screen readers.
@@ -57,7 +57,7 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
     response.named(name);
 }
 
-/// Shows the name of the map above it, and the choice of its method.
+/// Shows, above the map, its name and the choice of its method.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
         ui.label(MAP);
@@ -65,7 +65,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     });
 }
 
-/// Shows the legend of the map's colours and the number of wrong pixels, below the map.
+/// Shows, below the map, the legend of its colours and the number of wrong pixels.
 pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     let below = Rect::from_min_size(
         pos2(area.left(), area.bottom() + 2.0),
@@ -102,7 +102,7 @@ fn color_bar(ui: &mut Ui, width: f32) {
     }
 }
 
-/// Returns `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
+/// Returns a summary such as `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
 pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     let (wrong, all) = (comparison.wrong, comparison.errors.len());
@@ -114,8 +114,7 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns the text on a picture that the ladder did not draw, or that it drew in place of the chosen
-/// method.
+/// Returns the label of a picture that the ladder did not draw, or that it drew instead of the chosen method.
 pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
@@ -128,8 +127,7 @@ pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> 
     })
 }
 
-/// Shows plot and table, and above them the progress of measuring and the results at the selected
-/// pixel.
+/// Shows the plot and the table; above them, the progress of measuring and the results at the selected pixel.
 pub(crate) fn ui(
     ui: &mut Ui,
     measuring: &Measuring,
@@ -137,7 +135,7 @@ pub(crate) fn ui(
     document: &Document,
     session: &mut Session,
 ) {
-    // Always a single line: the content below must not jump during a drag.
+    // This is always a single line, so that the content below does not jump during a drag.
     let text = selected(derived, document, session).unwrap_or_default();
     ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
     ui.horizontal(|ui| {
@@ -148,7 +146,7 @@ pub(crate) fn ui(
         progress(ui, measuring, derived);
     });
     if derived.too_many.is_some() {
-        // The numbers of another scene could be mistaken for this one's.
+        // The user could mistake another scene's numbers for this one's.
         return;
     }
     let Some(report) = measuring.report().cloned() else { return };
@@ -165,7 +163,7 @@ pub(crate) fn ui(
     });
 }
 
-/// Shows the progress of measuring, or the processor and reference of the numbers.
+/// Shows the progress of measuring or, when it is finished, the processor and the reference of the numbers.
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if !cfg!(feature = "report") {
         ui.label("Nothing is measured: this build has no feature `report`");
@@ -242,7 +240,7 @@ const COLUMNS: [(&str, &str); 7] = [
 /// Maximum distance of the pointer from the mark whose numbers are shown, in points.
 const NEAR: f32 = 14.0;
 
-/// Shows the plot of a case; at the mark under the pointer, the numbers of its method.
+/// Shows the plot of a case. If the pointer is on a mark, also shows the numbers of its method.
 fn plot(ui: &mut Ui, case: &Case) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
@@ -260,7 +258,7 @@ fn plot(ui: &mut Ui, case: &Case) {
     }
 }
 
-/// Draws with colours made for white paper, and converts them to the window's.
+/// Draws with colours chosen for white paper, and converts them to the window's colours.
 fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
     let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
     let next_shape =
@@ -282,8 +280,8 @@ fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
     result
 }
 
-/// Converts a colour made for white paper to one on a dark ground: greys and pale colours are mirrored,
-/// others lightened.
+/// Converts a colour chosen for white paper to one for a dark background: mirrors the brightness of greys and
+/// pale colours, and lightens other colours.
 fn on_dark(color: Color32, ground: Color32) -> Color32 {
     let [r, g, b, a] = color.to_array().map(f32::from);
     let (least, most) = (r.min(g).min(b), r.max(g).max(b));
@@ -314,9 +312,9 @@ fn description(row: &MethodRow) -> String {
     lines.join("\n")
 }
 
-/// Shows one row per method; a click on a row shows its method in the error map.
+/// Shows one row per method. Clicking a row shows its method in the error map.
 fn table(ui: &mut Ui, case: &Case, compared: &mut Method) {
-    // All methods and all columns must fit into the room below two pictures.
+    // All methods and all columns must fit into the space below two pictures.
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
     ui.spacing_mut().interact_size.y = 17.0;
     ui.spacing_mut().button_padding = vec2(4.0, 0.0);
@@ -369,7 +367,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
     ui.label(number(row.ns_per_pixel.min));
 }
 
-/// Time without changes before measuring starts, in seconds: during a drag, each frame is another
+/// Time without changes before measuring starts, in seconds. During a drag, every frame has a different
 /// scene.
 #[cfg(feature = "report")]
 const REST: f64 = 0.5;
@@ -382,10 +380,10 @@ const BETWEEN: f64 = 0.3;
 #[derive(Default)]
 #[cfg_attr(not(feature = "report"), expect(dead_code, reason = "nothing is measured"))]
 pub(crate) struct Measuring {
-    /// The scene is identified by its address, and not held: another owner would make its next
-    /// change a copy.
+    /// The scene is identified by its address, without a reference that keeps it: with a second owner, its
+    /// next change would make a copy.
     subject: Option<(Camera, Weak<Scene>)>,
-    /// Time when the subject was first seen, in the context's seconds.
+    /// Time at which the subject was first seen, in the context's seconds.
     since: f64,
     #[cfg(feature = "report")]
     run: Option<Measurement>,
@@ -403,7 +401,7 @@ impl Measuring {
     #[cfg(not(feature = "report"))]
     pub(crate) fn step(&mut self, _: &Context, _: &str, _: &Camera, _: &Derived) {}
 
-    /// Measures a slice, if something is left to measure, and requests the next frame.
+    /// Measures the next part, if any is left, and requests the next frame.
     #[cfg(feature = "report")]
     pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
         // The report's methods too test every object at every pixel.
@@ -442,7 +440,7 @@ impl Measuring {
         }
     }
 
-    /// Returns the last report, even if it is about an older scene.
+    /// Returns the last report, even if it is about a previous scene.
     pub(crate) fn report(&self) -> Option<&Arc<Report>> {
         self.report.as_ref()
     }

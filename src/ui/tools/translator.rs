@@ -1,5 +1,5 @@
-//! The translator: the camera in another program's format, the differences in convention, and the
-//! numbers whose sign is flipped.
+//! The translator: the camera in another program's format, the differences between the conventions, and the
+//! numbers whose sign changes.
 
 use std::time::Duration;
 
@@ -24,8 +24,8 @@ use crate::view::typesetting::theme::error_color;
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
 const CODE: f32 = 15.0;
-/// Minimum size of code, in points. Lines that are too long are first set smaller, then wrapped, because
-/// the rows of a matrix are read in columns.
+/// Minimum size of code, in points. Lines that are too long are first set smaller and only then wrapped,
+/// because the rows of a matrix are read in columns.
 const SMALL_CODE: f32 = 12.0;
 
 /// Time to read one line of a notice, in seconds.
@@ -125,7 +125,7 @@ fn pixel_of(document: &Document, selection: Selection) -> Pixel {
     }
 }
 
-/// Shows a button for each format, and below them one for each language.
+/// Shows a button for each format; below them, one for each language.
 fn targets(ui: &mut Ui, translator: &mut Translator) {
     let mut row = |ui: &mut Ui, title: &str, formats: &'static [Format]| {
         ui.horizontal_wrapped(|ui| {
@@ -142,8 +142,7 @@ fn targets(ui: &mut Ui, translator: &mut Translator) {
     row(ui, "code", &LANGUAGES);
 }
 
-/// Shows the written text with flipped signs marked, and the notes on what the format cannot
-/// express.
+/// Shows the translated text with changed signs marked, and the notes on what the format cannot express.
 fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     let written = match &translation.written {
         Ok(written) => written,
@@ -173,7 +172,7 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     }
 }
 
-/// Returns the size at which the longest line fits, down to the smallest legible one.
+/// Returns the size at which the longest line fits, or the smallest legible size.
 fn code_size(ui: &Ui, text: &str) -> f32 {
     let letter = ui.ctx().fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(CODE), '0'));
     let longest = text.lines().map(|line| line.chars().count()).max().unwrap_or_default();
@@ -202,7 +201,7 @@ fn marked(ui: &Ui, written: &Text, size: f32) -> LayoutJob {
     job
 }
 
-/// Shows a table that compares Pinhole with the format, one row per property.
+/// Shows a table that compares Pinhole with the format, with one row per property.
 fn table(ui: &mut Ui, rows: &[Row], label: &str) {
     if rows.is_empty() {
         return;
@@ -248,7 +247,8 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// Shows the notice over the window's lower edge, until the time to read it is over or the user closes it.
+/// Shows the notice over the lower edge of the window, until the time to read it is over or the user closes
+/// it.
 pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
     let Some(shown) = notice else { return };
     let now = ctx.input(|i| i.time);

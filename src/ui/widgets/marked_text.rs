@@ -1,5 +1,5 @@
-//! Sentences with the lecture's symbols: `**u**` is a vector, bold and in its own colour, `*u*` a
-//! scalar, in italics.
+//! Sentences with the lecture's symbols: `**u**` is a vector, shown in bold and in its own colour; `*u*` is a
+//! scalar, shown in italics.
 
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
@@ -17,13 +17,13 @@ struct StyledRun {
     is_vector: bool,
 }
 
-/// Shows the text, wrapped. Screen readers and tests receive it without marks.
+/// Shows the text, wrapped. Screen readers and tests receive it without the marks.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
     ui.add(Label::new(job).wrap()).spoken(plain(text));
 }
 
-/// Returns the height of the text wrapped to the available width.
+/// Returns the height of the text when it is wrapped to the available width.
 pub(crate) fn height(ui: &Ui, text: &str, size: f32) -> f32 {
     let mut job = laid_out(ui, text, size);
     job.wrap.max_width = ui.available_width();

@@ -1,5 +1,5 @@
 //! Widgets that several panels share: number fields, marked text, buttons for actions, signs for right and
-//! wrong, error messages, and the textures of the views; with their names for screen readers.
+//! wrong, error messages, and the textures of the views. They set their names for screen readers.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -25,8 +25,8 @@ pub(crate) trait Spoken: Sized {
     /// Sets the value, which is read instead of a text.
     fn spoken(self, value: impl Into<String>) -> Self;
 
-    /// Sets the description, such as what a picture shows or where a handle is: for such widgets AT-SPI passes
-    /// on numeric values only.
+    /// Sets the description, such as what a picture shows or where a handle is. For such widgets, AT-SPI
+    /// passes on only numeric values.
     fn described(self, text: impl Into<String>) -> Self;
 
     /// Sets the kind of widget.
@@ -82,7 +82,7 @@ pub(crate) fn fault_text(ui: &Ui, message: impl Display) -> RichText {
     RichText::new(typeset_message(message)).color(error_color(ui))
 }
 
-/// Shows the reason why there is no picture in the picture's place.
+/// Shows, in place of a picture, the reason why there is none.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let inside = rect.shrink(16.0);
@@ -94,7 +94,7 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
     });
 }
 
-/// Shows a tick or a cross as high as the text next to it.
+/// Shows a tick or a cross that is as high as the text next to it.
 pub(crate) fn sign(ui: &mut Ui, is_right: bool) -> Response {
     let side = 14.0;
     let line = ui.text_style_height(&egui::TextStyle::Body).max(20.0);
@@ -135,7 +135,7 @@ pub(crate) struct ViewTexture {
 impl ViewTexture {
     /// Returns the texture that holds `image`.
     pub(crate) fn upload(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
-        // One texel is one physical pixel, so nearest-neighbour filtering keeps pixel edges sharp.
+        // One texel is one physical pixel, so nearest-neighbour filtering keeps the edges of pixels sharp.
         let options = TextureOptions::NEAREST;
         if self.uploaded.as_ref().is_none_or(|uploaded| !Arc::ptr_eq(uploaded, image)) {
             self.uploaded = Some(Arc::clone(image));

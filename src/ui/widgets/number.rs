@@ -1,5 +1,5 @@
-//! Number fields, edited by dragging, typing a number, or typing arithmetic. Each has a name for
-//! screen readers and tests, and shows an error if the typed text is not a number.
+//! Number fields, which the user edits by dragging, by typing a number, or by typing arithmetic. Each has a
+//! name for screen readers and tests, and shows an error if the typed text is not a number.
 
 use std::cell::RefCell;
 use std::ops::RangeInclusive;
@@ -29,7 +29,7 @@ pub(crate) struct NumberField<'a> {
     width: f32,
     range: RangeInclusive<f64>,
     is_whole: bool,
-    /// True if the number is painted elsewhere while it is not being typed.
+    /// True if the number is painted elsewhere while the user is not typing.
     is_over: bool,
 }
 
@@ -61,7 +61,8 @@ impl<'a> NumberField<'a> {
         self
     }
 
-    /// Limits the number to a range: a drag stops at its ends, and typed numbers outside it are rejected.
+    /// Limits the number to a range. A drag stops at the ends of the range, and a typed number outside it is
+    /// rejected.
     pub(crate) fn within(mut self, range: RangeInclusive<f64>) -> Self {
         self.range = range;
         self
@@ -79,8 +80,9 @@ impl<'a> NumberField<'a> {
         self
     }
 
-    /// Shows the field in `rect`, over a number that is painted elsewhere. The field is invisible but for a
-    /// tint under the pointer until it is typed into. `id` must be unique and the same in every pass.
+    /// Shows the field in `rect`, over a number that is painted elsewhere. Until the user types into the
+    /// field, it is invisible except for a tint under the pointer. `id` must be unique and the same in every
+    /// pass.
     pub(crate) fn show_over(self, ui: &mut Ui, id: Id, rect: Rect, size: f32) -> Response {
         let known = ui.data(|data| data.get_temp::<Id>(id));
         let is_typed = known.is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
@@ -136,7 +138,7 @@ impl<'a> NumberField<'a> {
             .suffix(if typing { "" } else { self.suffix })
             .clip_text(true)
             .max_decimals_opt(self.is_whole.then_some(0))
-            // Typing `0.5` must not set the value to `0` on the way.
+            // Typing `0.5` must not set the value to `0` after the first character.
             .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
             .custom_formatter(|value, _| match typing {
@@ -182,12 +184,12 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// Formats the number with the settings' digits, or as many as fit into `room`, in points. A field that grew
-/// with its number would move the views during a drag in them.
+/// Formats the number with the settings' digits, or with as many as fit into `room`, in points. If the field
+/// grew with its number, the views would move while the user drags in them.
 fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
     let fits = |text: &String| {
         let whole = format!("{text}{suffix}");
-        // Short texts need no layout: no letter is wider than the font's height.
+        // Short texts need no layout, since no letter is wider than the height of the font.
         let is_short = whole.chars().count() as f32 * font.size <= room;
         let laid_out = |fonts: &mut egui::epaint::FontsView<'_>| {
             fonts.layout_no_wrap(whole.clone(), font.clone(), Color32::WHITE).size().x
@@ -199,7 +201,7 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
-/// The state of typing into a field, kept from one pass to the next.
+/// The state of typing into a field; it is kept from one pass to the next.
 #[derive(Clone, Copy, Default, PartialEq)]
 enum Typing {
     #[default]
@@ -207,8 +209,8 @@ enum Typing {
     GivenUp,
 }
 
-/// Returns true if Escape ended the typing into a field, so that the typed text must be discarded. egui would
-/// accept it in the next pass, in which Escape is no longer pressed.
+/// Returns true if Escape ended the typing into a field; the typed text must then be discarded. Otherwise
+/// egui would accept it in the next pass, in which Escape is no longer pressed.
 fn is_given_up(ui: &Ui, id: Id) -> bool {
     let key = id.with("typing");
     let before = ui.data_mut(|data| data.remove_temp::<Typing>(key));
@@ -237,8 +239,8 @@ fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f
     }
 }
 
-/// Selects the whole exact number when typing starts; egui would select only as many characters as the rounded
-/// number has.
+/// Selects the whole exact number when typing starts. egui would select only as many characters as the
+/// rounded number has.
 fn select_all(ui: &Ui, response: &Response, exact: &str) {
     let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
     let end = CCursor::new(exact.chars().count());
@@ -246,7 +248,7 @@ fn select_all(ui: &Ui, response: &Response, exact: &str) {
     state.store(ui.ctx(), response.id);
 }
 
-/// Shows the error below a field with invalid text, until the next press of any button or key.
+/// Shows the error below a field with invalid text, until the user next presses any button or key.
 fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     let key = id.with("fault");
     let pressed = ui.input(|i| {
@@ -269,8 +271,8 @@ fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     }
 }
 
-/// Returns the speed of a drag, about a hundredth of the number's magnitude per point. It is fixed when the
-/// drag begins; a speed that grew with the value would run away.
+/// Returns the speed of a drag, which is about a hundredth of the number's magnitude per point. It is fixed
+/// when the drag begins, because a speed that grew with the value would grow without limit.
 fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     let key = id.with("speed");
     let held = ui.ctx().is_being_dragged(id);
@@ -287,7 +289,7 @@ fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     speed
 }
 
-/// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Returns true if one changed.
+/// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Returns true if one of them changed.
 pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     let mut changed = false;
     let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).max(56.0);
@@ -298,7 +300,7 @@ pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     changed
 }
 
-/// Returns the colour of a vector in the views; `None` for other names.
+/// Returns the colour that a vector has in the views; `None` for other names.
 pub(crate) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
     let style = theme::style(ui);
     let colors = style.colors();
