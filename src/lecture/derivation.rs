@@ -118,7 +118,7 @@ pub struct BasisByHand {
 /// A check of vectors set by hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BasisCheck {
-    /// The number that is looked at.
+    /// The number that is checked.
     pub value: f64,
     /// The verdict.
     pub passes: bool,
@@ -355,7 +355,7 @@ pub struct SphereDerivation {
     pub from_center: DVec3,
     /// a, b, c and D.
     pub quadratic: SphereQuadratic,
-    /// The ray's fate, decided exactly.
+    /// The kind of intersection, decided exactly.
     pub meeting: SphereMeeting,
     /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
     /// tangent point is stored once, as the nearer one. Each `t` is the exact value, rounded.
@@ -364,7 +364,7 @@ pub struct SphereDerivation {
     pub first: Option<usize>,
 }
 
-/// A ray's fate near a sphere.
+/// The ways in which a ray and a sphere can intersect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SphereMeeting {
     /// D < 0: the line passes by.
@@ -396,14 +396,14 @@ pub struct PlaneDerivation {
     pub plane: Plane,
     /// `n . d` and `n . (point - p)`.
     pub terms: PlaneTerms,
-    /// The ray's fate, decided exactly.
+    /// The kind of intersection, decided exactly.
     pub meeting: PlaneMeeting,
     /// The point at which the ray's line meets the plane, for any sign of `t`; the normal has
     /// length 1.
     pub root: Option<Root>,
 }
 
-/// A ray's fate near a plane.
+/// The ways in which a ray and a plane can intersect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PlaneMeeting {
     /// t > 0: a hit.
@@ -509,11 +509,11 @@ impl PlaneDerivation {
 pub struct ImplicitUnit {
     /// A normal number greater than 0.
     pub value: f64,
-    /// The number that it comes from.
+    /// The quantity from which it is calculated.
     pub origin: UnitOrigin,
 }
 
-/// The number that an [`ImplicitUnit`] comes from.
+/// The quantity from which an [`ImplicitUnit`] is calculated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitOrigin {
     /// A sphere's `r^2`; f at the sphere's centre is `-r^2`.

@@ -15,19 +15,19 @@ pub enum Verdict {
         /// Above 0.
         times: f64,
     },
-    /// It is the right one, rounded.
+    /// It is the right answer, rounded.
     Rounded {
         /// The number of significant digits that are right.
         digits: usize,
     },
     /// It lies on the right line but points backwards.
     Backwards {
-        /// Below 0: how many times ours.
+        /// The negative factor between the answer and the truth.
         times: f64,
     },
     /// It has the right direction but another length, which matters here.
     OtherLength {
-        /// Above 0: how many times ours.
+        /// The positive factor between the answer and the truth.
         times: f64,
     },
     /// Each of these mistakes gives the answer and agrees with the answers to the other parts.
@@ -277,7 +277,7 @@ fn cut_off(y: f64, place: i32) -> Option<f64> {
     let (mantissa, exponent) = text.split_once('e')?;
     let first: i32 = exponent.parse().ok()?;
     let kept = usize::try_from(first - place + 1).ok().filter(|kept| *kept > 0)?;
-    // The point stands behind the first digit.
+    // The decimal point follows the first digit.
     let cut: String = mantissa.chars().take(if kept == 1 { 1 } else { kept + 1 }).collect();
     format!("{cut}e{exponent}").parse().ok()
 }
@@ -301,23 +301,23 @@ pub enum Finding {
         /// The dot product, which should be 0.
         dot: f64,
     },
-    /// It points elsewhere.
+    /// It points in another direction.
     Angle {
-        /// Between it and the right direction.
+        /// The angle between the answer and the right direction.
         degrees: f64,
     },
     /// The point, or the ray's point at this t, is not on the wall.
     OffWall {
         /// The point's z.
         z: f64,
-        /// The wall's.
+        /// The wall's z.
         wall: f64,
     },
     /// The point, or the ray's point at this t, is not on the sphere.
     OffSphere {
-        /// The point's, from the centre.
+        /// The point's distance from the centre.
         distance: f64,
-        /// The sphere's.
+        /// The sphere's radius.
         radius: f64,
     },
     /// The point, or the ray's point at this t, is not on the line.
@@ -335,11 +335,11 @@ pub enum Finding {
         /// The distance to the eye.
         distance: f64,
     },
-    /// The ray passes the viewport's plane elsewhere.
+    /// The ray passes through the viewport's plane at another position.
     OffUv {
-        /// The position that it passes.
+        /// The position through which it passes.
         uv: DVec2,
-        /// The position that it should pass.
+        /// The position through which it should pass.
         wanted: DVec2,
     },
     /// The ray never reaches the viewport's plane.
@@ -356,7 +356,7 @@ pub enum Finding {
 pub(super) enum Condition {
     /// The ray is on the surface at this t.
     Meets(Ray, Surface),
-    /// The point is on it.
+    /// The point is on the surface.
     On(Surface),
     /// The point is on the ray's line.
     OnRay(Ray),
@@ -364,7 +364,7 @@ pub(super) enum Condition {
     Eye(DVec3),
     /// The direction leads from the eye through this position in the viewport.
     Through {
-        /// The camera's.
+        /// The camera's basis.
         basis: Basis,
         /// The viewport's distance from the eye.
         distance: f64,

@@ -68,7 +68,7 @@ pub enum Given {
     EyeAtUp {
         /// The camera's position.
         eye: DVec3,
-        /// The point that it looks at.
+        /// The point that the camera looks at.
         at: DVec3,
         /// The direction that is up.
         up: DVec3,
@@ -104,7 +104,7 @@ pub enum Asked {
     U,
     /// The direction that is up in the image.
     V,
-    /// The direction backwards.
+    /// The direction opposite to the view.
     W,
     /// The point that is hit.
     Point,
@@ -137,7 +137,7 @@ pub struct QuestionPart {
     pub mistakes: Vec<(Mistake, Answer)>,
     /// The vectors to which it must be perpendicular, with their names.
     pub(super) orthogonal_to: Vec<(&'static str, DVec3)>,
-    /// Further conditions that it has to fulfil.
+    /// Further conditions that the answer must meet.
     pub(super) conditions: Vec<Condition>,
 }
 

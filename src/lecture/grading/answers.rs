@@ -162,7 +162,7 @@ fn is_single(number: Written<f64>) -> bool {
 pub(super) struct Precision {
     /// Significant digits.
     digits: i32,
-    /// Digits behind the point.
+    /// Decimals, the digits after the point.
     decimals: i32,
 }
 

@@ -28,7 +28,7 @@ pub(super) struct PossibleHit {
 #[derive(Clone, Debug, Default)]
 pub(super) struct FirstHits {
     pub(super) hits: Vec<PossibleHit>,
-    /// It may be said to hit nothing.
+    /// True if a miss is acceptable.
     pub(super) may_miss: bool,
 }
 

@@ -25,7 +25,7 @@ pub const LEVELS_TOLERANCE: f64 = 2.0;
 pub struct Truth<'a> {
     /// The camera.
     pub camera: &'a Camera,
-    /// The scene that it looks at.
+    /// The scene that the camera looks at.
     pub scene: &'a Scene,
     /// Each object's own colour, for pictures.
     pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
@@ -45,7 +45,7 @@ pub struct Grade {
     pub worst: Option<Worst>,
     /// The shading that a picture is assumed to have.
     pub shade: Option<Shade>,
-    /// The mistakes that explain the wrong ones.
+    /// The mistakes that explain the wrong answers.
     pub diagnosis: Diagnosis,
     /// The number of digits of the answers, if it is below [`Grade::digits_wanted`] and the answers
     /// are right to these digits, except for the named mistake, if any.
@@ -205,7 +205,7 @@ pub enum GradeError {
     NoAnswer,
     /// A picture's number of pixels does not match the camera's image.
     PictureSize {
-        /// Pixels of the picture.
+        /// The picture's number of pixels.
         pixels: usize,
         /// The camera's image.
         image: ImageSize,

@@ -82,7 +82,7 @@ checks! {
         "pixels lie evenly around the middle: their centres are taken";
 }
 
-/// A number that a check looks at.
+/// A number that a check examines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// One number.
@@ -104,7 +104,7 @@ pub enum Wanted {
     LeftAndUp,
 }
 
-/// A check, carried out.
+/// The result of a check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Checked {

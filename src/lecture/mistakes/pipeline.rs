@@ -71,7 +71,7 @@ pub(crate) enum Distance {
     One,
     /// The component along w is left out.
     LeftOut,
-    /// It is added.
+    /// The component along w is added.
     Plus,
 }
 
@@ -85,7 +85,7 @@ pub(crate) enum Rows {
     FromLast,
 }
 
-/// Rows and columns exchanged.
+/// The ways in which rows and columns are exchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Swap {
     No,
@@ -123,10 +123,10 @@ pub(crate) struct Quadratic {
     square: f64,
     product: f64,
     denominator: f64,
-    /// `a` is taken as 1.
+    /// `a` is assumed to be 1.
     pub(crate) a_left_out: bool,
     pub(crate) offset: Offset,
-    /// r stands for its square.
+    /// r is used in place of its square.
     pub(crate) radius_unsquared: bool,
     pub(crate) square_root: SquareRoot,
 }
@@ -164,7 +164,7 @@ pub(crate) enum WhichRoot {
     FarthestObject,
 }
 
-/// The t that count.
+/// The range of t that counts as a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Sign {
     Positive,
@@ -457,7 +457,7 @@ pub(crate) struct PipelineCamera {
     pub(crate) factors: DVec3,
     /// v, if up is used as v.
     pub(crate) up_as_v: Option<DVec3>,
-    /// The viewport's.
+    /// The viewport's distance.
     distance: f64,
     /// Width and height.
     pub(crate) extent: [f64; 2],

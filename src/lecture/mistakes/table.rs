@@ -185,7 +185,7 @@ mistakes! {
         ],
     }
 
-    /// Rows counted from the bottom.
+    /// Rows are counted from the bottom.
     RowsFromBottom "rows-from-bottom" {
         name: "rows from the bottom",
         formula: "𝑣 ← height ((𝑖 + ½)/𝐻 − ½). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
@@ -282,7 +282,7 @@ mistakes! {
         ],
     }
 
-    /// The larger root taken for the smaller.
+    /// The larger root is used in place of the smaller.
     FarRoot "far-root" {
         advice: "Look at which root is taken: the smallest t above 0 is the hit, of one object and \
                  among all.",
@@ -388,7 +388,7 @@ mistakes! {
         ways: &[|p| p.basis.set_raw(true, true, false)],
     }
 
-    /// `b` for `-b`.
+    /// `b` is used in place of `-b`.
     SignOfB "sign-of-b" {
         advice: "Look at the sign of b: b = d . (p - center), and t begins with -b; with center - p \
                  for p - center, b has the other sign.",
@@ -416,7 +416,7 @@ mistakes! {
         ways: &[|p| p.quadratic.set(1.0, 1.0, 1.0, 2.0)],
     }
 
-    /// `a = d . d` left out.
+    /// `a = d . d` is left out.
     ALeftOut "a-left-out" {
         exercise_feedback: "𝑎 = 𝐝 · 𝐝 is left out: it is 1 only where |𝐝| is.",
         ways: &[|p| p.quadratic.a_left_out = true],
