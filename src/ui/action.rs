@@ -61,14 +61,14 @@ pub enum FileAction {
     Save,
     /// Ask for a path to save to.
     AskSaveAs {
-        /// What to do once the scene is saved.
+        /// The action to take once the scene is saved.
         then: Option<Leave>,
     },
     /// Save to this path.
     SaveAs {
         /// The file.
         path: PathBuf,
-        /// What to do once the scene is saved.
+        /// The action to take once the scene is saved.
         then: Option<Leave>,
     },
     /// Save, then leave if the scene was saved.
@@ -83,12 +83,12 @@ pub enum FileAction {
     KeepMine {
         /// True to save now.
         saves: bool,
-        /// What to do once the scene is saved.
+        /// The action to take once the scene is saved.
         then: Option<Leave>,
     },
     /// Open the version that another program has written.
     TakeTheirs {
-        /// What to do after that.
+        /// The action to take after the file is opened.
         then: Option<Leave>,
     },
 }
@@ -98,7 +98,7 @@ pub enum FileAction {
 pub enum LessonAction {
     /// Show the next step.
     Next,
-    /// Show the step before.
+    /// Show the previous step.
     Previous,
     /// Show the step's answer and all lines of its derivation.
     ShowAll,
@@ -111,7 +111,7 @@ pub enum LessonAction {
 pub enum HistoryAction {
     /// Undo the last step.
     Undo,
-    /// Redo the step that was undone last.
+    /// Redo the step that was last undone.
     Redo,
 }
 
@@ -144,7 +144,7 @@ pub enum FigureAction {
     CopyDerivation(Markup),
 }
 
-/// Imports or exports the camera in another program's terms.
+/// Imports or exports the camera in another program's format.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExchangeAction {
     /// Ask for the clipboard's text.
@@ -181,11 +181,11 @@ pub enum PlayAction {
     Step(i64),
     /// Increase the speed by this many levels, or decrease it if negative.
     Faster(i32),
-    /// Repeat after the end, or not.
+    /// Set whether the animation repeats after its end.
     Loop,
     /// Close the animation and keep the current state.
     Keep,
-    /// Close the animation and restore the state from before.
+    /// Close the animation and restore the state from before it.
     Close,
 }
 
@@ -210,7 +210,7 @@ pub enum Steer {
     Orbit(i32, i32),
     /// Narrow the field of view.
     Zoom(i32),
-    /// Move towards what the camera looks at.
+    /// Move towards the point that the camera looks at.
     Dolly(i32),
 }
 
@@ -361,9 +361,9 @@ action_of! {
 /// The effect of an action on the open animation before the action is applied.
 pub(crate) enum PlayEnd {
     GoesOn,
-    /// It closes, and the current state stays.
+    /// The animation closes, and the current state stays.
     Keeps,
-    /// It closes, and the state from before it is restored.
+    /// The animation closes, and the state from before it is restored.
     GivesBack,
 }
 
@@ -441,7 +441,7 @@ pub enum Switch {
     KeepUp,
     /// Transitions are off.
     ReducedMotion,
-    /// Everything but the area around the pointer is dimmed.
+    /// Everything except the area around the pointer is dimmed.
     Spotlight,
     /// A pen draws over the views.
     Pen,
@@ -472,7 +472,7 @@ impl Switch {
         }
     }
 
-    /// Switches it over.
+    /// Toggles the switch.
     pub(crate) fn toggle(self, session: &mut Session) {
         let on = !self.is_on(session);
         let settings = &mut session.settings;

@@ -65,7 +65,7 @@ pub(crate) struct AdaptiveResolution {
     moving: Subsampling,
     /// The subsampling at rest.
     resting: Subsampling,
-    /// Estimated time for tracing all pixels, at most.
+    /// Upper estimate of the time to trace all pixels.
     full: Duration,
     /// Number of objects in the scene whose times were measured.
     objects: usize,
@@ -129,7 +129,7 @@ impl AdaptiveResolution {
         time - self.moved_at < REST
     }
 
-    /// Records the time in which new pictures were traced.
+    /// Records the time that tracing new pictures took.
     pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
         let step = f64::from(subsampling.0);
         // The time is at most proportional to the number of pixels, which is proportional to 1 / step^2.
@@ -169,7 +169,7 @@ mod tests {
         let mut adaptive_resolution = AdaptiveResolution::default();
         adaptive_resolution.took(Subsampling::NONE, 70 * MS);
         assert_eq!(adaptive_resolution.now(false, 0.0, 1), Subsampling::NONE, "nothing moves");
-        // Three times as coarse takes a ninth: 7.8 ms.
+        // With a step three times as coarse, tracing takes a ninth: 7.8 ms.
         assert_eq!(adaptive_resolution.now(true, 5.0, 1), Subsampling(3));
         adaptive_resolution.took(Subsampling(3), 78 * MS / 10);
         assert_eq!(adaptive_resolution.now(false, 5.1, 1), Subsampling(3), "between two moves");

@@ -35,8 +35,8 @@ impl Scale {
         Scale { is_logarithmic: true, range: [low, high.ceil().max(low + 1.0)], edge }
     }
 
-    /// Creates a logarithmic scale from a little below the least positive value to a little above
-    /// the greatest.
+    /// Creates a logarithmic scale from a little below the smallest positive value to a little above the
+    /// largest.
     pub(crate) fn close(values: impl Iterator<Item = f64>, edge: [f32; 2]) -> Scale {
         let [low, high] = exponents(values).unwrap_or([0.0, 1.0]);
         let margin = (0.06 * (high - low)).max(0.12);
@@ -114,13 +114,13 @@ impl Scale {
     }
 }
 
-/// Returns the decimal logarithms of the least and the greatest positive, finite value.
+/// Returns the decimal logarithms of the smallest and the largest positive, finite value.
 fn exponents(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let positive = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
     positive.map(|x| [x, x]).reduce(|[low, high], [x, _]| [low.min(x), high.max(x)])
 }
 
-/// Returns the least number that is 1, 2 or 5 times a power of ten and not less than `least`.
+/// Returns the smallest number that is 1, 2 or 5 times a power of ten and not less than `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= least).unwrap_or(power)

@@ -130,7 +130,7 @@ impl OpenScene {
         };
         let document = &self.open.document;
         let camera = &document.camera;
-        // An invalid object is left out; the camera is not.
+        // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
         // Items that are switched later do not move the observer.
         let items = match &self.lessons.open {

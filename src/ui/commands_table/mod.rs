@@ -92,7 +92,7 @@ pub struct UiCommand {
     pub group: Group,
     /// The name within its group.
     pub name: Cow<'static, str>,
-    /// A sentence that describes it.
+    /// A sentence that describes the command.
     pub about: Cow<'static, str>,
     /// The keys that trigger it; menus show the first one.
     pub keys: &'static [Keys],

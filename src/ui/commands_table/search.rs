@@ -22,13 +22,13 @@ const SYNONYMS: [(&str, &str); 9] = [
 enum Fit {
     /// The title contains its letters in order.
     Scattered,
-    /// A word of the title contains it.
+    /// A word of the title contains the typed word.
     Inside,
-    /// A word of the description begins with it.
+    /// A word of the description begins with the typed word.
     Described,
-    /// A word of the title begins with it.
+    /// A word of the title begins with the typed word.
     Begins,
-    /// It is a word of the title.
+    /// The typed word is a word of the title.
     Whole,
 }
 

@@ -46,7 +46,7 @@ pub struct Gesture {
     pub group: Group,
     /// The gesture.
     pub how: &'static str,
-    /// Its effect.
+    /// The effect of the gesture.
     pub does: &'static str,
 }
 

@@ -42,7 +42,7 @@ pub enum FileAnswer {
     Elsewhere(String),
     /// The dialog was closed without a choice.
     Cancelled,
-    /// There is no dialog, or it does not work.
+    /// The desktop's dialog is missing or does not work.
     Unavailable,
 }
 

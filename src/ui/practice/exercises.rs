@@ -39,7 +39,7 @@ const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
 /// Height of a row of fields, including the space below it, in points.
 const ROW: f32 = 41.0;
 
-/// What may be typed.
+/// Describes what the user may type.
 const HINT: &str = "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits. \
                     Nothing is sent anywhere.";
 

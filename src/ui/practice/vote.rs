@@ -116,7 +116,7 @@ pub(super) fn ui(
     });
 }
 
-/// Least height of an option, in points.
+/// Minimum height of an option, in points.
 const LEAST_HEIGHT: f32 = 8.0;
 
 /// Shows the options in two rows.

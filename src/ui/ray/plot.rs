@@ -243,7 +243,7 @@ fn draw(
 
 /// Sets t when the user presses or drags in the plot, and changes it with the arrow keys.
 fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
-    // With only as many digits as a point's width justifies.
+    // Uses only as many digits as the width of a point justifies.
     let per_unit = 10_f64.powf(scale.unit().log10().ceil());
     let t_at = |x: f32| {
         let x = x.clamp(rect.left(), rect.right());

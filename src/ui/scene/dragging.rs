@@ -33,7 +33,7 @@ pub(crate) struct Dragging {
     pub(super) by_pointer: bool,
     /// The reason why the last drag or step had no effect.
     pub(super) refused: Option<SteerError>,
-    /// True if the drag has also turned up.
+    /// True if the drag has also turned the up vector.
     pub(super) up_went_along: bool,
     /// The recent steps by keys or by the wheel.
     pub(super) recent: Option<RecentSteps>,

@@ -58,7 +58,7 @@ pub(crate) struct Divider<'a> {
 /// The numbers below the two views.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Numbers {
-    /// All of them, in an area whose height is dragged.
+    /// All numbers, in an area whose height the user drags.
     All,
     /// The most important numbers, in a strip of this height in points; 0 shows none.
     Strip(f32),
@@ -102,7 +102,7 @@ impl Divider<'_> {
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
     }
 
-    /// Stacks both views, with the rest on their right.
+    /// Stacks both views, with the rest to their right.
     pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
         let (views, rest) = self.across(self.whole, split, name);
         let (top, bottom) = self.down(views, Split::Stack);

@@ -200,7 +200,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let traced = trace_by(method, scene, resolved, &raster);
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
-        // Every digit: the difference is in the last ones.
+        // All digits are shown, because the difference is in the last ones.
         object => {
             format!("hits {} at t = {}", document.title_of(object as usize), written_whole(t))
         }

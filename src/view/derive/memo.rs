@@ -9,7 +9,7 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Shown, blank};
 use crate::view::overlay::Drawing;
 
-/// A value with the key it was made from.
+/// A value, and the key from which it was made.
 #[derive(Debug)]
 pub(super) struct Memo<K, V>(Option<(K, V)>);
 

@@ -190,7 +190,7 @@ pub enum Purpose {
     /// A view of the window; the marks are painted into the picture.
     #[default]
     Window,
-    /// A figure: marks stay apart from the picture.
+    /// A figure; the marks stay separate from the picture.
     Figure {
         /// True if the picture is transparent where no ray hits anything.
         clear: bool,

@@ -99,7 +99,7 @@ pub(super) struct OtherMethods {
 }
 
 impl GoodPicture {
-    /// Copies what the readouts show about the picture.
+    /// Copies the data about the picture that the readouts show.
     pub(super) fn describe(&self, derived: &mut Derived) {
         derived.drawn_by.clone_from(&self.others.drawn_by);
         derived.too_many = self.others.too_many;

@@ -186,7 +186,7 @@ impl SecondPictures {
             (SecondPicture::WrongCamera, Some(numbers)) => {
                 SecondKey::WrongCamera(camera, numbers, raster(), shade, mistake)
             }
-            // An older picture, but not under another mistake's name.
+            // Shows an older picture only if it belongs to the same mistake.
             (SecondPicture::WrongCamera, None) => {
                 let of_mistake = |key: &SecondKey| matches!(key, SecondKey::WrongCamera(.., of) if *of == mistake);
                 return memo.known(of_mistake)?.clone();
@@ -433,7 +433,7 @@ pub(super) fn ghost_camera(
     derived: &Derived,
 ) -> Option<GhostCamera> {
     if session.settings.layout == ViewLayout::Mistakes {
-        // It would give away the answer to the class.
+        // The ghost would give away the answer to the class.
         let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
         let wrong = derived.wrong_camera().filter(|_| !is_secret && derived.fault.is_none())?;
         return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);

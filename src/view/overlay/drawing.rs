@@ -197,7 +197,7 @@ pub struct Path<'a> {
 /// The outline of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PathOutline<'a> {
-    /// A chain of straight lines.
+    /// A polyline.
     Chain {
         /// The corners.
         points: Cow<'a, [[f32; 2]]>,

@@ -104,7 +104,7 @@ const HALF_VIEWPORT: f64 = 0.5;
 /// Rows of dots that are painted at a time.
 const BAND: usize = 32;
 
-/// Greatest opacity at which a patch does not hide lines.
+/// Maximum opacity at which a patch does not hide lines.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl<'a> PictureLookup<'a> {

@@ -70,7 +70,7 @@ impl Fills {
     }
 }
 
-/// Paints paths over a picture of `width` dots a row.
+/// Paints paths over a picture of `width` dots per row.
 pub fn paint_paths<'a>(
     paths: impl Iterator<Item: Borrow<Path<'a>> + Sync>,
     width: usize,

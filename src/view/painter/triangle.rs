@@ -372,7 +372,7 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
     let texture = reading.texture;
     let (u, u_step) = reading.u.stepped(0);
     let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
-    // v has one value in each row.
+    // v has the same value throughout a row.
     let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
     let across = one_to_one(&u, (left, right), texture.size[0], reading.filter);
     let down = one_to_one(&v, (top, bottom), texture.size[1], reading.filter);

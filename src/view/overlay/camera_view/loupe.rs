@@ -14,7 +14,7 @@ use crate::view::overlay::paint::Picture;
 use crate::view::overlay::screen::position_of;
 use crate::view::overlay::world_view::sketch::LineStyle;
 
-/// Greatest side of all magnified pixels together, in points.
+/// Maximum side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;
 /// Maximum share of the view that the loupe takes. It is less than half of the height, so that the loupe does
 /// not cover the selected position.

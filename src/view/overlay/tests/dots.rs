@@ -132,6 +132,6 @@ fn a_sphere_around_the_camera_is_painted_cut_away() {
     };
     assert!(nearness(at(2.9)) < nearness(background) - 60, "{:?}", at(2.9));
     assert_eq!(at(5.0), background, "beside it");
-    // Nothing of it hides the camera.
+    // No part of the sphere hides the camera.
     assert!(!stage.drawing().marks.iter().any(|mark| mark.item == Item::Eye && mark.hidden));
 }

@@ -79,7 +79,7 @@ fn a_plane_is_hatched_where_it_is_seen() {
     let plain = camera_drawing(&stage, None);
     let count = drawing.marks.len() - plain.marks.len();
     assert_eq!(drawing.marks[count..], plain.marks, "what lies on the plane stays as it is");
-    // Below them lies the casing of all strokes.
+    // The casing of all strokes lies below them.
     let strokes = &drawing.marks[count / 2..count];
     let mut seen = 0;
     for stroke in strokes {
@@ -87,7 +87,7 @@ fn a_plane_is_hatched_where_it_is_seen() {
         let at = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
         let uv = camera_uv_at(resolved, [240, 240], at);
         let hit = stage.scene.first_hit_of(&resolved.exact_ray_at(uv).expect("a ray"));
-        // Strokes that only touch the border may end beside it.
+        // Strokes that only touch the border may end next to it.
         if (to[0] - from[0]).abs() > 8.0 {
             assert_eq!(hit.map(|hit| hit.object), Some(wall), "{at:?}");
             seen += 1;

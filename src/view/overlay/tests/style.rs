@@ -1,4 +1,4 @@
-//! The colours can be told apart.
+//! Tests that the colours can be distinguished.
 
 use super::*;
 

@@ -240,7 +240,7 @@ impl Sketch<'_> {
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
         let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
-        // Without its name it would only be one more arrow.
+        // Without its name, the normal would be just another arrow.
         if self.view.names_all {
             let length = self.normal_length(hit.point);
             let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);

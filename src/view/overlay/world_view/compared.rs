@@ -22,7 +22,7 @@ const LONGEST: f64 = 2.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostCamera {
     eye: DVec3,
-    /// u, v and w, where they are drawn.
+    /// The vectors u, v and w; `None` for a vector that is not drawn.
     basis: [Option<DVec3>; 3],
     /// Vectors from the eye to the viewport's corners, clockwise in the image from the corner of pixel (0,
     /// 0).

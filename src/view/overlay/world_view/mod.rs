@@ -59,7 +59,7 @@ pub struct WorldView {
     pub ray_point_t: Option<f64>,
     /// The camera to compare with.
     pub ghost: Option<GhostCamera>,
-    /// A student's answers, and the right ones.
+    /// A student's answers, and the right answers.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted>,
@@ -91,7 +91,7 @@ impl Backdrop {
         Backdrop { patches: view.patches(scene), bowls: view.bowls(scene), background }
     }
 
-    /// Paints it over the observer's traced and shaded picture.
+    /// Paints the layers over the observer's traced and shaded picture.
     pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
         self.layers(frame).paint(dots);
     }

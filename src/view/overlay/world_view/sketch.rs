@@ -27,9 +27,9 @@ pub(crate) struct LineStyle {
     pub(crate) halo: bool,
     /// True if the line lies on the viewport's rectangle, which then does not hide it.
     pub(crate) on_viewport: bool,
-    /// True if nothing hides it.
+    /// True if no object hides the line.
     pub(crate) on_top: bool,
-    /// True if it is dashed even where nothing hides it.
+    /// True if the line is dashed even where no object hides it.
     pub(crate) dashed: bool,
     /// Dash and gap; see [`Mark::pattern`].
     pub(crate) pattern: Option<[f32; 2]>,
