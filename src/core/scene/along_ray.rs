@@ -1,4 +1,4 @@
-//! An object's implicit function along a ray, which is 0 at the roots.
+//! An object's implicit function along a ray, which is 0 at the ray's roots.
 
 use crate::camera::ray::ExactRay;
 use crate::exact::bounded::{Number, Vector, dot, length, near};
@@ -42,19 +42,20 @@ pub struct AlongRay<'a> {
 pub struct ParabolaVertex {
     /// `-b / a`, where the derivative is 0.
     pub t: f64,
-    /// f there, `-D / a`: negative where the line crosses the sphere, 0 where it touches it. In
+    /// f at the vertex, `-D / a`: negative where the line crosses the sphere, 0 where it touches it. In
     /// squared world units, at least `-r^2`.
     pub value: f64,
 }
 
-/// A value that is off by less than this share of it, 2^-60, is within half an ulp and 2^-7 of one.
+/// Maximum relative error of a value, 2^-60: below it, the rounded value is within half an ulp and 2^-7
+/// of an ulp.
 const ENOUGH: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// Times at which double-double neither overflows nor loses digits to underflow.
 const PLAIN_TIMES: std::ops::Range<f64> = 1e-90..1e90;
 
 impl<'a> AlongRay<'a> {
-    /// The function of one object along one ray.
+    /// Makes the function of one object along one ray.
     ///
     /// # Errors
     /// Returns an error if the object is invalid, see [`Object::check`].
@@ -63,13 +64,13 @@ impl<'a> AlongRay<'a> {
         Ok(AlongRay { seen: ObjectFromOrigin::new(object, ray.origin()), ray })
     }
 
-    /// f(t), within half an ulp and 2^-7 of one of what exact arithmetic on the ray's own inputs
-    /// gives, also next to a root, where the formulas above cancel. Its sign is exact; it is 0 only
-    /// where f is. In squared world units for a sphere, in world units times the normal's length for
-    /// a plane; infinite where it overflows. Of an infinite t it is the limit; of NaN it is NaN.
+    /// Returns f(t), also next to a root, where the formulas cancel: within half an ulp and 2^-7 of an
+    /// ulp of the exact value for the ray's own inputs. The sign is exact, and the value is 0 only where
+    /// f is. For a sphere it is in squared world units, for a plane in world units times the normal's
+    /// length; infinite where it overflows. For an infinite t it is the limit; for NaN it is NaN.
     ///
-    /// By double-double with a bound of its error, and by exact numbers (some 40 microseconds) where
-    /// that leaves a doubt: within about 1e-13 of a root.
+    /// The value comes from double-double with a bound of its error and, where that does not suffice
+    /// (within about 1e-13 of a root), from exact numbers (some 40 microseconds).
     pub fn value(&self, t: f64) -> f64 {
         if !t.is_finite() {
             return self.limit(t);
@@ -85,8 +86,9 @@ impl<'a> AlongRay<'a> {
         value.to_f64()
     }
 
-    /// f'(t): `2 (a t + b)` for a sphere, `n . d` at every t for a plane. Rounded from more digits;
-    /// infinite where it overflows. Of an infinite t it is the limit; of NaN it is NaN.
+    /// Returns f'(t): `2 (a t + b)` for a sphere, `n . d` at every t for a plane. The value is rounded
+    /// from more digits; infinite where it overflows. For an infinite t it is the limit; for NaN it is
+    /// NaN.
     pub fn slope(&self, t: f64) -> f64 {
         let seen = match &self.seen {
             ObjectFromOrigin::Plane(seen) => return seen.rate_given(&self.ray),
@@ -103,7 +105,7 @@ impl<'a> AlongRay<'a> {
         }
     }
 
-    /// The point at which a sphere's f is least; `None` for a plane, whose f has no least value.
+    /// Returns the point at which a sphere's f is least; `None` for a plane, whose f has no minimum.
     pub fn vertex(&self) -> Option<ParabolaVertex> {
         let ObjectFromOrigin::Sphere(seen) = &self.seen else { return None };
         let (d, q) = (self.ray.fine.d, seen.fine.q);
@@ -121,8 +123,8 @@ impl<'a> AlongRay<'a> {
         DoubleDouble::from(self.ray.stretch)
     }
 
-    /// `p + t d - center` in units of `2^(scale of the sphere)`, and how far it may be off; `None`
-    /// where that would overflow or underflow.
+    /// Returns `p + t d - center` in units of `2^(scale of the sphere)`, and its error bound; `None`
+    /// where it would overflow or underflow.
     fn offset_from_center(
         &self,
         seen: &SphereFromOrigin,
@@ -138,7 +140,7 @@ impl<'a> AlongRay<'a> {
         Some((std::array::from_fn(|i| ray.fine.d[i] * t - q[i]), doubt))
     }
 
-    /// `t 2^k / stretch`, if it is an ordinary number or 0.
+    /// Returns `t 2^k / stretch`, or `None` if it is neither an ordinary number nor 0.
     fn scaled_time(&self, t: f64, k: i32) -> Option<DoubleDouble> {
         if t == 0.0 {
             return Some(DoubleDouble::default());
@@ -153,7 +155,7 @@ impl<'a> AlongRay<'a> {
         is_plain.then(|| mantissa.scaled(own + k))
     }
 
-    /// `|e|^2 - r^2` with e = p + t d - center, if double-double is sure of it.
+    /// Returns `|e|^2 - r^2` with e = p + t d - center, or `None` if double-double does not suffice.
     fn sphere_value(&self, seen: &SphereFromOrigin, t: f64) -> Option<Precise> {
         type T = DoubleDouble;
         let (offset, off) = self.offset_from_center(seen, t)?;
@@ -166,7 +168,7 @@ impl<'a> AlongRay<'a> {
         is_sure(value, 1.05 * doubt).then_some(Precise::new(value, 2 * seen.scale))
     }
 
-    /// `n . d t - n . (point - p)`, if double-double is sure of it.
+    /// Returns `n . d t - n . (point - p)`, or `None` if double-double does not suffice.
     fn plane_value(&self, seen: &PlaneFromOrigin, t: f64) -> Option<Precise> {
         type T = DoubleDouble;
         let normal = seen.normal.map(T::from);
@@ -180,7 +182,7 @@ impl<'a> AlongRay<'a> {
             .then_some(Precise::new(value, seen.scale + seen.normal_scale()))
     }
 
-    /// f far out: infinite, or the constant of a parallel plane.
+    /// Returns f at an infinite t: infinite, or the constant of a parallel plane.
     fn limit(&self, t: f64) -> f64 {
         if t.is_nan() {
             return t;
@@ -195,7 +197,7 @@ impl<'a> AlongRay<'a> {
     }
 }
 
-/// Returns whether a value is known well enough, in the range where nothing has underflowed.
+/// Returns whether a value's error is small enough, and its size such that nothing has underflowed.
 fn is_sure(value: DoubleDouble, doubt: f64) -> bool {
     let magnitude = value.hi.abs();
     magnitude > 1e-200 && magnitude < 1e250 && doubt <= ENOUGH * magnitude

@@ -14,12 +14,12 @@ use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 
 impl BigRay {
-    /// `center - origin`
+    /// Returns `center - origin`.
     fn to_center(&self, sphere: &Sphere) -> Exact3 {
         minus(&exact3(sphere.center), &self.origin)
     }
 
-    /// The sphere's quadratic.
+    /// Returns the sphere's quadratic.
     pub(crate) fn quadratic(&self, sphere: &Sphere) -> BigQuadratic {
         let q = self.to_center(sphere);
         let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
@@ -28,12 +28,12 @@ impl BigRay {
         BigQuadratic { b, discriminant }
     }
 
-    /// The sign of `normal . direction`: `Equal` where the ray is parallel to the plane.
+    /// Returns the sign of `normal . direction`: `Equal` where the ray is parallel to the plane.
     pub(crate) fn rate(&self, plane: &Plane) -> Ordering {
         self.dot(&exact3(plane.normal)).sign(&self.radicands)
     }
 
-    /// The root of a plane that is not parallel.
+    /// Returns the root of a plane that is not parallel.
     pub(crate) fn plane_root(&self, plane: &Plane) -> BigRoot {
         let normal = exact3(plane.normal);
         let offset = Surd::from(dot(&normal, &minus(&exact3(plane.point), &self.origin)));
@@ -46,7 +46,7 @@ impl BigRay {
         BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
     }
 
-    /// `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
+    /// Returns `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
     pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> Precise {
         // Times the scale's square: t and the direction are free of it.
         let (q, t) = (self.to_center(sphere), Dyadic::from(t));
@@ -57,14 +57,14 @@ impl BigRay {
         self.value(&value, &square)
     }
 
-    /// `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
+    /// Returns `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
     pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> Precise {
         let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.radicands);
         let half = &self.a.scaled(&Dyadic::from(t)) - &b;
         self.value(&(&half + &half), &self.scale.square(&self.radicands))
     }
 
-    /// `normal . (origin + t direction - point)`, as [`BigRay::value`].
+    /// Returns `normal . (origin + t direction - point)`, as [`BigRay::value`].
     pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> Precise {
         let normal = exact3(plane.normal);
         let offset = dot(&normal, &minus(&exact3(plane.point), &self.origin));
@@ -72,8 +72,8 @@ impl BigRay {
         self.value(&value, &self.scale)
     }
 
-    /// The outward unit normal `(origin + t direction - center) / r` at a root: each coordinate is
-    /// off by its rounding to `f64`, and at most `2^-60` more.
+    /// Returns the outward unit normal `(origin + t direction - center) / r` at a root: each coordinate
+    /// is off by its rounding to `f64`, and at most `2^-60` more.
     pub(crate) fn sphere_normal(&self, sphere: &Sphere, root: &BigRoot) -> DVec3 {
         let q = self.to_center(sphere);
         let mut places = 200 - self.a.log2_bound(&self.radicands) / 2;
@@ -104,13 +104,13 @@ impl BigRay {
     }
 }
 
-/// `|center - origin|^2 - r^2`
+/// Returns `|center - origin|^2 - r^2`.
 pub(crate) fn big_c(sphere: &Sphere, origin: DVec3) -> Dyadic {
     let q = minus(&exact3(sphere.center), &exact3(origin));
     &dot(&q, &q) - &Dyadic::from(sphere.radius).square()
 }
 
-/// `normal . (point - origin)`
+/// Returns `normal . (point - origin)`.
 pub(crate) fn big_offset(plane: &Plane, origin: DVec3) -> Dyadic {
     dot(&exact3(plane.normal), &minus(&exact3(plane.point), &exact3(origin)))
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::exact::scale::{shortest, triple};
 
-/// A fault of one object.
+/// The fault of an invalid object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ObjectError {
@@ -14,42 +14,42 @@ pub enum ObjectError {
     NotFinite {
         /// The field's name.
         field: &'static str,
-        /// The value.
+        /// The invalid vector.
         value: DVec3,
     },
-    /// A radius that is not a positive, finite number.
+    /// A sphere's radius is not a positive, finite number.
     Radius {
-        /// The value.
+        /// The invalid radius.
         value: f64,
     },
     /// A plane's normal is `(0, 0, 0)`.
     NormalIsZero,
 }
 
-/// The object of a scene that is at fault, and why.
+/// The invalid object of a scene, and what is wrong with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// A sphere.
+    /// A sphere is invalid.
     Sphere {
-        /// Its index among all objects: spheres first.
+        /// The sphere's index among all objects: spheres first.
         index: usize,
-        /// Its fault.
+        /// The sphere's fault.
         error: ObjectError,
     },
-    /// A plane.
+    /// A plane is invalid.
     Plane {
-        /// Its index among all objects: spheres first.
+        /// The plane's index among all objects: spheres first.
         index: usize,
-        /// Its fault.
+        /// The plane's fault.
         error: ObjectError,
     },
-    /// An object to be replaced is no sphere, or not there.
+    /// The index of a sphere to be replaced is not that of a sphere.
     NoSphere {
         /// The index that was given.
         index: usize,
     },
-    /// An object to be replaced is no plane, or not there.
+    /// The index of a plane to be replaced is not that of a plane.
     NoPlane {
         /// The index that was given.
         index: usize,

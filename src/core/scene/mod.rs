@@ -46,7 +46,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A scene of these objects.
+    /// Makes a scene of these objects.
     ///
     /// # Errors
     /// Returns the first invalid object: a centre, point or normal that is not finite, a radius that
@@ -68,11 +68,11 @@ impl Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
     }
 
-    /// Puts another sphere in place of the one with this index.
+    /// Replaces the sphere of this index.
     ///
-    /// This costs about a microsecond, and no more for many spheres: an index that was made of them is kept
-    /// and updated. But if clones of this scene are alive, all spheres and their index are copied first (80
-    /// bytes a sphere), so that the clones do not change.
+    /// The new sphere takes about a microsecond, however many spheres there are: an existing index is
+    /// kept and updated. But if clones of this scene are alive, all spheres and their index are copied
+    /// first (80 bytes a sphere), so that the clones do not change.
     ///
     /// # Errors
     /// Returns an error if the new sphere is invalid, or the index is not that of a sphere; the scene is
@@ -97,8 +97,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Puts another plane in place of the one with this index, which counts the spheres before
-    /// it. This costs nothing.
+    /// Replaces the plane of this index, which counts the spheres before it. The cost is negligible.
     ///
     /// # Errors
     /// Returns an error if the new plane is invalid, or the index is not that of a plane; the scene is then
@@ -113,21 +112,21 @@ impl Scene {
         Ok(())
     }
 
-    /// The spheres, objects 0, 1, ...
+    /// Returns the spheres, objects 0, 1, ...
     pub fn spheres(&self) -> &[Sphere] {
         self.spheres.list()
     }
 
-    /// The index over the spheres; `None` where there are fewer than
-    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes it, in parallel, and
-    /// must not come from within parallel work: a thread that helps out while it waits would come
-    /// back here.
+    /// Returns the index over the spheres, or `None` if there are fewer than
+    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes the index, in
+    /// parallel, and must not come from within parallel work: a thread that takes other work while it
+    /// waits could call this function again.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         self.spheres.index()
     }
 
-    /// Returns the spheres that strictly contain a point, in ascending order, decided exactly. Of many
-    /// spheres, only those near the point are examined.
+    /// Returns the spheres that strictly contain a point, in ascending order, decided exactly. If an
+    /// index exists, only spheres near the point are examined.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
         let position = point.to_array();
         // Rounding keeps order: a rounded difference above `half` is of a true one above it.
@@ -138,9 +137,9 @@ impl Scene {
         around
     }
 
-    /// Returns the spheres that the ray's line comes near, in ascending order, and few others: nearer than
-    /// `share` times the sum of the coordinates of the ray's origin, of the way to the sphere, and of its
-    /// radius.
+    /// Returns the spheres near the ray's line, in ascending order, possibly with a few others. A sphere
+    /// is near if its distance from the line is less than `share` times the sum of the coordinates of
+    /// the ray's origin, of the vector to the sphere, and of the radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
         let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {
@@ -150,29 +149,29 @@ impl Scene {
         })
     }
 
-    /// Makes the index over many spheres, which the first query would make otherwise. Call it before
-    /// parallel work whose parts query the index, because a part that waits for the index would query it
-    /// again.
+    /// Makes the index over many spheres, which the first query would otherwise make. Call this function
+    /// before parallel work whose parts query the index: a thread that waits for the index could
+    /// otherwise start another part, and query the index again.
     pub fn make_index(&self) {
         let _ = self.index();
     }
 
-    /// The planes, the objects after the spheres.
+    /// Returns the planes, the objects after the spheres.
     pub fn planes(&self) -> &[Plane] {
         &self.planes
     }
 
-    /// Number of objects.
+    /// Returns the number of objects.
     pub fn len(&self) -> usize {
         self.spheres().len() + self.planes.len()
     }
 
-    /// Returns whether there is no object.
+    /// Returns whether the scene has no objects.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The object of this index, if there is one.
+    /// Returns the object of this index, or `None` if there is none.
     pub fn object(&self, index: u32) -> Option<Object> {
         let index = index as usize;
         match self.spheres().get(index) {
@@ -181,25 +180,26 @@ impl Scene {
         }
     }
 
-    /// All objects, spheres first.
+    /// Returns all objects, spheres first.
     pub fn objects(&self) -> impl Iterator<Item = Object> + '_ {
         let spheres = self.spheres().iter().copied().map(Object::Sphere);
         spheres.chain(self.planes.iter().copied().map(Object::Plane))
     }
 
-    /// Every root of every object along the ray's line, negative ones too, by ascending `t`; equal
-    /// `t` in the order of objects. A tangent's double root stands once. Order and ties are exact,
-    /// for the numbers as given; a ray that does not pass [`Ray::check`] has no roots.
+    /// Returns every root of every object along the ray's line, including negative ones, by ascending
+    /// `t`; roots at equal `t` are in the order of the objects. A tangent's double root is listed once.
+    /// Order and ties are exact for the numbers as given; a ray that does not pass [`Ray::check`] has no
+    /// roots.
     pub fn roots(&self, ray: &Ray) -> Vec<Root> {
         ExactRay::from_ray(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
     }
 
-    /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
+    /// Returns the [roots](Scene::roots) of an exact ray: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
         self.ranked_roots_of(ray).into_iter().map(|ranked| ranked.root).collect()
     }
 
-    /// [`Scene::roots_of`], each with its rank and its distance.
+    /// Returns the [roots](Scene::roots_of) of an exact ray, each with its rank and its distance.
     pub fn ranked_roots_of(&self, ray: &ExactRay) -> Vec<RankedRoot> {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
@@ -225,25 +225,26 @@ impl Scene {
         ranked
     }
 
-    /// The first hit: the root with the smallest `t > 0`; of equal ones, the object listed first.
-    /// Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
+    /// Returns the first hit: the root with the smallest `t > 0`; of equal ones, the object listed
+    /// first. Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
         self.first_hit_of(&ExactRay::from_ray(ray).ok()?)
     }
 
-    /// [`Scene::first_hit`] of a ray with all its digits: a camera's view ray, or any other.
+    /// Returns the [first hit](Scene::first_hit) of an exact ray: a camera's view ray, or any other.
     pub fn first_hit_of(&self, ray: &ExactRay) -> Option<Root> {
         self.first_hit_counting(ray, &mut Steps::default())
     }
 
-    /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
+    /// Returns the [first hit](Scene::first_hit_of) of an exact ray, and adds the decisions made to
+    /// `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
         let objects = ObjectsFromOrigin::for_one_ray(self, ray);
         Some(objects.first_hit(ray, steps)?.root(ray))
     }
 
-    /// The object that is hit first and its `t`: [`Scene::first_hit_of`] without point and normal. Adds
-    /// its decisions to `steps`, and the step that `t` took to `steps_of_t`.
+    /// Returns the object that is hit first and its `t`, without point and normal; `None` if nothing is
+    /// hit. Adds the decisions made to `steps`, and the step that `t` took to `steps_of_t`.
     pub fn first_t_counting(
         &self,
         ray: &ExactRay,
@@ -255,8 +256,9 @@ impl Scene {
         Some((index, object.rounded_t_counting(ray, root, steps_of_t)))
     }
 
-    /// Returns the spheres for which `may` is true, each given by the middle and the half extents of its
-    /// box, in ascending order. If `may` is true of a sphere, it must be true of any box around it.
+    /// Returns the spheres for which `may` is true, in ascending order. `may` is given the centre and
+    /// the half extents of a sphere's box; if it is true of a sphere, it must be true of any box around
+    /// it.
     fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         if let Some(index) = self.index() {
             return index.spheres_where(may);

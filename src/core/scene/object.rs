@@ -1,4 +1,4 @@
-//! An object of a scene, and the points at which a ray's line meets one: its roots.
+//! An object of a scene, and its roots: the points at which a ray's line meets it.
 
 use std::cmp::Ordering;
 
@@ -26,9 +26,9 @@ pub struct Root {
     pub object: u32,
     /// Position on the ray, in units of the direction's length; may be negative or 0.
     pub t: f64,
-    /// The point of the world.
+    /// The root's position in world coordinates.
     pub point: DVec3,
-    /// The outward unit normal there.
+    /// The outward unit normal at the root.
     pub normal: DVec3,
 }
 
@@ -37,24 +37,24 @@ pub struct Root {
 pub struct RankedRoot {
     /// The root.
     pub root: Root,
-    /// Counts the roots by ascending `t`, from 0 on; roots at exactly the same `t` share a rank. Two
-    /// different `t` may be equal when they are rounded, and their ranks are not.
+    /// The root's position in the order of ascending `t`, counted from 0; roots at exactly the same `t`
+    /// share a rank. Roots at different `t` have different ranks, even if the rounded `t` are equal.
     pub rank: u32,
-    /// `t |d|`, rounded once: how far from the ray's origin the point is, in world units; negative
-    /// behind it.
+    /// `t |d|`, rounded once: the distance of the root from the ray's origin, in world units; negative
+    /// behind the origin.
     pub distance: f64,
 }
 
-/// The roots of a ray's line with one object, and the side of it that the origin is on.
+/// The roots of a ray's line with one object, and the side of the object on which the origin lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LineRoots {
-    /// The sign of the object's implicit function at the ray's origin: inside a sphere it is less than
-    /// 0, on a plane's or sphere's surface equal to it.
+    /// The sign of the object's implicit function at the ray's origin: `Less` inside a sphere, `Equal`
+    /// on the surface of a sphere or plane.
     pub side: Ordering,
-    /// The points at which the line meets the object, by ascending `t`. A tangent stands once.
+    /// The points at which the line meets the object, by ascending `t`. A tangent's root is listed once.
     pub roots: [Option<Root>; 2],
-    /// The hit: index in `roots` of the smallest `t > 0`.
+    /// The hit: the index in `roots` of the smallest `t > 0`, or `None` if there is none.
     pub first: Option<usize>,
 }
 
@@ -70,7 +70,8 @@ impl Object {
         }
     }
 
-    /// The implicit function, see [`Sphere::implicit`] and [`Plane::implicit`].
+    /// Returns the object's implicit function at a point, see [`Sphere::implicit`] and
+    /// [`Plane::implicit`].
     pub fn implicit(&self, q: DVec3) -> f64 {
         match self {
             Object::Sphere(sphere) => sphere.implicit(q),
@@ -79,9 +80,9 @@ impl Object {
     }
 }
 
-/// The roots of a ray's line and a surface, ascending. A `t` beyond the range of `f64` (a direction of
-/// 1e-300 and a sphere at 1e10) is infinite, with its sign; one too small for it is the smallest
-/// number there is, with its sign.
+/// The roots of a ray's line with a surface, in ascending order. A `t` too large for `f64` (a direction
+/// of 1e-300 and a sphere at 1e10) is infinite, with its sign; one too small is the smallest positive
+/// `f64`, with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
     /// The line misses the surface.
@@ -93,7 +94,7 @@ pub enum Roots {
 }
 
 impl Roots {
-    /// The roots in ascending order.
+    /// Returns the roots in ascending order.
     pub fn iter(self) -> impl Iterator<Item = f64> {
         let (first, second) = match self {
             Roots::None => (None, None),
@@ -103,7 +104,7 @@ impl Roots {
         first.into_iter().chain(second)
     }
 
-    /// The smallest root greater than 0.
+    /// Returns the smallest root greater than 0, or `None` if there is none.
     pub fn first_positive(self) -> Option<f64> {
         self.iter().find(|t| *t > 0.0)
     }

@@ -39,7 +39,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// The step that decided on which side of the object the origin is.
+    /// Returns the step that decided on which side of the object the origin is.
     pub(crate) fn side_step(&self) -> Step {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.side_step,
@@ -47,7 +47,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// The first hit's place, if the ray hits the object at all.
+    /// Returns where the ray first hits the object, or `None` if it does not.
     pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.first_root(ray, steps),
@@ -81,17 +81,18 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// `t` there, with more digits than `f64` has.
+    /// Returns `t` at a root, with more digits than `f64` has.
     pub(crate) fn t(&self, ray: &ExactRay, root: RootSide) -> Precise {
         self.t_within(ray, root, T_DOUBT)
     }
 
-    /// `t` there, rounded to `f64`, as it is reported.
+    /// Returns `t` at a root, rounded to `f64`, as it is reported.
     pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
         self.rounded_t_counting(ray, root, &mut Steps::default())
     }
 
-    /// [`ObjectFromOrigin::rounded_t`], counted by the step that it took.
+    /// Returns the [rounded `t`](ObjectFromOrigin::rounded_t) at a root, and counts the step that
+    /// computed it.
     pub(crate) fn rounded_t_counting(
         &self,
         ray: &ExactRay,
@@ -118,7 +119,7 @@ impl ObjectFromOrigin {
         rounded([low, high], |middle| big.compare_t(&root, middle))
     }
 
-    /// `t` there, with a relative error of at most `doubt`.
+    /// Returns `t` at a root, with a relative error of at most `doubt`.
     pub(crate) fn t_within(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, doubt).0,
@@ -126,7 +127,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// `t` in `f64` and how far it may be off, as a share; `None` where it is out of range.
+    /// Returns `t` at a root in `f64` and its relative error; `None` where it is out of range.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
             ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
@@ -136,7 +137,7 @@ impl ObjectFromOrigin {
         (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
     }
 
-    /// Every `t`, ascending.
+    /// Returns every `t`, in ascending order.
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
         match self.root_sides(ray, &mut Steps::default()) {
             [] => Roots::None,
@@ -152,7 +153,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns whether both are the same object given twice, which every ray meets at the same `t`.
+    /// Returns whether two objects are the same one given twice, which every ray meets at the same `t`.
     pub(crate) fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
             (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
@@ -165,11 +166,11 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// The root with its point and normal.
+    /// Returns the root with its point and normal.
     ///
-    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
-    /// direction has no part of a coordinate, that is the origin's; where the terms cancel but for the
-    /// rounding of t, it is 0.
+    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where a
+    /// coordinate of the direction is 0, the point has the origin's coordinate; where the terms cancel
+    /// up to the rounding of t, the coordinate is 0.
     pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
         let t = self.t(ray, root);
         let (point, normal) = match self {
@@ -191,7 +192,7 @@ impl ObjectFromOrigin {
     }
 }
 
-/// `origin + t direction`, each coordinate rounded once.
+/// Returns `origin + t direction`, each coordinate rounded once.
 fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
     let coordinate = |i: usize| {
         // A given coordinate has its own scale, in which it loses no digit.
@@ -216,7 +217,7 @@ fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
     DVec3::from_array(std::array::from_fn(coordinate))
 }
 
-/// `n / |n|`, each coordinate rounded once.
+/// Returns `n / |n|`, each coordinate rounded once.
 pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
     let (normal, _) = split(normal);
     let normal = normal.to_array().map(DoubleDouble::from);
@@ -224,7 +225,7 @@ pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
     DVec3::from_array(normal.map(|x| (x / length).hi))
 }
 
-/// One object's hit among others.
+/// The hit of a ray with one object, to be compared with others.
 #[derive(Clone, Debug)]
 pub(crate) struct Hit<'a> {
     pub(crate) index: u32,
@@ -233,13 +234,13 @@ pub(crate) struct Hit<'a> {
 }
 
 impl Hit<'_> {
-    /// Returns whether this hit comes before the other one, which is of an object listed earlier:
-    /// exactly, so that of a tie the earlier one is first.
+    /// Returns whether this hit comes strictly before `other`, the hit of an object listed earlier. The
+    /// comparison is exact, and in a tie the earlier object wins.
     pub(crate) fn is_before(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.compare(other, ray, steps) == Ordering::Less
     }
 
-    /// Compares two `t`.
+    /// Compares the `t` of two hits.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let rough = (self.object.rough_t(ray, self.root), other.object.rough_t(ray, other.root));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {
@@ -268,7 +269,7 @@ impl Hit<'_> {
         self.object.root(self.index, ray, self.root)
     }
 
-    /// `t |d|`, rounded once.
+    /// Returns `t |d|`, rounded once.
     pub(crate) fn distance(&self, ray: &ExactRay) -> f64 {
         let t = self.object.t(ray, self.root);
         let length = dot(ray.fine.d, ray.fine.d).square_root() / DoubleDouble::from(ray.stretch);
@@ -284,19 +285,19 @@ impl Hit<'_> {
 }
 
 impl Sphere {
-    /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given;
-    /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
-    /// [`Sphere::check`]. Each `t` is the exact one, rounded.
+    /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given. Each `t`
+    /// is the exact one, rounded. A ray that does not pass [`Ray::check`], or a sphere that does not
+    /// pass [`Sphere::check`], has no roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Sphere(*self).roots(ray)
     }
 }
 
 impl Plane {
-    /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: once,
-    /// or not at all if it is parallel (even inside the plane); nowhere for a ray that does not
-    /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is the exact one,
-    /// rounded.
+    /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: at one `t`,
+    /// which is the exact one, rounded, or nowhere if the line is parallel (even inside the plane). A
+    /// ray that does not pass [`Ray::check`], or a plane that does not pass [`Plane::check`], has no
+    /// roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Plane(*self).roots(ray)
     }
@@ -308,7 +309,7 @@ impl Object {
         ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
-    /// [`Object::roots`] of a ray with all its digits.
+    /// Finds where the line of an exact ray meets the object, see [`Object::roots`].
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
         if self.check().is_err() {
             return Roots::None;
@@ -316,8 +317,8 @@ impl Object {
         ObjectFromOrigin::new(self, ray.origin()).roots(ray)
     }
 
-    /// The first hit of the ray with this object alone, which is given `index`; none of an object
-    /// that does not pass [`Object::check`].
+    /// Returns the first hit of the ray with this object alone, which is given `index`; `None` if the
+    /// ray misses it or the object does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
         self.check().ok()?;
         let seen = ObjectFromOrigin::new(self, ray.origin());
@@ -325,7 +326,8 @@ impl Object {
         Some(seen.root(index, ray, root))
     }
 
-    /// The roots of the ray's line with the object, which is given `index` in them; decided exactly.
+    /// Returns the roots of the ray's line with the object, which is given `index` in them; decided
+    /// exactly.
     ///
     /// # Errors
     /// Returns an error if the object is invalid, see [`Object::check`].

@@ -13,25 +13,25 @@ use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// A scene's objects as the rays of one origin see them: each made when it is asked for, or, for
-/// many rays, once.
+/// A scene's objects as the rays of one origin see them. Each object is prepared when it is needed or,
+/// if there are many rays, once in advance.
 pub(crate) struct ObjectsFromOrigin<'a> {
     scene: &'a Scene,
     origin: DVec3,
-    /// The first objects, as many as are made once.
+    /// The objects prepared in advance: the first ones of the scene.
     made: Vec<ObjectFromOrigin>,
 }
 
-/// Maximum number of objects that are made once: some megabytes.
+/// Maximum number of objects prepared in advance; they take some megabytes.
 const MOST_MADE: usize = 10_000;
 
 impl<'a> ObjectsFromOrigin<'a> {
-    /// The objects as one ray sees them.
+    /// Returns the objects as one ray sees them.
     pub(crate) fn for_one_ray(scene: &'a Scene, ray: &ExactRay) -> ObjectsFromOrigin<'a> {
         ObjectsFromOrigin { scene, origin: ray.origin(), made: Vec::new() }
     }
 
-    /// The objects as many rays from here see them.
+    /// Returns the objects as many rays from one origin see them.
     pub(crate) fn for_many_rays(scene: &'a Scene, origin: DVec3) -> ObjectsFromOrigin<'a> {
         let indices = 0..scene.len().min(MOST_MADE) as u32;
         let objects = indices.filter_map(|index| scene.object(index));
@@ -39,12 +39,12 @@ impl<'a> ObjectsFromOrigin<'a> {
         ObjectsFromOrigin { scene, origin, made }
     }
 
-    /// The objects themselves.
+    /// Returns the scene.
     pub(crate) fn scene(&self) -> &'a Scene {
         self.scene
     }
 
-    /// The object of this index.
+    /// Returns the object of this index, or `None` if there is none.
     pub(crate) fn get(&self, index: u32) -> Option<Cow<'_, ObjectFromOrigin>> {
         if let Some(made) = self.made.get(index as usize) {
             return Some(Cow::Borrowed(made));
@@ -53,8 +53,8 @@ impl<'a> ObjectsFromOrigin<'a> {
         Some(Cow::Owned(ObjectFromOrigin::new(&object, self.origin)))
     }
 
-    /// The hit with the smallest `t > 0`; of equal ones, that of the object listed first. Adds the
-    /// decisions to `steps`.
+    /// Finds the hit with the smallest `t > 0`; of equal ones, that of the object listed first. Adds the
+    /// decisions made to `steps`. Returns `None` if nothing is hit.
     pub(crate) fn first_hit(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Hit<'_>> {
         let scene = self.scene;
         let mut first: Option<Hit> = None;
@@ -90,13 +90,14 @@ impl<'a> ObjectsFromOrigin<'a> {
     }
 }
 
-/// The whole line of a ray, roughly.
+/// A ray's line in `f64`, infinite in both directions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     origin: [f64; 3],
-    /// A direction of any length that is neither near 0 nor near infinity.
+    /// The direction, scaled to a length near neither 0 nor infinity.
     direction: Vector<f64>,
-    /// Error bound of a cross product with the direction, as a share of the other's size.
+    /// Error bound of a cross product of the direction and another vector, relative to the size of the
+    /// other.
     doubt: f64,
 }
 
@@ -107,7 +108,7 @@ impl Line {
         Line { origin: ray.origin().to_array(), direction: rough.d, doubt }
     }
 
-    /// Returns whether the line may meet the box `middle +- half`. Of one that it does meet, always.
+    /// Returns whether the line may meet the box `middle +- half`; always true if it does.
     ///
     /// With q from the line's origin to the middle, the box seen along the line is a hexagon whose
     /// sides have the normals `e_i x d`. It lies to one side of the line where, on one of them,
@@ -116,10 +117,10 @@ impl Line {
     /// |(q x d)_i| > h_j |d_k| + h_k |d_j|
     /// ```
     ///
-    /// Either side is off by less than 16 u of `|d| (|q|_1 + |h|_1)`, for two products and a sum, and
-    /// q rounded once; and by as much of it as d is in doubt. [`Line::DOUBT`] is far more than 16 u,
-    /// as boxes that are nearly met cost no more than those that are. What underflows is below the
-    /// smallest normal number; what overflows decides nothing.
+    /// Each side is off by less than 16 u of `|d| (|q|_1 + |h|_1)`, for two products and a sum, and q
+    /// rounded once; and by the relative error of d. [`Line::DOUBT`] is far more than 16 u, because a
+    /// box that is nearly met costs no more than one that is met. What underflows is below the smallest
+    /// normal number; an overflow decides nothing.
     pub(crate) fn may_meet(&self, middle: [f64; 3], half: [f64; 3]) -> bool {
         let d = self.direction;
         let q: [f64; 3] = std::array::from_fn(|i| middle[i] - self.origin[i]);
@@ -133,6 +134,6 @@ impl Line {
         !(0..3).any(is_beside)
     }
 
-    /// Share of `|d| (|q|_1 + |h|_1)` by which a box may be off and still be taken for met.
+    /// Error, relative to `|d| (|q|_1 + |h|_1)`, within which a box counts as met.
     const DOUBT: f64 = 1e-12;
 }

@@ -10,16 +10,17 @@ use crate::scene::error::ObjectError;
 pub struct Plane {
     /// Any point of the plane.
     pub point: DVec3,
-    /// Any non-zero vector at right angles to it.
+    /// Any non-zero vector at right angles to the plane.
     pub normal: DVec3,
 }
 
 /// The parts of a ray-plane intersection: `t = offset / rate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneTerms {
-    /// `normal . d`: how fast the ray nears the plane; 0 where it is parallel.
+    /// `normal . d`, the rate at which the ray approaches the plane; 0 if the ray is parallel.
     pub rate: f64,
-    /// `normal . (point - p)`: how far there is to go.
+    /// `normal . (point - p)`, the distance from the ray's origin p to the plane, in lengths of the
+    /// normal.
     pub offset: f64,
 }
 
@@ -29,8 +30,8 @@ impl PlaneTerms {
 }
 
 impl Plane {
-    /// A checked plane through a point, at right angles to a normal of any length, from whatever
-    /// makes a [`DVec3`].
+    /// Makes a checked plane through a point, at right angles to a normal of any length. The arguments
+    /// may be of any type that converts into [`DVec3`].
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the normal is zero.

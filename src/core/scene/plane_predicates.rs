@@ -17,24 +17,24 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
-/// The numbers that the rays of one origin share of a plane: `t = offset / (normal . direction)`.
+/// The numbers of a plane that all rays of one origin share: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneFromOrigin {
     plane: Plane,
     origin: DVec3,
-    /// The normal in units of `2^normal_scale`, which loses nothing that counts.
+    /// The normal in units of `2^normal_scale`; what the scaling may lose is negligible.
     pub(crate) normal: Vector<f64>,
     pub(crate) normal_length: f64,
     normal_scale: i32,
     /// `normal . (point - origin)` in units of `2^scale`.
     pub(crate) offset: DoubleDouble,
-    /// The offset as a share of the normal's length times that of `point - origin`, rounded.
+    /// `offset / (|normal| |point - origin|)`, rounded.
     pub(crate) offset_share: f64,
     /// Relative error of the offset.
     offset_doubt: f64,
-    /// 0 but for extreme distances.
+    /// The power of two of the offset's unit; 0 except at extreme distances.
     pub(crate) scale: i32,
-    /// The side on which the plane is: the exact sign of the offset.
+    /// The side of the origin on which the plane lies: the exact sign of the offset.
     pub(crate) side: Ordering,
     pub(crate) side_step: Step,
 }
@@ -63,7 +63,7 @@ impl<T: Number> Rate<T> {
 }
 
 impl PlaneFromOrigin {
-    /// Bounds of [`PlaneFromOrigin::offset_share`]'s error, in `f64` and in double-double.
+    /// Bounds of the error of [`PlaneFromOrigin::offset_share`], in `f64` and in double-double.
     pub(crate) const SIDE_SHARES: [f64; 2] = [8.0 * UNIT, 1.05 * DoubleDouble::DOT];
 
     pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneFromOrigin {
@@ -94,7 +94,7 @@ impl PlaneFromOrigin {
         if seen.offset.hi.abs() <= rough * reach {
             seen.side_step = Step::DoubleDouble;
         }
-        /// The share of error beyond which t would lose digits for the offset's sake.
+        /// The relative error above which the offset would cost t digits.
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
         if !is_sure {
@@ -103,7 +103,7 @@ impl PlaneFromOrigin {
         seen
     }
 
-    /// The offset from the exact number, where double-double loses its digits.
+    /// Recomputes the offset from the exact number, where double-double loses its digits.
     fn set_exact(&mut self) {
         let exact = big_offset(&self.plane, self.origin);
         self.side = exact.sign();
@@ -118,7 +118,7 @@ impl PlaneFromOrigin {
         self.offset_doubt = 2.0 * U2;
     }
 
-    /// The exact sign of `normal . direction`.
+    /// Returns the exact sign of `normal . direction`.
     fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let rough = self.rough_rate(&ray.rough);
         if let Some(sign) = rough.sign() {
@@ -142,7 +142,7 @@ impl PlaneFromOrigin {
         Rate::new(&self.normal, self.normal_length, &ray.fine)
     }
 
-    /// Returns whether the line meets the plane: it is not parallel to it.
+    /// Returns whether the line meets the plane, that is, whether it is not parallel to it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) != Ordering::Equal
     }
@@ -152,8 +152,8 @@ impl PlaneFromOrigin {
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
 
-    /// `t` of a line that is not parallel, with a relative error of at most `doubt`, and the step
-    /// that it took.
+    /// Returns `t` of a line that is not parallel to the plane, with a relative error of at most
+    /// `doubt`, and the step that computed it.
     pub(crate) fn t(&self, ray: &ExactRay, doubt: f64) -> (Precise, Step) {
         if self.side == Ordering::Equal {
             return (Precise::ZERO, Step::DoubleDouble);
@@ -172,7 +172,8 @@ impl PlaneFromOrigin {
         (ray.big().t(&self.big_root(ray)), Step::Exact)
     }
 
-    /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.
+    /// Returns `t` in `f64` and its relative error, in units of `2^(scale - scale of the ray) /
+    /// stretch`.
     pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
         let rate = self.rough_rate(direction);
         rate.sign()?;
@@ -180,12 +181,12 @@ impl PlaneFromOrigin {
         (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
     }
 
-    /// The root in exact numbers.
+    /// Returns the root in exact numbers.
     pub(crate) fn big_root(&self, ray: &ExactRay) -> BigRoot {
         ray.big().plane_root(&self.plane)
     }
 
-    /// `normal . direction`, rounded, with its exact sign, in the units of the inputs.
+    /// Returns `normal . direction`, rounded, with its exact sign, in the units of the inputs.
     pub(crate) fn rate_given(&self, ray: &ExactRay) -> f64 {
         let rate = (self.fine_rate(ray).value / DoubleDouble::from(ray.stretch)).hi.abs();
         let rate = ldexp(rate, self.normal_scale + ray.scale).max(f64::MIN_POSITIVE);
@@ -196,36 +197,37 @@ impl PlaneFromOrigin {
         }
     }
 
-    /// `normal . (point - origin)`, rounded, in the units of the inputs.
+    /// Returns `normal . (point - origin)`, rounded, in the units of the inputs.
     pub(crate) fn offset_given(&self) -> f64 {
         ldexp(self.offset.hi, self.scale + self.normal_scale)
     }
 
-    /// The normal's scale, see [`PlaneFromOrigin::normal`].
+    /// Returns the normal's scale, see [`PlaneFromOrigin::normal`].
     pub(crate) fn normal_scale(&self) -> i32 {
         self.normal_scale
     }
 
-    /// Relative error of the offset.
+    /// Returns the relative error of the offset.
     pub(crate) fn offset_doubt(&self) -> f64 {
         self.offset_doubt
     }
 
-    /// The plane itself.
+    /// Returns the plane as given.
     pub(crate) fn plane(&self) -> &Plane {
         &self.plane
     }
 
-    /// The origin that it is seen from.
+    /// Returns the origin from which the plane is seen.
     pub(crate) fn origin(&self) -> DVec3 {
         self.origin
     }
 }
 
 impl Plane {
-    /// The implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
-    /// that the normal points to, both exactly. In world units times the normal's length; infinite
-    /// where it overflows, NaN where a number is not finite or the normal is zero.
+    /// Returns the implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
+    /// that the normal points to; its sign is exact. The unit is the world's, times the normal's length.
+    /// The value is infinite where it overflows, and NaN where a number is not finite or the normal is
+    /// zero.
     pub fn implicit(&self, q: DVec3) -> f64 {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;
@@ -234,8 +236,8 @@ impl Plane {
         0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
-    /// The intersection's parts for the readouts, each rounded once from more digits. They may overflow or
-    /// underflow where `t` does not; for an invalid plane, they are NaN.
+    /// Returns the intersection's parts for display, each rounded once from more digits. They may
+    /// overflow or underflow where `t` does not; for an invalid plane, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
         if self.check().is_err() {
             return PlaneTerms::NONE;
@@ -244,8 +246,8 @@ impl Plane {
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
-    /// Returns whether both are the same set of points, exactly: the normals are parallel, and each
-    /// plane's point lies in the other. What does not pass [`Plane::check`] is no set of points.
+    /// Returns whether two planes are the same set of points, exactly: the normals are parallel, and
+    /// each plane's point lies in the other plane. False if either plane does not pass [`Plane::check`].
     pub fn is_same(&self, other: &Plane) -> bool {
         if self.check().is_err() || other.check().is_err() {
             return false;
@@ -292,7 +294,8 @@ impl PlaneOrder {
         PlaneOrder { e, length: length(e) }
     }
 
-    /// Compares the `t` of a ray that hits both planes; `None` in doubt.
+    /// Compares the `t` of a ray that hits both planes; returns `None` if rounding could change the
+    /// order.
     pub(crate) fn compare(&self, direction: &DirectionTerms<f64>) -> Option<Ordering> {
         // A coordinate so small compared with the largest one that it is rounded to 0 is within the bound.
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);

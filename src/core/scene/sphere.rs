@@ -14,7 +14,7 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// The quadratic that a ray makes of a sphere's equation, `a t^2 + 2 b t + c = 0`, with
+/// The quadratic `a t^2 + 2 b t + c = 0` that a ray makes of a sphere's equation, with
 ///
 /// ```text
 /// a = d.d     b = d.(p - center)     c = |p - center|^2 - r^2     D = b^2 - a c
@@ -30,8 +30,8 @@ pub struct SphereQuadratic {
     pub b: f64,
     /// `|p - center|^2 - r^2`: negative inside the sphere, 0 on it.
     pub c: f64,
-    /// `b^2 - a c`; from farther out than `sqrt(2) r` computed as `r^2 a - |(p - center) x d|^2`,
-    /// which is equal (Lagrange's identity). Negative, 0 or positive exactly where it is.
+    /// `b^2 - a c`, with its exact sign. From farther away than `sqrt(2) r` it is computed as `r^2 a -
+    /// |(p - center) x d|^2`, which is equal (Lagrange's identity).
     pub discriminant: f64,
 }
 
@@ -42,7 +42,7 @@ impl SphereQuadratic {
 }
 
 impl Sphere {
-    /// A checked sphere, from whatever makes a [`DVec3`].
+    /// Makes a checked sphere. The centre may be of any type that converts into [`DVec3`].
     ///
     /// # Errors
     /// Returns an error if the centre is not finite or the radius not positive and finite.
