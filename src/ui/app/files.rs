@@ -210,8 +210,7 @@ impl ScreenContents<'_> {
     pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
         let subjects =
             [FigureSubject::World, FigureSubject::Camera].map(|subject| self.on_screen(subject));
-        let style = if self.is_dark() { Style::Dark } else { Style::Light };
-        let form = ExportForm::new(self.scene.open.file(), subjects.to_vec(), style);
+        let form = ExportForm::new(self.scene.open.file(), subjects.to_vec(), self.style());
         Dialog::Export(form.animated(kind))
     }
 

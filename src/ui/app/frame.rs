@@ -39,10 +39,8 @@ impl App {
         let mut edited = Edited { document: &mut open.document, session, chosen_object };
         self.dragging.take(&ctx, &mut edited, &self.views.derived, self.over.covers());
         self.window_inputs(&ctx, &mut actions);
-        let inspection = self.views.derived.inspection.as_deref();
-        self.playback.go_on(ui, &mut self.scene, &mut self.history, inspection, &mut actions);
-        let start = self.scene.pass_start();
-        self.panels(ui, &mut actions);
+        let mut start = self.scene.pass_start();
+        self.panels(ui, &mut start, &mut actions);
         // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
         CentralPanel::default().show(ui, |ui| {
@@ -169,7 +167,7 @@ impl App {
     }
 
     /// Draws everything around the views, from the top.
-    fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+    fn panels(&mut self, ui: &mut Ui, start: &mut PassStart, actions: &mut Vec<Action>) {
         let there = self.available();
         let scene = &mut self.scene;
         self.over.ui(ui.ctx(), scene, &self.window.recent, there, actions);
@@ -185,6 +183,11 @@ impl App {
         }
         let differs_from_step = scene.differs_from_step();
         scene.lesson_strip(ui, differs_from_step, actions);
+        let inspection = self.views.derived.inspection.as_deref();
+        self.playback.go_on(ui, scene, &mut self.history, inspection, actions);
+        // Nothing above shows what an animation moves.
+        start.session.ray_point_t = scene.session.ray_point_t;
+        start.session.scanned_pixels = scene.session.scanned_pixels;
         let hidden = presenting || scene.session.settings.hides_panel;
         if !hidden && self.page().has_panel {
             let panel =

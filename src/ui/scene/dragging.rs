@@ -150,7 +150,9 @@ impl Dragging {
             (Some(drag @ Drag { grabbed: Grabbed::Handle(_), .. }), Some((view, _)), _) => {
                 self.hold(ctx, drag, Some(view), edited);
             }
-            (Some(drag), _, Some(_)) => self.hold(ctx, drag, None, edited),
+            (Some(drag @ Drag { grabbed: Grabbed::Look | Grabbed::Orbit, .. }), _, Some(_)) => {
+                self.hold(ctx, drag, None, edited);
+            }
             (Some(_), ..) => self.let_go(edited.session),
             (None, world, camera) => {
                 if let Some((view, _)) = world {
@@ -274,7 +276,7 @@ impl Dragging {
         let (at, length, toward) = (before.camera.eye, 1.0, DVec3::X);
         session.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
         session.handles.is_busy = true;
-        self.recent = None;
+        (self.recent, self.refused) = (None, None);
     }
 
     /// Returns where a point of the screen lies in the camera's viewport.

@@ -62,7 +62,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
 /// Shows, in the row above the blocks, how often the renderer decided between hit and miss for the picture,
 /// and what it left out.
 pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
-    if derived.resolved.is_none() {
+    if derived.fault.is_some() {
         return;
     }
     for (text, meaning) in
@@ -90,8 +90,7 @@ pub(crate) fn steps(steps: Steps) -> String {
 
 /// Explains the text about what the renderer left out.
 const LEFT_OUT: &str = "The renderer skips spheres that are behind the eye, outside the picture or too \
-                        small to reach a pixel, and rows that no object reaches. It also skips a \
-                        sphere wherever nearer ones hide it";
+                        small to reach a pixel, and rows that no object reaches";
 
 /// Returns the text about what the renderer left out of the camera's picture.
 fn left_out(counts: Counts) -> String {

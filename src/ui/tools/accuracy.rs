@@ -168,7 +168,7 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if !cfg!(feature = "report") {
         ui.label("Nothing is measured: this build has no feature `report`");
     } else if derived.fault.is_some() {
-        ui.weak("Nothing is measured while the camera is invalid: these are the last valid camera's numbers");
+        ui.weak("Nothing is measured while the scene has an error: these are the last valid scene's numbers");
     } else if let Some(why) = derived.too_many {
         ui.label(format!("Nothing is measured: {why}"));
     } else if let Some(share) = measuring.share() {
