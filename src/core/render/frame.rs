@@ -1,5 +1,5 @@
-//! A picture: the first hit of every pixel's view ray, in buffers that bands of rows fill side by side;
-//! the number in which it keeps `t`; and the counts of what it left out.
+//! Frames: the first hit of every pixel's view ray, in buffers that bands of rows fill in parallel; the
+//! floating-point types that can hold `t`; and counts of the work that was left out.
 
 use std::ops::{Add, AddAssign, Range};
 
@@ -11,7 +11,7 @@ use crate::camera::viewport::{ImageSize, Pixel};
 use crate::exact::steps::Steps;
 use crate::scene::Scene;
 
-/// [`Frame::object`] where the ray hits nothing.
+/// The value of [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
 
 /// Rows and columns of the image to trace, ascending. A screen smaller than the image shows
@@ -27,21 +27,21 @@ pub struct Raster {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Outputs {
-    /// `t` of the first hit.
+    /// True to keep `t` of the first hit.
     pub t: bool,
-    /// The object's index.
+    /// True to keep the index of the object hit.
     pub object: bool,
-    /// The outward unit normal there.
+    /// True to keep the outward unit normal at the hit.
     pub normal: bool,
 }
 
 impl Outputs {
-    /// Only steps and counts: for a picture of which only the colours are needed.
+    /// Keeps no output, only steps and counts: for a picture of which only the colours are needed.
     pub const NONE: Outputs = Outputs { t: false, object: false, normal: false };
 }
 
 impl Default for Outputs {
-    /// `t` and object.
+    /// Keeps `t` and the object.
     fn default() -> Outputs {
         Outputs { t: true, object: true, normal: false }
     }
@@ -49,28 +49,29 @@ impl Default for Outputs {
 
 /// The traced pixels, row by row, with the camera and raster that they belong to.
 ///
-/// T is what `t` is kept in, `f64` or `f32`. Which pixels are hit, and which object is first, is the
-/// same for both: exact.
+/// T is the type in which `t` is kept, `f64` or `f32`. The type does not affect which pixels are hit and
+/// which object is first: these decisions are exact.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Frame<T = f64> {
     pub(crate) camera: ResolvedCamera,
     pub(crate) raster: Raster,
-    /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is beyond
-    /// the range of T); empty unless requested.
+    /// `t` of the first hit, rounded; infinite where nothing is hit, or where `t` is beyond the range of
+    /// T; empty unless requested.
     pub t: Vec<T>,
     /// Index of the object hit, or [`NO_OBJECT`]; empty unless requested.
     pub object: Vec<u32>,
     /// Outward unit normals, zero where nothing is hit; empty unless requested.
     pub normal: Vec<DVec3>,
-    /// Number of decisions that each step of the ladder made. Each pixel that is asked of an object
-    /// is one; a pixel that is decided by itself may make several: whether it is met, and ahead,
-    /// and first.
+    /// Number of decisions that each step of the ladder made. Testing a pixel against an object is one
+    /// decision; a pixel that goes up the ladder by itself may take several: whether the object is hit,
+    /// whether the hit is in front of the eye, and whether it is first.
     pub steps: Steps,
     /// Counts of the work that was left out, and of the work that remained.
     pub counts: Counts,
-    /// Number of [`Frame::t`] in `f64` that each step of the ladder found: more digits than `f64` has are
-    /// needed to round one right, so none is found in `f64`. In `f32`, `t` comes with the decision.
+    /// Number of values of [`Frame::t`] in `f64` that each step of the ladder found. Rounding one
+    /// correctly takes more digits than `f64` has, so the `f64` step finds none. In `f32`, `t` comes
+    /// with the decision.
     pub steps_of_t: Steps,
 }
 
@@ -80,20 +81,20 @@ pub struct Frame<T = f64> {
 pub struct FramePixel<T = f64> {
     /// The pixel of the image.
     pub pixel: Pixel,
-    /// `t` of the first hit; infinite where there is none.
+    /// `t` of the first hit; infinite if nothing is hit.
     pub t: T,
-    /// The object hit.
+    /// The object hit; `None` if nothing is hit.
     pub object: Option<u32>,
 }
 
 impl Raster {
-    /// Every pixel of the image.
+    /// Returns the raster of all pixels of the image.
     pub fn full(image: ImageSize) -> Raster {
         Raster { rows: (0..image.height()).collect(), columns: (0..image.width()).collect() }
     }
 
-    /// The pixels that a nearest-neighbour display of `rows` x `columns` dots shows of the image;
-    /// at most every pixel once.
+    /// Returns the pixels of the image that a nearest-neighbour display of `rows` x `columns` dots
+    /// shows, each at most once.
     pub fn shown_on(image: ImageSize, columns: u32, rows: u32) -> Raster {
         Raster {
             rows: shown(image.height(), rows.max(1)),
@@ -101,35 +102,35 @@ impl Raster {
         }
     }
 
-    /// The pixels of these rows and columns, which the image has.
+    /// Returns the pixels of these rows and columns, all of which must lie in the image.
     pub fn part(rows: std::ops::Range<u32>, columns: std::ops::Range<u32>) -> Raster {
         Raster { rows: rows.collect(), columns: columns.collect() }
     }
 
-    /// These rows and columns, ascending.
+    /// Returns the raster of these rows and columns, which must be ascending.
     pub fn from_cells(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
         Raster { rows, columns }
     }
 
-    /// The rows traced, ascending.
+    /// Returns the traced rows, ascending.
     pub fn rows(&self) -> &[u32] {
         &self.rows
     }
 
-    /// The columns traced, ascending.
+    /// Returns the traced columns, ascending.
     pub fn columns(&self) -> &[u32] {
         &self.columns
     }
 
-    /// Returns, for each row of the image, the position among [`Raster::rows`] of the nearest one, and
-    /// likewise for columns; of two equally near ones the first.
+    /// Returns, for each row of the image, the position of the nearest traced row in [`Raster::rows`],
+    /// and likewise for columns. Of two equally near rows or columns, the first is taken.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
         let indices = |traced, count| (0..count).map(|own| nearest(traced, own)).collect();
         [indices(&self.rows, image.height()), indices(&self.columns, image.width())]
     }
 
-    /// The position among the raster's pixels, row by row, of the one in the nearest row and column, as
-    /// [`Raster::nearest`] has it for all; `None` where no pixel is traced.
+    /// Returns the position, row by row, of the raster's pixel in the nearest row and column, chosen as
+    /// in [`Raster::nearest`]; `None` if no pixel is traced.
     pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
         (!self.is_empty()).then(|| {
             let row = nearest(&self.rows, pixel.row);
@@ -137,9 +138,9 @@ impl Raster {
         })
     }
 
-    /// Values of the raster's pixels for every pixel of the image: one that was left out gets the value
-    /// of the nearest row and column ([`Raster::nearest`]). None where there are none, or not as many
-    /// as pixels.
+    /// Returns the raster's values for every pixel of the image. A pixel that was not traced gets the
+    /// value of the nearest row and column ([`Raster::nearest`]). Returns an empty vector if no pixel is
+    /// traced, or if there is not one value for each pixel of the raster.
     pub fn spread<V: Copy>(&self, image: ImageSize, values: &[V]) -> Vec<V> {
         if self.is_empty() || values.len() != self.len() {
             return Vec::new();
@@ -149,7 +150,7 @@ impl Raster {
         rows.iter().flat_map(|row| columns.iter().map(|column| of_row(row)[*column])).collect()
     }
 
-    /// Number of pixels that are traced.
+    /// Returns the number of pixels that are traced.
     pub fn len(&self) -> usize {
         self.rows.len() * self.columns.len()
     }
@@ -160,7 +161,7 @@ impl Raster {
     }
 }
 
-/// The cells of `count` at the centres of `dots` dots across them.
+/// Returns the cells, out of `count`, that lie at the centres of `dots` dots across all cells.
 fn shown(count: u32, dots: u32) -> Vec<u32> {
     if dots >= count {
         return (0..count).collect();
@@ -169,7 +170,7 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
-/// Position of the nearest traced row or column; of two equally near ones the first.
+/// Returns the position of the nearest traced row or column; of two equally near ones, the first.
 fn nearest(traced: &[u32], own: u32) -> usize {
     let after = traced.partition_point(|x| *x < own);
     let before = after.saturating_sub(1);
@@ -178,19 +179,20 @@ fn nearest(traced: &[u32], own: u32) -> usize {
 }
 
 impl<T: Copy> Frame<T> {
-    /// The camera that the frame was traced for.
+    /// Returns the camera that the frame was traced for.
     pub fn camera(&self) -> &ResolvedCamera {
         &self.camera
     }
 
-    /// The rows and columns that were traced.
+    /// Returns the rows and columns that were traced.
     pub fn raster(&self) -> &Raster {
         &self.raster
     }
 
-    /// The frame as if every pixel of the image were traced, each pixel that was left out with what
-    /// [`Raster::spread`] gives it: for showing a coarse frame where every pixel is asked. It is not
-    /// what the ray through such a pixel meets. Steps and counts stay those of what was traced.
+    /// Returns the frame enlarged to every pixel of the image, with the values of [`Raster::spread`] in
+    /// the pixels that were not traced: for showing a coarse frame where every pixel is needed. Such a
+    /// value is not the hit of the ray through its own pixel. Steps and counts remain those of the
+    /// traced pixels.
     pub fn spread(&self) -> Frame<T> {
         let image = self.camera.image();
         Frame {
@@ -205,7 +207,7 @@ impl<T: Copy> Frame<T> {
         }
     }
 
-    /// The traced pixel in the raster's `row`th row and `column`th column.
+    /// Returns the traced pixel in the raster's `row`th row and `column`th column.
     ///
     /// # Panics
     /// Panics outside the raster, or if `t` or the object was not requested.
@@ -226,7 +228,7 @@ pub(crate) fn empty_frame<T: Depth>(
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
-    // Zeroed memory costs nothing until a band, in its own thread, fills it.
+    // Zeroed memory costs nothing until a band's thread fills it.
     let pixels = |asked: bool| if asked { raster.len() } else { 0 };
     Frame {
         camera: *camera,
@@ -240,18 +242,18 @@ pub(crate) fn empty_frame<T: Depth>(
     }
 }
 
-/// A band's part of each buffer; empty if that output was not requested.
+/// A band's part of each buffer. A part is empty if its output was not requested.
 pub(crate) struct BandBuffers<'a, T> {
     pub(crate) t: &'a mut [T],
     pub(crate) object: &'a mut [u32],
     pub(crate) normal: &'a mut [DVec3],
 }
 
-/// A thread's own buffers, in place of those that were not requested.
+/// A thread's own buffers, which replace outputs that were not requested.
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,
-    /// `t` as it is drawn, for a frame that keeps it in another precision.
+    /// The drawn `t`, for a frame that keeps `t` in another precision.
     pub(crate) drawn: Vec<f32>,
 }
 
@@ -277,12 +279,12 @@ pub(crate) fn band_buffers<'a, T>(
     bands.iter().map(next).collect()
 }
 
-/// Splits off the first part of a buffer; empty if the buffer is empty.
+/// Splits off the first part of a buffer; returns an empty slice if the buffer is empty.
 fn first_of<'a, T>(buffer: &mut &'a mut [T], size: usize) -> &'a mut [T] {
     buffer.split_off_mut(..size).unwrap_or_default()
 }
 
-/// Returns a buffer's part or, if that was not requested, as much of the thread's own buffer.
+/// Returns a buffer's part or, if its output was not requested, as much of the thread's own buffer.
 pub(crate) fn or_own<'a, T: Copy>(
     part: &'a mut [T],
     own: &'a mut Vec<T>,
@@ -300,21 +302,21 @@ pub(crate) fn or_own<'a, T: Copy>(
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
-    /// Spheres of the scene.
+    /// Number of spheres in the scene.
     pub spheres: u64,
-    /// Spheres dropped because they lie wholly behind the eye.
+    /// Number of spheres dropped because they lie wholly behind the eye.
     pub behind: u64,
-    /// Spheres dropped because they lie outside the picture, or between two of its rows.
+    /// Number of spheres dropped because they lie outside the picture, or between two of its rows.
     pub outside: u64,
-    /// All remaining spheres, hidden or not.
+    /// Number of remaining spheres, hidden or not.
     pub in_view: u64,
-    /// Number of times that a band of rows skipped a sphere because nearer spheres hide all of it there.
-    /// The count depends on the drawing order, and so on the width of the processor's vectors; the picture
-    /// does not.
+    /// Number of times that a band of rows skipped a sphere because nearer spheres hide all of its part
+    /// in the band. The count depends on the drawing order, and so on the width of the processor's
+    /// vectors; the picture does not.
     pub hidden: u64,
-    /// Rows of the picture.
+    /// Number of rows of the picture.
     pub rows: u64,
-    /// Rows that no object's outline can reach: they show only the background.
+    /// Number of rows that no object's outline can reach: they show only the background.
     pub rows_untouched: u64,
 }
 
@@ -340,26 +342,26 @@ impl AddAssign for Counts {
     }
 }
 
-/// The number that a frame keeps `t` in: `f64`, rounded from the exact one, or `f32`, within
-/// an ulp, at a fraction of the time.
+/// The floating-point type in which a frame keeps `t`: `f64`, correctly rounded from the exact value, or
+/// `f32`, within an ulp, in a fraction of the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
-    /// 0
+    /// Zero.
     #[doc(hidden)]
     const ZERO: Self;
-    /// The `t` of a pixel where nothing is hit.
+    /// The value of `t` for a pixel where nothing is hit.
     const NONE: Self;
-    /// True if frames are drawn in it; `t` in `f64` is found when the objects are known.
+    /// True if frames are drawn in this type. In `f64`, `t` is found once the objects are known.
     #[doc(hidden)]
     const IS_DRAWN: bool;
 
-    /// Returns the number as `f64`, exactly.
+    /// Converts the number to `f64`, exactly.
     fn widened(self) -> f64;
 
-    /// Returns the numbers that are drawn: `t` itself, or as many of the thread's own.
+    /// Returns the buffer to draw into: `t` itself, or as much of the thread's own buffer.
     #[doc(hidden)]
     fn drawn<'a>(t: &'a mut [Self], own: &'a mut Vec<f32>) -> &'a mut [f32];
 
-    /// Returns the numbers that are found when the objects are known: `t` itself, or none.
+    /// Returns the buffer to fill once the objects are known: `t` itself, or an empty one.
     #[doc(hidden)]
     fn found(t: &mut [Self]) -> &mut [f64];
 }
@@ -403,16 +405,17 @@ impl Depth for f64 {
     }
 }
 
-/// A callback for the rows of a band as soon as they are traced: rows, `t`, objects.
+/// A callback for rows of a band, called as soon as they are traced, with the rows, `t` and the objects.
 pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
 
 pub(crate) mod sealed {
     use super::*;
 
-    /// The tracer of one precision.
+    /// Selects the tracer of one precision.
     pub trait Sealed: Sized {
-        /// See [`fill`](crate::render::fill). Neither generic nor inlined, it is compiled with this crate,
-        /// once, and not again with each crate that calls a function generic over [`Depth`].
+        /// See [`fill`](crate::render::fill). This function is neither generic nor inlined, so it is
+        /// compiled once, with this crate, and not again with each crate that calls a function generic
+        /// over [`Depth`].
         fn fill(
             frame: &mut Frame<Self>,
             level: Level,

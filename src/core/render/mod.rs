@@ -2,12 +2,12 @@
 //!
 //! # The plan of a frame
 //!
-//! The eye is shared by all of a frame's rays. So a sphere's outline in the picture is a conic, and on
-//! one row of pixels the hits are one interval: it is solved once, its ends decided with a margin, and
-//! inside it every pixel hits.
+//! All rays of a frame start at the eye. So a sphere's outline in the picture is a conic, and on one row
+//! of pixels the hits form one interval. The interval is computed once, its ends are decided with a
+//! margin, and every pixel inside is a hit.
 //!
-//! - [`plan`]: what the rows can see, and how each object is drawn. Spheres behind the eye or outside the
-//!   view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
+//! - [`plan`]: which objects the rows can see, and how each is drawn. Spheres behind the eye or outside
+//! the view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
 //! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
 //!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
 //!     ([`polynomial`]): they hide much of the rest;
@@ -16,8 +16,8 @@
 //!     that are small compared with their distance are drawn together ([`rows::small_spheres`]), and those
 //!     that nearer ones hide are skipped ([`bvh::occlusion`], [`rows::vector_bounds`]);
 //!   - spheres that cannot be drawn by outlines, and the planes, by polynomials again.
-//! - Each step has a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by itself
-//!   ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
+//! - Each step has an error bound. A pixel within the bound is *in doubt*, and goes up the ladder by
+//! itself ([`row_band::fallback`]): the object that comes first is the same as in exact arithmetic.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
 //!
 //! A doubt costs some 50 to 150 ns for each pixel and sphere where `f64` decides, as it does for nearly
@@ -26,8 +26,8 @@
 //! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
 //! take less than a second and a half on two cores, up to 10,000 spheres that all lie within 1e-9.
 //!
-//! A frame of `f64` is drawn in `f32`, which finds the objects; then each pixel's `t` is asked of the
-//! ladder ([`row_band::exact_values`]).
+//! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
+//! ([`row_band::exact_values`]).
 //!
 //! [`Counts`](frame::Counts) counts the work that was left out.
 
@@ -64,17 +64,19 @@ use crate::scene::Scene;
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
-/// Each pixel's object is what [`Scene::first_hit_of`] says of its [exact ray](ResolvedCamera::exact_ray),
-/// and its `t` is the same: the exact one, rounded. The same bits come from any number of threads and any
-/// processor. Terms that the rays share are computed once, only visible objects are examined, and a pixel
-/// in doubt goes up the ladder by itself. A scene without planes runs no plane code.
+/// Each pixel's object is the one that [`Scene::first_hit_of`] finds for the pixel's [exact
+/// ray](ResolvedCamera::exact_ray), and its `t` is the exact value, rounded. The result is the same, bit
+/// for bit, with any number of threads and on any processor. Terms that the rays share are computed
+/// once, only visible objects are examined, and a pixel in doubt goes up the ladder by itself. A scene
+/// without planes runs no plane code.
 ///
 /// In a sequence of frames, trace all but the first by [`retrace`].
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_as(scene, camera, raster, outputs)
 }
 
-/// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
+/// Does what [`trace`] does, with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the
+/// time.
 pub fn trace_as<T: Depth>(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -84,9 +86,9 @@ pub fn trace_as<T: Depth>(
     trace_at_level(Level::new(), scene, camera, raster, outputs, |_| ())
 }
 
-/// [`trace_as`] with the instructions of a given SIMD level, all of which give the same bits, for callers
-/// that report progress: `done` is called, from any thread, with the number of rows that were just
-/// finished.
+/// Does what [`trace_as`] does with the instructions of a given SIMD level, for callers that report
+/// progress. All levels give the same bits. Calls `done`, from any thread, with the number of rows that
+/// were just finished.
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,
@@ -100,12 +102,12 @@ pub fn trace_at_level<T: Depth>(
     frame
 }
 
-/// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the frame,
-/// and keeps only the `outputs` of the frame. Each band of rows is coloured as soon as it is traced, while
-/// it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
+/// Traces and colours: writes the pixels that [`shade`](crate::shade) would make of the frame, and keeps
+/// only the requested `outputs`. Each band of rows is coloured as soon as it is traced, while it is
+/// still in the cache; only [`Shade::T`] waits until the nearest `t` of the whole frame is known.
 ///
 /// # Panics
-/// Panics unless there is one pixel for each of the raster's.
+/// Panics unless there is one pixel for each pixel of the raster.
 pub fn trace_painted<T: Depth, P: Send>(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -129,12 +131,12 @@ pub fn trace_painted<T: Depth, P: Send>(
     frame
 }
 
-/// Traces another camera or scene into a frame of the same raster and colours it: what
-/// [`trace_painted`] gives, without new memory.
+/// Traces another camera or scene into a frame of the same raster and colours it. The result is that of
+/// [`trace_painted`], without allocating new memory.
 ///
 /// # Panics
-/// Panics unless there is one pixel for each of the raster's, and if a frame without `t` or objects is
-/// coloured by [`Shade::T`].
+/// Panics unless there is one pixel for each pixel of the raster, and if a frame without `t` or objects
+/// is coloured by [`Shade::T`].
 pub fn retrace_painted<T: Depth, P: Send>(
     frame: &mut Frame<T>,
     scene: &Scene,
@@ -156,7 +158,7 @@ pub fn retrace_painted<T: Depth, P: Send>(
     let slice = SLICE_ROWS * raster.columns().len().max(1);
     let slices: Vec<Mutex<&mut [P]>> = pixels.chunks_mut(slice).map(Mutex::new).collect();
     let finish = |rows: Range<usize>, t: &[T], object: &[u32]| {
-        // Bands are whole slices: no two want the same one, and no lock is waited for.
+        // Bands are whole slices, so no two threads want the same slice, and no thread waits for a lock.
         let slices = slices[rows.start / SLICE_ROWS..].iter();
         let hits = t.chunks(slice).zip(object.chunks(slice));
         for ((start, (t, object)), pixels) in rows.step_by(SLICE_ROWS).zip(hits).zip(slices) {
@@ -167,8 +169,9 @@ pub fn retrace_painted<T: Depth, P: Send>(
     T::fill(frame, level, scene, Some(&finish), &|_| ());
 }
 
-/// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
-/// new memory, which for a simple scene costs several times as much as all else.
+/// Traces another camera or scene into a frame of the same raster. The result is that of [`trace_as`],
+/// without allocating new memory, which for a simple scene costs several times as much as everything
+/// else.
 ///
 /// ```
 /// use pinhole_core::*;
@@ -185,7 +188,8 @@ pub fn retrace<T: Depth>(frame: &mut Frame<T>, scene: &Scene, camera: &ResolvedC
     retrace_at_level(Level::new(), frame, scene, camera);
 }
 
-/// [`retrace`] with the instructions of a given SIMD level, all of which give the same bits.
+/// Does what [`retrace`] does with the instructions of a given SIMD level. All levels give the same
+/// bits.
 pub fn retrace_at_level<T: Depth>(
     level: Level,
     frame: &mut Frame<T>,
@@ -196,8 +200,8 @@ pub fn retrace_at_level<T: Depth>(
     T::fill(frame, level, scene, None, &|_| ());
 }
 
-/// Traces the frame's camera and raster into those of its buffers that have room, band by band, each
-/// of which is finished while it is in the cache.
+/// Traces the frame's camera and raster into those buffers of the frame that have room, band by band.
+/// Each band is finished while it is in the cache.
 fn fill<T: Depth>(
     frame: &mut Frame<T>,
     level: Level,
@@ -240,7 +244,7 @@ fn fill<T: Depth>(
         let mut own = OwnBuffers::new();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
-        // A thread takes the next band when it is done with one.
+        // A thread takes the next band when it has finished one.
         bands.par_bridge().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
     };
     *counts += of_bands;
@@ -252,7 +256,7 @@ fn sums(a: Counted, b: Counted) -> Counted {
     (a.0 + b.0, a.1 + b.1, a.2 + b.2)
 }
 
-/// The tracer of one precision.
+/// Implements the tracer of one precision.
 macro_rules! tracer {
     ($real:ident) => {
         impl Sealed for $real {

@@ -1,5 +1,5 @@
-//! Many spheres: groups and blocks of them that can be seen, drawn near to far, and those that nearer
-//! ones hide left out.
+//! Draws many spheres: the visible groups and blocks of spheres, near to far, without the spheres that
+//! nearer ones hide.
 
 use std::ops::Range;
 
@@ -62,8 +62,7 @@ pub(crate) fn draw_visible<S: Simd>(
             if own_rows(target, &block.extent.rows()).is_empty() {
                 continue;
             }
-            // Where spheres do not cover one another much, a look at each block costs more than it
-            // saves.
+            // Where spheres overlap little, testing each block costs more than it saves.
             if visible.is_crowded && drawing.is_hidden(target, block) {
                 drawing.count_hidden(target, block);
                 continue;
@@ -90,14 +89,14 @@ struct Drawing<'a> {
     drawn: &'a mut DrawnSpheres,
 }
 
-/// Returns whether this band counts a block's spheres, which are counted once: by the first band
-/// that the block reaches.
+/// Returns whether this band counts a block's spheres. The first band that the block reaches counts
+/// them, so that each is counted once.
 #[inline(always)]
 fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
     block.extent.rows().start >= target.rows.start
 }
 
-/// Rows of the raster that lie in the target, as rows of the target.
+/// Returns the given rows of the raster that lie in the target, as rows of the target.
 #[inline(always)]
 fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
     let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
@@ -156,7 +155,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// Draws those of the spheres from a slot on that are small; returns which are left.
+    /// Draws the small spheres among those from a slot on; returns a mask of the remaining spheres.
     #[inline(always)]
     fn small_spheres<S: Simd>(
         &mut self,
@@ -216,7 +215,7 @@ impl Drawing<'_> {
         there & !behind & !beyond & !small
     }
 
-    /// Draws those of the spheres from a slot on whose bits are set.
+    /// Draws the spheres from a slot on whose bits are set.
     #[inline(always)]
     fn other_spheres<S: Simd>(
         &mut self,
@@ -263,7 +262,7 @@ impl Drawing<'_> {
         id: u32,
     ) {
         let span = Span::new(id, &outlines.one(lane));
-        // Where spheres do not cover one another much, a look costs more than it saves.
+        // Where spheres overlap little, a test costs more than it saves.
         if !self.visible.is_crowded {
             let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
             return span.draw(simd, target, rows, &columns);
@@ -303,11 +302,11 @@ fn rows_meet<S: Simd>(
     meets.to_bitmask()
 }
 
-/// Rows of the target and columns that a sphere can cover.
+/// Returns the rows of the target and the columns that a sphere can cover.
 #[inline(always)]
 fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
     let rows = target.axes.rows_between(outlines.first_row[lane], outlines.last_row[lane]);
-    // The middle moves by the shear, the half width is at most that of the widest row.
+    // The middle moves by the shear; the half width is at most that of the widest row.
     let row = outlines.middle_row + outlines.row[lane];
     let (above, below) = (row - outlines.first_row[lane], outlines.last_row[lane] - row);
     let reach =

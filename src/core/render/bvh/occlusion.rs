@@ -1,19 +1,20 @@
-//! Occlusion: the distance of the farthest hit in each small rectangle of a band.
+//! Occlusion: an upper bound of the farthest hit in each small rectangle of a band.
 
 use std::ops::Range;
 
-/// Columns and rows of a rectangle.
+/// Number of columns of a rectangle.
 const COLUMNS: usize = 16;
+/// Number of rows of a rectangle.
 const ROWS: usize = 8;
 
-/// Maximum number of rectangles that a group, block or small sphere may cover: what covers more is seldom
-/// hidden.
+/// Maximum number of rectangles that a group, block or small sphere may cover to be tested: larger ones
+/// are seldom hidden.
 const MOST: usize = 512;
 
 /// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band.
 pub(crate) struct Occlusion {
     farthest: Vec<f32>,
-    /// Rectangles that were drawn into since `farthest` was found.
+    /// For each rectangle, true if it was drawn into since its `farthest` was computed.
     is_stale: Vec<bool>,
     across: usize,
     width: usize,
@@ -21,7 +22,7 @@ pub(crate) struct Occlusion {
 }
 
 impl Occlusion {
-    /// Starts with a band in which nothing is hit, or in which something may be hit.
+    /// Returns the occlusion of a band. If `is_drawn` is false, nothing in the band is hit yet.
     pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Occlusion {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);
@@ -29,7 +30,7 @@ impl Occlusion {
         Occlusion { farthest, is_stale, across, width, height }
     }
 
-    /// Marks the rectangles of these rows and columns of the band as drawn into since.
+    /// Marks the rectangles of these rows and columns of the band as stale.
     #[inline(always)]
     pub(crate) fn touch(&mut self, rows: &Range<usize>, columns: &Range<usize>) {
         for row in rows.start / ROWS..rows.end.div_ceil(ROWS) {
@@ -62,8 +63,8 @@ impl Occlusion {
         true
     }
 
-    /// The columns of a strip, without the rectangles at both ends in which every pixel has a hit nearer
-    /// than `nearest`.
+    /// Trims the columns of a strip: removes the rectangles at its two ends in which every pixel has a
+    /// hit nearer than `nearest`.
     #[inline(always)]
     pub(crate) fn seen(
         &mut self,
@@ -93,7 +94,7 @@ impl Occlusion {
         self.farthest[cell] < nearest
     }
 
-    /// Finds the farthest `t` of a rectangle.
+    /// Computes the farthest `t` of a rectangle.
     #[inline(always)]
     fn look(&mut self, t: &[f32], row: usize, column: usize) {
         let columns = column * COLUMNS..((column + 1) * COLUMNS).min(self.width);
@@ -121,7 +122,7 @@ pub(crate) fn strips(rows: &Range<usize>) -> impl Iterator<Item = Range<usize>> 
     (start - start % ROWS..end).step_by(ROWS).map(move |row| row.max(start)..(row + ROWS).min(end))
 }
 
-/// The larger of two numbers, neither of which is NaN.
+/// Returns the larger of two numbers, neither of which is NaN.
 #[inline(always)]
 fn farther(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }

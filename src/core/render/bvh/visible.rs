@@ -1,4 +1,4 @@
-//! The groups and blocks of an index over many spheres that a camera can see.
+//! The groups and blocks of the sphere index that a camera can see.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -13,36 +13,36 @@ use crate::render::outline::{Extent, Extents};
 use crate::scene::sphere_index::Bound;
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 
-/// A group or a block of spheres, and which part of the raster they can cover.
+/// A group or a block of spheres, and the part of the raster that its spheres can cover.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisibleBox {
-    /// Number among its kind.
+    /// Index among the groups or among the blocks.
     pub(crate) id: u32,
-    /// Lower bound of the t of all their hits.
+    /// Lower bound of `t` of all hits of its spheres.
     pub(crate) nearest: f32,
     pub(crate) extent: Extent,
 }
 
-/// A group that can be seen, with those of its blocks that can.
+/// A visible group and its visible blocks.
 pub(crate) struct VisibleGroup {
     pub(crate) bounds: VisibleBox,
     pub(crate) blocks: Vec<VisibleBox>,
-    /// True if those of its spheres that are not drawn by rows are among those of the whole.
+    /// True if the group's spheres that are not drawn by rows are listed in [`VisibleSpheres::others`].
     pub(crate) has_others: bool,
 }
 
-/// The part of many spheres that can be seen, near to far.
+/// The visible part of many spheres, near to far.
 pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
     pub(crate) groups: Vec<VisibleGroup>,
-    /// True if spheres cover one another so much that each is worth a look whether it is hidden.
+    /// True if spheres overlap so much that it pays to test each sphere for being hidden.
     pub(crate) is_crowded: bool,
-    /// Spheres that are not drawn by rows, of groups in which there can be such.
+    /// Spheres that are not drawn by rows, of the groups that may contain such spheres.
     pub(crate) others: Vec<(u32, Extent)>,
 }
 
-/// Reason why nothing of a box can be seen.
+/// Reason why nothing in a box is visible.
 enum Unseen {
     Behind,
     Outside,
@@ -56,7 +56,7 @@ impl<'a> VisibleSpheres<'a> {
         (axes, extents): (&RasterAxes, &Extents),
         counts: &mut Counts,
     ) -> VisibleSpheres<'a> {
-        /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
+        /// Average number of spheres behind one another from which testing whether one is hidden pays.
         const CROWDED: f64 = 2.5;
         let mut dropped = Counts::default();
         let mut groups = Vec::new();
@@ -93,7 +93,7 @@ impl<'a> VisibleSpheres<'a> {
         visible
     }
 
-    /// The spheres that are not drawn by rows, of groups that may have such.
+    /// Returns the spheres that are not drawn by rows, of the groups that may contain such spheres.
     #[inline(always)]
     fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
         let (mut small, mut outlines) = (SmallOutlines::default(), Outlines::default());
@@ -126,7 +126,8 @@ impl<'a> VisibleSpheres<'a> {
     }
 }
 
-/// The visible blocks of a group, near to far where they are crowded, and the counts of those left out.
+/// Returns the visible blocks of a group, near to far if the spheres are crowded, and the counts of the
+/// spheres left out.
 #[inline(always)]
 fn seen_blocks<S: Simd>(
     _simd: S,
@@ -151,11 +152,11 @@ fn seen_blocks<S: Simd>(
     (blocks, dropped)
 }
 
-/// Returns whether a sphere of a group may be so near or so large that it is not drawn by rows.
+/// Returns whether a group may contain a sphere so near or so large that it is not drawn by rows.
 fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -> bool {
-    /// Share of the eye's distance.
+    /// Fraction of the eye's distance.
     const NEAR: f64 = 0.1;
-    /// Radius in columns or rows.
+    /// Radius, in columns or rows.
     const LARGE: f64 = 400.0;
     let (near, radius) =
         (f64::from(bounds.nearest) * space.distance, groups[bounds.id as usize].radius);
@@ -170,11 +171,11 @@ fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32) {
     }
 }
 
-/// Finds which part of the raster a box can cover, and how many pixels its spheres cover together,
-/// roughly.
+/// Finds the part of the raster that a box can cover, and roughly how many pixels its spheres cover
+/// together.
 ///
-/// All margins are a share of 1e-9 of what they are added to, far more than the few roundings that
-/// they stand for, and far less than what would cost anything.
+/// Each margin is 1e-9 of the quantity to which it is added: far more than the few roundings that it
+/// covers, and far too little to cost anything.
 #[inline(always)]
 fn seen(
     boxes: &[Bound],

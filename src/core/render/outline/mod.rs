@@ -1,4 +1,4 @@
-//! The outlines of several spheres at once, in whole columns and rows of the image, and the rectangles of
+//! The outlines of several spheres at once, in columns and rows of the image, and the rectangles of
 //! pixels that they can cover.
 
 use std::ops::Range;
@@ -16,30 +16,30 @@ use crate::scene::sphere_index::SphereSlots;
 pub(crate) mod raster_axes;
 pub(crate) mod small_outlines;
 
-/// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the error of
-/// the end, and so small that hardly a pixel lies within it.
+/// Distance from an outline's end, in columns, beyond which a pixel is not in doubt: far more than the
+/// error of the end, and so small that hardly any pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
-/// The widest vector of `f64` that any level has.
+/// The number of `f64` lanes in the widest vector of any level.
 pub(crate) const MOST_LANES: usize = 8;
 
 /// `2^50`, see [`Outlines::find`].
 const KEEP: f64 = 1.126e15;
 
-/// The widest vector of `f32` that any level has.
+/// The number of `f32` lanes in the widest vector of any level.
 pub(crate) const MOST_SINGLE_LANES: usize = 2 * MOST_LANES;
 
 type Lane8 = [f64; MOST_LANES];
 
-/// Outlines of a vector of spheres. Rows r and columns c are numbers of the image's; with j the rows from
-/// the centre's to r, a sphere seen from outside, wholly in front of the eye, covers on row r the
-/// columns
+/// Outlines of a vector of spheres. Let r and c be row and column numbers of the image, and j the number
+/// of rows from the centre's row to r. On row r, a sphere that is seen from outside and lies wholly in
+/// front of the eye covers the columns
 ///
 /// ```text
 /// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2
 /// ```
 ///
-/// and there, with `S^2 = w^2 - (c - (column + shear j))^2`, its first hit is at
+/// On these columns, with `S^2 = w^2 - (c - (column + shear j))^2`, the first hit is at
 ///
 /// ```text
 /// t = numerator / (b(c, j) + S)         b = b0 + b_column c + b_row j
@@ -59,9 +59,10 @@ type Lane8 = [f64; MOST_LANES];
 #[derive(Clone, Default)]
 pub(crate) struct Outlines {
     pub(crate) column: Lane8,
-    /// The middle of the image, and from there on the row of each centre: `j = (r - middle) - row`, so that
-    /// j is off by a share of what it is made of, not by the rounding of a large row's number.
+    /// The middle row of the image.
     pub(crate) middle_row: f64,
+    /// Row of each centre, counted from the middle row: `j = (r - middle_row) - row`. The error of j is
+    /// thus relative to its parts, not to the rounding of a large row number.
     pub(crate) row: Lane8,
     pub(crate) shear: Lane8,
     pub(crate) square: [Lane8; 3],
@@ -71,19 +72,20 @@ pub(crate) struct Outlines {
     pub(crate) numerator: Lane8,
     /// Error bound of `w^2`.
     pub(crate) square_doubt: Lane8,
-    /// First and last row with `w^2 >= -square_doubt`, not clipped: whole numbers.
+    /// First row with `w^2 >= -square_doubt`, not clipped: a whole number.
     pub(crate) first_row: Lane8,
+    /// Last row with `w^2 >= -square_doubt`, not clipped: a whole number.
     pub(crate) last_row: Lane8,
-    /// Lower bound of the t of all hits.
+    /// Lower bound of `t` of all hits.
     pub(crate) nearest: Lane8,
     /// Upper bound of `w^2`.
     pub(crate) size: Lane8,
-    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
     /// go up the ladder.
     pub(crate) thin: Lane8,
     /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
     pub(crate) corrects_root: u64,
-    /// Lanes in which all of the above holds.
+    /// Lanes in which all fields above are valid.
     pub(crate) is_plain: u64,
     /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
@@ -108,11 +110,11 @@ pub(crate) struct Outline {
     pub(crate) last_row: f64,
     pub(crate) nearest: f64,
     pub(crate) thin: f64,
-    /// True if the sphere is so wide that the error of the root has to be corrected too.
+    /// True if the sphere is so wide that the error of the root must be corrected too.
     pub(crate) corrects_root: bool,
 }
 
-/// `a . b` of lanes with numbers.
+/// Returns the dot product `a . b` of a vector of lanes with three numbers.
 #[inline(always)]
 fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
     let axis = axis.map(|x| S::f64s::splat(simd, x));
@@ -120,7 +122,7 @@ fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
 }
 
 impl Outlines {
-    /// The outlines of a vector of spheres.
+    /// Finds the outlines of a vector of spheres.
     ///
     /// Bounds, with `u = 2^-53` and `k = r^2 / (Z^2 - r^2)`, which neither `r^2 / h` nor `r^2 / c`
     /// exceeds: the coefficients of `w^2` are sums and products of at most a dozen operations on
@@ -151,7 +153,7 @@ impl Outlines {
         let inverse_zr = one / (z * r);
         let (inverse_z, inverse_r) = (inverse_zr * r, inverse_zr * z);
         let inverse_h = one / h;
-        // One quotient for three.
+        // One division instead of three.
         let inverse_c_depths = one / (c * depths);
         let (xc, yc) = (x * inverse_z, y * inverse_z);
         let (per_column, per_row) = (splat(space.per_column), splat(space.per_row));
@@ -226,7 +228,7 @@ impl Outlines {
 }
 
 impl Outlines {
-    /// One lane.
+    /// Returns the outline in one lane.
     #[inline(always)]
     pub(crate) fn one(&self, lane: usize) -> Outline {
         Outline {
@@ -275,7 +277,8 @@ impl<S: Simd> Centers<S> {
         Centers { x, y, z, r: load(slots[3]), qq: x * x + y * y + z * z }
     }
 
-    /// Lanes whose centres lie in front of the eye, of ordinary size, nothing lost in h.
+    /// Returns the lanes whose centres lie in front of the eye, with ordinary sizes and no digits lost
+    /// in h.
     #[inline(always)]
     fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -293,8 +296,8 @@ impl<S: Simd> Centers<S> {
         S::f64s::splat(simd, space.doubt) * (x.abs() + y.abs() + z.abs() + r)
     }
 
-    /// Returns the lanes that are behind the eye, and those beyond one of the image's four borders, by more
-    /// than all roundings.
+    /// Returns the lanes that lie behind the eye, and the lanes that lie beyond one of the image's four
+    /// borders, by more than all rounding errors.
     #[inline(always)]
     fn not_seen(self, simd: S, space: &CameraSpace) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -314,13 +317,13 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// The kinds of rows by which spheres are drawn. The least b is kept as its square, so that the only root
-/// needed is one in `f32`, rounded up.
+/// The kinds of rows by which spheres are drawn. The least b is kept as its square, so that only one
+/// root is needed, in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which the kernel that corrects the root is exact enough.
     can_correct_root: <S::f64s as SimdBase<S>>::Mask,
-    /// The root of `w^2` below which a row is thin.
+    /// The square root of the `w^2` below which a row is thin.
     thin: S::f64s,
     /// The square of the least b.
     least: S::f64s,
@@ -352,7 +355,7 @@ impl<S: Simd> Kinds<S> {
         Kinds { corrects_root, can_correct_root, thin, least }
     }
 
-    /// Finds the lanes in which rows of the kind are exact enough, and `f32` holds the numbers.
+    /// Finds the lanes in which rows of the kind are exact enough, and whose numbers `f32` can hold.
     #[inline(always)]
     fn is_plain(
         &self,
@@ -372,7 +375,7 @@ impl<S: Simd> Kinds<S> {
     }
 }
 
-/// Rows and columns of a raster, not of the image.
+/// A range of rows and a range of columns of a raster, not of the image.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     rows: [u16; 2],
@@ -394,13 +397,13 @@ impl Extent {
     }
 }
 
-/// A camera and a raster as the extents of all spheres need them.
+/// The data of a camera and a raster that the extents of all spheres need.
 pub(crate) struct Extents<'a> {
     camera: &'a ResolvedCamera,
     raster: &'a Raster,
     /// See [`Extents::new`].
     doubt: f64,
-    /// Pixels for each unit of `u / distance`.
+    /// Pixels per unit of `u / distance`.
     columns_per_slope: f64,
     rows_per_slope: f64,
 }
@@ -425,8 +428,8 @@ impl<'a> Extents<'a> {
         }
     }
 
-    /// A rectangle that contains every pixel of the raster whose view ray can hit the sphere at
-    /// `t > 0`; `None` where no pixel's can.
+    /// Finds a rectangle that contains every pixel of the raster whose view ray can hit the sphere at `t
+    /// > 0`; returns `None` if no view ray can.
     ///
     /// In camera coordinates the view rays tangent to the sphere's outline in the u-w plane have
     ///
@@ -469,20 +472,20 @@ fn is_in_plain_range(q: DVec3, radius: f64) -> bool {
     q.abs().max_element() < 1e100 && radius > 1e-100
 }
 
-/// The slopes of the two tangents from the eye to a circle of `radius` around `(x, depth)`,
-/// `depth > radius`.
+/// Returns the slopes of the two tangents from the eye to a circle of `radius` around `(x, depth)`,
+/// where `depth > radius`.
 fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
     let denominator = (depth - radius) * (depth + radius);
     let swing = radius * (x * x + denominator).sqrt();
     ((x * depth - swing) / denominator, (x * depth + swing) / denominator)
 }
 
-/// The cells, `count` of which span the viewport, whose centres can lie between two slopes.
+/// Returns the cells whose centres can lie between two slopes; `count` cells span the viewport.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
-    /// Share of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
+    /// Fraction of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
     const MARGIN: f64 = 1e-6;
-    /// Allowance for the rounding of slopes. Where one tangent is steep and the other is not, the
-    /// steep one's rounding is in both.
+    /// Allowance for the rounding of slopes. If one tangent is steep and the other is not, the rounding
+    /// of the steep one affects both slopes.
     const RELATIVE_MARGIN: f64 = 1e-9;
     let (from, to) = (from * cells_per_slope, to * cells_per_slope);
     let margin = MARGIN + RELATIVE_MARGIN * (from.abs() + to.abs());
@@ -492,6 +495,6 @@ fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
     if first.is_nan() || last.is_nan() {
         return 0..u32::MAX;
     }
-    // A cast from float saturates at both ends of u32.
+    // A cast from float saturates at either end of u32.
     first.ceil() as u32..(last + 1.0).floor() as u32
 }

@@ -1,5 +1,5 @@
-//! The camera and its raster as the outlines of all spheres need them: its axes, and its rows and columns
-//! as numbers that vectors can be made of.
+//! The axes of a camera and the rows and columns of its raster, as numbers from which vectors can be
+//! made.
 
 use std::ops::Range;
 
@@ -13,15 +13,16 @@ use crate::render::outline::MOST_SINGLE_LANES;
 /// Number of entries by which the tables extend past the last row and column.
 const PADDING: usize = MOST_SINGLE_LANES;
 
-/// The numbers of a raster's rows and columns in the image, ascending, with entries after the last so that
-/// a vector can begin anywhere.
+/// The numbers of a raster's rows and columns in the image, ascending, with padding after the last so
+/// that a vector can begin anywhere.
 pub(crate) struct RasterAxes {
     pub(crate) row_numbers: Vec<f64>,
     pub(crate) columns: Vec<f32>,
     height: usize,
     width: usize,
-    /// True if rows, and columns, follow one another without a gap.
+    /// True if the rows follow one another without a gap.
     rows_are_whole: bool,
+    /// True if the columns follow one another without a gap.
     columns_are_whole: bool,
 }
 
@@ -56,7 +57,7 @@ impl RasterAxes {
         self.height
     }
 
-    /// Returns whether rows, and columns, follow one another without a gap.
+    /// Returns whether the rows and the columns each follow one another without a gap.
     pub(crate) fn are_whole(&self) -> bool {
         self.rows_are_whole && self.columns_are_whole
     }
@@ -65,13 +66,13 @@ impl RasterAxes {
         self.width * self.height
     }
 
-    /// The raster's columns with a number from `first` to `last`, both whole.
+    /// Returns the raster's columns with numbers from `first` to `last`, both whole.
     #[inline(always)]
     pub(crate) fn columns_range(&self, first: f64, last: f64) -> Range<usize> {
         self.columns_between(first, last).map_or(0..0, |(from, to)| from..to + 1)
     }
 
-    /// The raster's rows with a number from `first` to `last`, both whole.
+    /// Returns the raster's rows with numbers from `first` to `last`, both whole.
     #[inline(always)]
     pub(crate) fn rows_between(&self, first: f64, last: f64) -> Range<usize> {
         let rows = &self.row_numbers[..self.height];
@@ -85,7 +86,7 @@ impl RasterAxes {
         from..rows.partition_point(|row| *row <= last).max(from)
     }
 
-    /// The raster's first and last column with a number from `first` to `last`, both whole.
+    /// Returns the raster's first and last column with numbers from `first` to `last`, both whole.
     #[inline(always)]
     pub(crate) fn columns_between(&self, first: f64, last: f64) -> Option<(usize, usize)> {
         let columns = &self.columns[..self.width];
@@ -100,8 +101,8 @@ impl RasterAxes {
         (from < end).then(|| (from, end - 1))
     }
 
-    /// Finds, for a vector of rows, the raster's first and last columns with numbers from `first`
-    /// to `last`, all whole, and in which lanes there is one.
+    /// Finds, for a vector of rows, the raster's first and last columns with numbers from `first` to
+    /// `last`, all whole, and the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip<S: Simd>(
         &self,
@@ -128,8 +129,8 @@ impl RasterAxes {
         (from, to, is_there)
     }
 
-    /// [`RasterAxes::clip`] for twice as many lanes: the numbers of the first and last columns, their
-    /// indices, and the lanes in which there is one.
+    /// Does what [`RasterAxes::clip`] does for twice as many lanes. Returns the numbers of the first and
+    /// last columns, their indices, and the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip_singles<S: Simd>(
         &self,
@@ -160,8 +161,8 @@ impl RasterAxes {
     }
 }
 
-/// A camera as spheres are seen by it: lengths along u, v and -w from the eye, and slopes
-/// `x = u / distance`, `y = v / distance` in whole columns and rows.
+/// The space in which a camera sees spheres: lengths along u, v and -w from the eye, and slopes `x = u /
+/// distance`, `y = v / distance` in whole columns and rows.
 ///
 /// ```text
 /// x = column_slope (column - middle_column)      y = row_slope (middle_row - row)
@@ -175,23 +176,26 @@ pub(crate) struct CameraSpace {
     pub(crate) distance: f64,
     pub(crate) column_slope: f64,
     pub(crate) row_slope: f64,
-    /// Columns and rows for each unit of slope, and 1 / distance.
+    /// Columns per unit of slope.
     pub(crate) per_column: f64,
+    /// Rows per unit of slope.
     pub(crate) per_row: f64,
+    /// The inverse of `distance`.
     pub(crate) per_distance: f64,
-    /// Rows' slope for each unit of columns' slope, and its square's inverse.
+    /// Slope of a row divided by the slope of a column.
     pub(crate) ratio: f64,
+    /// The inverse of the square of `ratio`.
     pub(crate) inverse_ratio_squared: f64,
     pub(crate) middle_column: f64,
     pub(crate) middle_row: f64,
-    /// The largest `|x|` and `|y|` of a pixel's centre, and a little more.
+    /// The largest `|x|` and `|y|` of any pixel's centre, and a little more.
     pub(crate) widest: [f64; 2],
-    /// `sqrt(1 + widest^2)` of both.
+    /// `sqrt(1 + widest^2)` for x and for y.
     pub(crate) border_lengths: [f64; 2],
     /// See [`CameraSpace::new`].
     pub(crate) doubt: f64,
-    /// True if lengths and slopes are so ordinary that no product of a few of them overflows, and
-    /// the basis so close to orthonormal that `doubt` is small.
+    /// True if lengths and slopes are so ordinary that no product of a few of them overflows, and the
+    /// basis is so close to orthonormal that `doubt` is small.
     pub(crate) is_plain: bool,
 }
 

@@ -1,4 +1,5 @@
-//! Outlines of spheres that are small compared with their distance, one for each lane of a vector of `f32`.
+//! Outlines of spheres that are small compared with their distance, one in each lane of a vector of
+//! `f32`.
 
 use std::ops::Range;
 
@@ -10,15 +11,16 @@ use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES, MOST_SINGLE_LANES};
 use crate::scene::sphere_index::SphereSlots;
 
-/// A number for each sphere, in `f32`, and in `f64` in two vectors.
+/// One number for each sphere, in `f32`.
 pub(crate) type Singles = [f32; MOST_SINGLE_LANES];
+/// One number for each sphere, in `f64`, in two vectors.
 pub(crate) type Halves = [[f64; MOST_LANES]; 2];
 
-/// The largest `w^2`: columns from a row's first one on, and what is added to them, are whole numbers and
-/// fractions that `f32` holds as [`Runs::t`](crate::render::rows::small_spheres::Runs::t) needs them.
+/// The largest `w^2`: `f32` can hold the whole columns from a row's first one on, and the fractions
+/// added to them, as [`Runs::t`](crate::render::rows::small_spheres::Runs::t) requires.
 const MOST_SIZE: f32 = 4_194_304.0;
 
-/// Factor that turns a few rounded results in `f32` into upper bounds.
+/// Factor that turns the result of a few rounded `f32` operations into an upper bound.
 const UP: f32 = 1.0 + 1e-5;
 
 /// Outlines of small spheres, as [`Outlines`](crate::render::outline::Outlines) have them: on row
@@ -38,33 +40,36 @@ const UP: f32 = 1.0 + 1e-5;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SmallOutlines {
-    /// The middle of the image, and from there on the row of each centre, as in
-    /// [`Outlines`](crate::render::outline::Outlines); then its column.
+    /// The middle row of the image.
     pub(crate) middle_row: f64,
+    /// Row of each centre, counted from the middle row.
     pub(crate) row: Halves,
+    /// Column of each centre.
     pub(crate) column: Halves,
-    /// Middle of the columns on the row of the centre.
+    /// Middle of the covered columns on the row of the centre.
     pub(crate) middle: Halves,
     pub(crate) shear: Halves,
     pub(crate) square: [Halves; 3],
-    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
     /// go up the ladder.
     pub(crate) thin: Halves,
-    /// All rows lie between these: whole numbers.
+    /// A whole number that no covered row lies before.
     pub(crate) first_row: Singles,
+    /// A whole number that no covered row lies after.
     pub(crate) last_row: Singles,
     pub(crate) slope: Halves,
     pub(crate) row_slope: Halves,
-    /// `slope` and `inverse^2`, rounded.
+    /// `slope`, rounded.
     pub(crate) rounded_slope: Singles,
+    /// `inverse^2`, rounded.
     pub(crate) inverse_squared: Singles,
-    /// Q in two parts.
+    /// Q, in two parts.
     pub(crate) quotient: [Singles; 2],
-    /// Lower bound of the t of all hits.
+    /// Lower bound of `t` of all hits.
     pub(crate) nearest: Singles,
-    /// Upper bound of the columns from the centre's to any that is covered, and one more.
+    /// Upper bound, plus one, of the distance in columns from the centre to any covered column.
     pub(crate) reach: Singles,
-    /// Lanes in which all of the above holds.
+    /// Lanes in which all fields above are valid.
     pub(crate) is_small: u64,
     /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
@@ -72,11 +77,12 @@ pub(crate) struct SmallOutlines {
     pub(crate) is_outside: u64,
 }
 
-/// The numbers of half a vector of spheres that take `f64`.
+/// The values of half a vector of spheres that need `f64`.
 struct Doubles<S: Simd> {
     centers: Centers<S>,
-    /// Column of the centre, and its row from the image's middle one on.
+    /// Column of the centre.
     column: S::f64s,
+    /// Row of the centre, counted from the image's middle row.
     row: S::f64s,
     offset: S::f64s,
     shear: S::f64s,
@@ -139,17 +145,20 @@ impl<S: Simd> Doubles<S> {
 
 /// Upper bounds for a vector of spheres.
 struct Bounds<S: Simd> {
-    /// `w^2` in any row, and its error.
+    /// Upper bound of `w^2` in any row.
     size: S::f32s,
+    /// Error bound of `w^2`.
     square_doubt: S::f32s,
-    /// Where `w^2 = 0`: rows from the centre's to the middle of both, and from there to each.
+    /// Rows from the centre's row to the middle of the two rows where `w^2 = 0`.
     middle: S::f32s,
+    /// Rows from that middle to each of the two rows where `w^2 = 0`.
     half: S::f32s,
     reach: S::f32s,
-    /// The parts of |e|: `inverse S`, and what varies with row and column.
+    /// Upper bound of `inverse S`, the part of |e| that the root contributes.
     of_root: S::f32s,
+    /// Upper bound of the part of |e| that varies with row and column.
     of_position: S::f32s,
-    /// The error of t in units of `2^-24` of it, but for the last rounding.
+    /// The relative error of `t` in units of `2^-24`, without the last rounding.
     error: S::f32s,
 }
 
@@ -174,7 +183,7 @@ impl<S: Simd> Bounds<S> {
         let share = splat(64.0 * 1.2e-16) + eta_by_r * splat((4.1 * space.doubt) as f32) * up;
         let square_doubt = share * (splat(4.0) * size) * up;
         let middle = square1 * inverse2 * splat(0.5);
-        // Sums of rows in `f32` are off by less than a thousandth, or a share that UP bounds.
+        // Sums of rows in `f32` are off by less than a thousandth, or by a fraction that UP covers.
         let half =
             ((square0 + square_doubt) * inverse2 + middle * middle).sqrt() * up + splat(1e-3);
         let rows = middle.abs() + half;
@@ -241,7 +250,7 @@ impl SmallOutlines {
         self.is_behind = not_seen.0 | not_seen_high.0 << half;
         self.is_outside = not_seen.1 | not_seen_high.1 << half;
 
-        // Whole numbers and fractions by themselves: `f32` holds the sums of whole ones.
+        // Whole numbers and fractions are kept apart: `f32` holds the sums of whole numbers exactly.
         let rounding = S::f64s::splat(simd, 0.5);
         self.middle_row = space.middle_row;
         let center = S::f64s::splat(simd, space.middle_row);
@@ -267,7 +276,7 @@ impl SmallOutlines {
 }
 
 impl SmallOutlines {
-    /// Finds the spheres of which a row lies between two of the raster.
+    /// Finds the lanes whose spheres have rows among the given rows of the raster.
     #[inline(always)]
     pub(crate) fn rows_meet<S: Simd>(&self, simd: S, axes: &RasterAxes, rows: Range<usize>) -> u64 {
         let load = |x: &Singles| S::f32s::from_slice(simd, &x[..S::f32s::LEN]);
@@ -277,7 +286,7 @@ impl SmallOutlines {
         (last.simd_ge(above) & first.simd_le(below) & first.simd_le(last)).to_bitmask()
     }
 
-    /// The rows and columns of the raster that a sphere can cover.
+    /// Returns the rows and columns of the raster that a sphere can cover.
     #[inline(always)]
     pub(crate) fn extent(
         &self,
@@ -325,8 +334,8 @@ mod tests {
     /// Spheres by coordinate: x, y, z and the radius.
     type Spheres = [[f64; MOST_SINGLE_LANES]; 4];
 
-    /// Finds the outlines of spheres, both as small ones and by themselves. Returns the lanes of a vector
-    /// of `f64`, too.
+    /// Finds the outlines of spheres as small ones and as ordinary ones. Returns the number of lanes of
+    /// a vector of `f64`, too.
     #[inline(always)]
     fn both<S: Simd>(
         simd: S,
@@ -348,7 +357,7 @@ mod tests {
         assert!((a - b).abs() <= tolerance, "{name}: {a} and {b}");
     }
 
-    /// Asserts that two outlines of a sphere are one.
+    /// Asserts that two outlines of one sphere are the same.
     fn assert_same(small: &SmallOutlines, lane: usize, n: usize, outline: &Outline) {
         let get = |x: &Halves| x[lane / n][lane % n];
         let (column, j) = (get(&small.column), 0.37);
