@@ -1,5 +1,5 @@
-//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand; and as a
-//! rotation, its unit quaternion.
+//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand; and its rotation
+//! as a unit quaternion.
 
 use std::fmt;
 
@@ -9,8 +9,8 @@ use crate::exact::dyadic::{Dyadic, dot, exact3};
 use crate::exact::scale::{length, unit};
 use crate::exact::scale::{shortest, triple};
 
-/// Maximum distance of a basis given by hand from orthonormal: `| |a| - 1 |` and `|a . b|` of its
-/// vectors.
+/// Maximum deviation of a basis given by hand from orthonormal: the maximum of `| |a| - 1 |` and
+/// `|a . b|` of its vectors.
 ///
 /// Wide enough for values printed with ten digits, far too narrow for a typed `0.7071`.
 pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
@@ -29,7 +29,7 @@ pub struct Basis {
     pub w: DVec3,
 }
 
-/// A vector of a [`Basis`], as messages name it.
+/// The name of a vector of a [`Basis`], for messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BasisVector {
     /// Right in the image.
@@ -50,16 +50,16 @@ impl fmt::Display for BasisVector {
     }
 }
 
-/// The angle between up and the view direction, and what it does to the basis.
+/// The angle between up and the view direction, and the conditioning of the basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpAngle {
-    /// Angle between up and view in radians, between 0 and pi; never either but by rounding.
+    /// Angle between up and view in radians, between 0 and pi; 0 or pi only by rounding.
     pub angle: f64,
     /// `1 / sin(angle)`: degrees of roll for each degree that up is tipped sideways.
     pub conditioning: f64,
 }
 
-/// Reason why there is no basis. Each case carries the numbers at fault.
+/// Reason why a camera has no basis. Each case carries the invalid numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BasisError {
@@ -67,12 +67,12 @@ pub enum BasisError {
     NotFinite {
         /// `eye`, `at`, `view`, `up`, or `basis.u`, `basis.v`, `basis.w`.
         field: &'static str,
-        /// The value.
+        /// The invalid vector.
         value: DVec3,
     },
     /// `at - eye` is zero, so there is no view direction.
     EyeIsAt {
-        /// The point where both are.
+        /// The point where both eye and at are.
         point: DVec3,
     },
     /// The view direction given is `(0, 0, 0)`.
@@ -88,18 +88,18 @@ pub enum BasisError {
     },
     /// A vector of a basis given by hand is not of length 1.
     NotUnit {
-        /// The vector.
+        /// The name of the vector.
         vector: BasisVector,
-        /// Its length.
+        /// The length of the vector.
         length: f64,
     },
     /// Two vectors of a basis given by hand are not orthogonal.
     NotOrthogonal {
-        /// One of them.
+        /// The first of the two vectors.
         first: BasisVector,
-        /// The other.
+        /// The second of the two vectors.
         second: BasisVector,
-        /// Their dot product.
+        /// The dot product of the two vectors.
         dot: f64,
     },
     /// `u x v` of a basis given by hand is `-w`.
@@ -146,7 +146,7 @@ impl fmt::Display for BasisError {
 impl std::error::Error for BasisError {}
 
 impl Basis {
-    /// Returns the distance of the three from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
+    /// Returns the distance of u, v and w from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
     pub(crate) fn defect(&self) -> f64 {
         let Basis { u, v, w } = *self;
         let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
@@ -154,15 +154,15 @@ impl Basis {
         unit.iter().chain(&right_angles).sum()
     }
 
-    /// The canonical camera's: x right, y up, z backwards.
+    /// The canonical camera's basis: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 
-    /// Takes a basis as given, to the bit, if it is one: unit and orthogonal within
-    /// [`ORTHONORMAL_TOLERANCE`], right-handed.
+    /// Makes a basis from vectors given by hand, unchanged to the bit. They must be unit and orthogonal
+    /// within [`ORTHONORMAL_TOLERANCE`], and right-handed.
     ///
     /// # Errors
-    /// Returns an error that names the vector that is not finite or not of length 1, or the two that are
-    /// not orthogonal, or that says that the three are left-handed.
+    /// Returns an error that names the vector that is not finite or not of length 1, or the two vectors
+    /// that are not orthogonal, or that says that the basis is left-handed.
     pub fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
         use BasisVector::{U, V, W};
         for (field, value) in [("basis.u", u), ("basis.v", v), ("basis.w", w)] {
@@ -184,12 +184,12 @@ impl Basis {
         Ok(Basis { u, v, w })
     }
 
-    /// `x*u + y*v + z*w`: from coordinates in this basis to a direction in the world.
+    /// Returns `x*u + y*v + z*w`: the world's direction for coordinates in this basis.
     pub fn to_world_from_camera(&self, direction: DVec3) -> DVec3 {
         direction.x * self.u + direction.y * self.v + direction.z * self.w
     }
 
-    /// `(p.u, p.v, p.w)`: from a direction in the world to coordinates in this basis.
+    /// Returns `(p.u, p.v, p.w)`: the coordinates in this basis of a direction in the world.
     pub fn to_camera_from_world(&self, direction: DVec3) -> DVec3 {
         DVec3::new(direction.dot(self.u), direction.dot(self.v), direction.dot(self.w))
     }
@@ -199,11 +199,12 @@ pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), Basi
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 
-/// Allowance for rounding, far more than it makes of a length or a dot product of vectors of about length 1.
+/// Allowance for rounding, far more than the error of a length or a dot product of vectors of about
+/// length 1.
 const ROUNDING: f64 = 1e-15;
 
-/// Returns whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as
-/// `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
+/// Returns whether `| |v| - 1 | <= tolerance`, with tolerance [`ORTHONORMAL_TOLERANCE`], decided
+/// exactly: where rounding could matter, by `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
 pub fn is_unit(v: DVec3) -> bool {
     let off = (length(v) - 1.0).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
@@ -217,7 +218,7 @@ pub fn is_unit(v: DVec3) -> bool {
     above.sign().is_ge() && below.sign().is_ge()
 }
 
-/// Returns whether `|a . b| <= tolerance`, exactly.
+/// Returns whether `|a . b| <= tolerance`, with tolerance [`ORTHONORMAL_TOLERANCE`], decided exactly.
 pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
     let off = a.dot(b).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
@@ -229,8 +230,8 @@ pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
 }
 
 impl Basis {
-    /// The rotation `[w, x, y, z]` that takes x to u, y to v and z to w: from camera to world. Of the
-    /// two unit quaternions, the one whose w is not negative.
+    /// Returns the rotation `[w, x, y, z]` that takes x to u, y to v and z to w: from camera to world.
+    /// Of the two unit quaternions, it is the one whose w is not negative.
     ///
     /// (S. W. Shepperd, *Quaternion from rotation matrix*, J. Guidance and Control 1, 1978.)
     pub fn quaternion(&self) -> [f64; 4] {
@@ -239,8 +240,8 @@ impl Basis {
         [q.w, q.x, q.y, q.z]
     }
 
-    /// The basis that a quaternion `[w, x, y, z]` of any length turns x, y, z to; `None` for one of
-    /// zero, or not finite.
+    /// Returns the basis to which a quaternion `[w, x, y, z]` of any length turns x, y, z; `None` if the
+    /// quaternion is zero or not finite.
     pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {
         let q = DQuat::from_xyzw(x, y, z, w);
         let length = q.length();
@@ -259,8 +260,8 @@ impl Basis {
         lengths.into_iter().chain(angles).fold(0.0, f64::max)
     }
 
-    /// Returns whether three vectors, unit or not, are left-handed: the picture of a camera that
-    /// has them for right, up and backwards is a mirror image.
+    /// Returns whether three vectors, unit or not, are left-handed. The picture of a camera with such
+    /// vectors for right, up and backwards is a mirror image.
     pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
         let vectors = [u, v, w];
         if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {

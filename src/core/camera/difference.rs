@@ -7,27 +7,27 @@ use crate::camera::basis::{Basis, BasisError};
 use crate::camera::{Camera, Orientation};
 use crate::exact::scale::{angle_between, unit};
 
-/// The difference of one camera from another; lengths in world units, angles in degrees.
+/// The difference of one camera from another; lengths are in world units, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CameraDifference {
-    /// Vector from the other camera's eye to this one's.
+    /// Vector from the other camera's eye to this camera's eye.
     pub eye: DVec3,
-    /// Vector from the other camera's at to this one's, if both have one.
+    /// Vector from the other camera's at to this camera's at; `None` unless both cameras have one.
     pub at: Option<DVec3>,
-    /// Between the two ups.
+    /// Angle between the ups of the two cameras.
     pub up: f64,
-    /// Between the two u, v and w.
+    /// Angles between the two cameras' u, v and w.
     pub basis: [f64; 3],
-    /// About one axis, which takes one basis to the other (L. Euler 1775).
+    /// Angle of the rotation about a single axis that takes one basis to the other (L. Euler 1775).
     pub turn: f64,
-    /// Angle by which this camera is rolled about its view against the one that looks the same way
-    /// and is held level by the other's up: as by [`Camera::swung`], in (-180, 180]. `None` where
-    /// the other's up is parallel to this view.
+    /// Angle, in (-180, 180], by which this camera is rolled about its view, as by [`Camera::swung`],
+    /// from the camera that looks the same way and is held level by the other's up. `None` where the
+    /// other's up is parallel to this view.
     pub roll: Option<f64>,
     /// This viewport's distance minus the other's.
     pub distance: f64,
-    /// Differences of width and height, likewise.
+    /// This viewport's width and height minus the other's.
     pub extent: [f64; 2],
 }
 
@@ -39,8 +39,8 @@ impl Camera {
     /// roll = atan2(-v . u'', v . v'')       u'', v'': this view with the other's up
     /// ```
     ///
-    /// The first is `2 sin(turn)` and `2 cos(turn)` of the rotation's matrix, which keep the digits of
-    /// small turns and of those near 180 degrees.
+    /// The arguments of the first `atan2` are `2 sin(turn)` and `2 cos(turn)` of the rotation's matrix,
+    /// which keep the digits of small turns and of turns near 180 degrees.
     ///
     /// # Errors
     /// Returns an error if one of the two has no basis.

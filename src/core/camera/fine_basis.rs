@@ -11,7 +11,7 @@ use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
 use crate::exact::scale::ldexp;
 use crate::exact::surd::Radicands;
 
-/// u, v, w in double-double.
+/// The vectors u, v, w in double-double.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FineBasis {
     pub(crate) u: Vector<DoubleDouble>,
@@ -24,14 +24,14 @@ pub(crate) struct FineBasis {
 /// A view direction, as the inputs give it: `at - eye` has digits that no `f64` holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewGiven {
-    /// `to - from`
+    /// The direction `to - from`.
     Between { from: DVec3, to: DVec3 },
     /// The direction itself.
     Along(DVec3),
 }
 
 impl ViewGiven {
-    /// Returns the direction in units of `2^k`, with what rounding left out.
+    /// Returns the direction in double-double, in units of `2^k`, and k.
     fn fine(&self) -> (Vector<DoubleDouble>, i32) {
         let (view, rest, k) = match *self {
             ViewGiven::Between { from, to } => difference_with_rest(to, from),
@@ -40,7 +40,7 @@ impl ViewGiven {
         (std::array::from_fn(|i| DoubleDouble { hi: view[i], lo: rest[i] }), k)
     }
 
-    /// Rounded; a quarter of it where it overflows.
+    /// Returns the direction rounded to `f64`; a quarter of it where it would overflow.
     pub(crate) fn rounded(&self) -> DVec3 {
         DVec3::from_array(self.fine().0.map(DoubleDouble::near))
     }
@@ -129,7 +129,7 @@ impl FineBasis {
         Some(FineBasis { u, v, w, doubt: 3.0 * U2 })
     }
 
-    /// A basis as given.
+    /// Returns the given basis in double-double.
     pub(crate) fn given(basis: &Basis) -> FineBasis {
         let exactly = |v: DVec3| v.to_array().map(DoubleDouble::from);
         let Basis { u, v, w } = *basis;
@@ -144,19 +144,19 @@ impl FineBasis {
         Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
     }
 
-    /// Error bound of the direction `x u + y v + z w`, as a share of its length: with
+    /// Returns the error bound of the direction `x u + y v + z w`, as a share of its length: with
     /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
     pub(crate) fn direction_doubt(&self) -> f64 {
         // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
         1.74 * (self.doubt + DoubleDouble::DOT)
     }
 
-    /// Error bound of each vector.
+    /// Returns the error bound of each vector.
     pub(crate) fn doubt(&self) -> f64 {
         self.doubt
     }
 
-    /// `x u + y v - z w`
+    /// Returns `x u + y v - z w`.
     pub(crate) fn direction(&self, [x, y, z]: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
         std::array::from_fn(|i| x * self.u[i] + y * self.v[i] - z * self.w[i])
     }
@@ -168,8 +168,8 @@ fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
     [[1, 2], [2, 0], [0, 1]].map(|[j, k]| (a[j] || b[k]) && (a[k] || b[j]))
 }
 
-/// `(|view x up|, view . up, |view| |up|)` in units of one power of two: the terms of the angle between
-/// view and up. The first keeps its digits however small it is.
+/// Returns `(|view x up|, view . up, |view| |up|)` in units of one power of two: the terms of the angle
+/// between view and up. The first keeps its digits however small it is.
 pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =
@@ -188,7 +188,7 @@ pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     (right, along, lengths)
 }
 
-/// `v / sqrt square`, each coordinate in double-double.
+/// Returns `v / sqrt square`, each coordinate in double-double.
 pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
     const DIGITS: i32 = 130;
     let places = DIGITS - square.log2().div_euclid(2);
@@ -200,7 +200,7 @@ pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
     })
 }
 
-/// `v / sqrt square`, each coordinate rounded once.
+/// Returns `v / sqrt square`, each coordinate rounded once.
 pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
     // Added to 0, a negative zero is 0.
     DVec3::from_array(over_root(v, square).map(|x| x.hi + 0.0))
@@ -245,7 +245,7 @@ impl Aim {
 }
 
 impl Basis {
-    /// The basis of a camera that looks along `view`, level with respect to `up`:
+    /// Returns the basis of a camera that looks along `view`, level with respect to `up`:
     ///
     /// ```text
     /// w = -view / |view|     u = up x w / |up x w|     v = w x u
@@ -262,7 +262,7 @@ impl Basis {
         Ok(Aim::along(view, up)?.fine_basis()?.rounded())
     }
 
-    /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
+    /// Returns the basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
     /// `view = at - eye`, which is not rounded.
     ///
     /// # Errors

@@ -44,7 +44,7 @@ pub enum Orientation {
     Basis(Basis),
 }
 
-/// The three ways to give an [`Orientation`], without the values.
+/// The ways to give an [`Orientation`], without the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -65,21 +65,21 @@ pub enum OrientationKind {
 pub struct Camera {
     /// The origin of every view ray.
     pub eye: DVec3,
-    /// The way it looks, and which way is up.
+    /// The direction in which the camera looks, and its up.
     pub orientation: Orientation,
     /// Width, height and distance of the viewport.
     pub viewport: Viewport,
-    /// W x H pixels.
+    /// Width and height of the image, in pixels.
     pub image: ImageSize,
 }
 
-/// Reason why a camera sees nothing.
+/// Reason why a camera cannot be resolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CameraError {
-    /// There is no basis.
+    /// The camera has no basis.
     Basis(BasisError),
-    /// The viewport has no extent or distance.
+    /// The viewport's width, height or distance is not positive and finite.
     Viewport(ViewportError),
     /// The image has no pixels, or too many.
     Image(ImageError),
@@ -128,15 +128,15 @@ impl Camera {
         },
     };
 
-    /// The camera's basis.
+    /// Returns the camera's basis.
     ///
     /// # Errors
-    /// Returns an error if there is none, see [`BasisError`].
+    /// Returns an error if the camera has no basis, see [`BasisError`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
         Ok(self.aim()?.1.rounded())
     }
 
-    /// Returns what the basis is made of, and the basis with all its digits.
+    /// Returns the inputs of the basis, and the basis with all its digits.
     fn aim(&self) -> Result<(AimGiven, FineBasis), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
@@ -151,12 +151,12 @@ impl Camera {
         Ok((AimGiven::ViewUp(aim.view, aim.up), aim.fine_basis()?))
     }
 
-    /// The angle between up and the view direction, by `atan2(|up x view|, up . view)` (accurate at
-    /// both ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`. A
-    /// basis given by hand has v for its up: a right angle, conditioning 1.
+    /// Returns the angle between up and the view direction, by `atan2(|up x view|, up . view)` (accurate
+    /// at both ends, where arc cosine is not), and the conditioning `|up| |view| / |up x view|`, at most
+    /// `f64::MAX`. The up of a basis given by hand is v: a right angle, conditioning 1.
     ///
     /// # Errors
-    /// Returns an error if there is no basis.
+    /// Returns an error if the camera has no basis.
     pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
         let (AimGiven::ViewUp(view, up), _) = self.aim()? else {
             return Ok(UpAngle { angle: FRAC_PI_2, conditioning: 1.0 });
@@ -166,8 +166,8 @@ impl Camera {
         Ok(UpAngle { angle: right.atan2(along), conditioning })
     }
 
-    /// The direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where it
-    /// overflows), or `-w`.
+    /// Returns the direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where
+    /// it overflows), or `-w`.
     pub fn view(&self) -> DVec3 {
         match self.orientation {
             Orientation::At { at, .. } => difference_with_rest(at, self.eye).0,
@@ -176,7 +176,7 @@ impl Camera {
         }
     }
 
-    /// The up vector as given; v for a basis given by hand.
+    /// Returns the up vector as given; v for a basis given by hand.
     pub fn up(&self) -> DVec3 {
         match self.orientation {
             Orientation::At { up, .. } | Orientation::View { up, .. } => up,
@@ -187,7 +187,8 @@ impl Camera {
     /// Checks the camera and returns it with everything that its view rays need.
     ///
     /// # Errors
-    /// Returns an error if it has no basis or its viewport is not a rectangle in front of the eye.
+    /// Returns an error if the camera has no basis or its viewport is not a rectangle in front of the
+    /// eye.
     pub fn resolve(&self) -> Result<ResolvedCamera, CameraError> {
         let (aim, basis) = self.aim()?;
         self.viewport.check()?;
@@ -224,7 +225,7 @@ impl Camera {
     pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 }
 
-/// `eye + 2^k view` with the smallest `k >= 0` that keeps the direction.
+/// Returns `eye + 2^k view` with the smallest `k >= 0` that keeps the direction.
 fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
     let has_direction = |v: DVec3| v.is_finite() && v != DVec3::ZERO;
     if !(has_direction(view) && eye.is_finite()) {
@@ -258,7 +259,7 @@ impl Orientation {
         !matches!(self, Orientation::Basis(_))
     }
 
-    /// Returns which of the three ways this is.
+    /// Returns the way in which the orientation is given.
     pub fn kind(&self) -> OrientationKind {
         match self {
             Orientation::At { .. } => OrientationKind::At,

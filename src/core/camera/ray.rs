@@ -1,5 +1,5 @@
-//! Rays in parametric form: with a direction in `f64`, and exact, as given or as a camera's view ray,
-//! whose direction no `f64` holds.
+//! Rays in parametric form: with a direction in `f64`; and exact rays, as given or as a camera's view
+//! ray, whose direction no `f64` holds.
 
 use std::fmt;
 
@@ -22,11 +22,11 @@ use crate::exact::scale::{ldexp, split};
 pub struct Ray {
     /// The point at `t = 0`, the lecture's p.
     pub origin: DVec3,
-    /// The lecture's **d**.
+    /// The ray's direction, the lecture's **d**.
     pub direction: DVec3,
 }
 
-/// Reason why numbers make no ray.
+/// Reason why numbers do not make a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RayError {
@@ -34,7 +34,7 @@ pub enum RayError {
     NotFinite {
         /// `origin` or `direction`.
         field: &'static str,
-        /// The value.
+        /// The invalid vector.
         value: DVec3,
     },
     /// The direction is `(0, 0, 0)`.
@@ -57,8 +57,8 @@ impl fmt::Display for RayError {
 impl std::error::Error for RayError {}
 
 impl Ray {
-    /// A checked ray, from whatever makes a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`. Numbers in
-    /// `f32` are widened first, which changes none.
+    /// Makes a checked ray. The arguments may be of any type that converts into [`DVec3`]: `[f64; 3]`,
+    /// `(f64, f64, f64)`. Convert `f32` numbers to `f64` first, which is exact.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the direction is zero.
@@ -82,7 +82,7 @@ impl Ray {
     /// Checks that origin and direction are finite and the direction is not zero.
     ///
     /// # Errors
-    /// Returns what is wrong.
+    /// Returns an error if the ray is invalid.
     pub fn check(&self) -> Result<(), RayError> {
         for (field, value) in [("origin", self.origin), ("direction", self.direction)] {
             if !value.is_finite() {
@@ -92,12 +92,12 @@ impl Ray {
         if self.direction == DVec3::ZERO { Err(RayError::DirectionIsZero) } else { Ok(()) }
     }
 
-    /// `origin + t * direction`.
+    /// Returns the point `origin + t * direction`.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.direction
     }
 
-    /// `t * |direction|`: how far from the origin, in world units, `t` is.
+    /// Returns `t * |direction|`, the distance from the origin to the point at `t`, in world units.
     pub fn distance_along(&self, t: f64) -> f64 {
         if self.check().is_err() {
             return t * self.direction.length();
@@ -109,24 +109,24 @@ impl Ray {
 
 /// A ray on which every decision is what exact real arithmetic gives.
 ///
-/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::from_ray`]).
-/// - Of a camera's view ray, eye, at (or view), up, viewport and image are: nothing in between is
-///   rounded, neither the basis nor (u, v) nor the direction
-///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
+/// - For a [`Ray`], origin and direction are exact as given, to the bit ([`ExactRay::from_ray`]).
+/// - For a camera's view ray, eye, at (or view), up, viewport and image are exact as given: nothing in
+/// between is rounded, neither the basis nor (u, v) nor the direction
+/// ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
-/// The intersection code treats both alike: as a direction in double-double with a bound of its error and,
-/// where that does not suffice, as exact numbers.
+/// The intersection code treats the two kinds alike: as a direction in double-double with a bound of its
+/// error and, where that does not suffice, as exact numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRay<'a> {
     origin: DVec3,
     source: Source<'a>,
     /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
-    /// within 1e-30 and 1e30.
+    /// between 1e-30 and 1e30.
     pub(crate) fine: DirectionTerms<DoubleDouble>,
     /// The direction, rounded to `f64`.
     pub(crate) rough: DirectionTerms<f64>,
     pub(crate) scale: i32,
-    /// A whole number: a pixel's (u, v) times it has no denominator.
+    /// A whole number that clears denominators: a pixel's (u, v) times `stretch` has none.
     pub(crate) stretch: f64,
 }
 
@@ -138,13 +138,15 @@ enum Source<'a> {
 }
 
 impl ResolvedCamera {
-    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
-    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
+    /// Returns the view ray through a pixel's centre, for the camera as given, with nothing rounded:
+    /// `u = width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact
+    /// basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
         ExactRay::from_view(self, ViewportPoint::Pixel(pixel))
     }
 
-    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
+    /// Returns the view ray through (u, v), for the numbers and the camera as given, with nothing
+    /// rounded.
     ///
     /// # Errors
     /// Returns an error if u or v is not finite.
@@ -157,7 +159,7 @@ impl ResolvedCamera {
 }
 
 impl<'a> ExactRay<'a> {
-    /// The ray as given.
+    /// Returns the exact ray of a ray as given.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the direction is zero.
@@ -167,7 +169,7 @@ impl<'a> ExactRay<'a> {
         Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
     }
 
-    /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
+    /// Returns a camera's view ray through a point of its viewport.
     pub(crate) fn from_view(camera: &'a ResolvedCamera, point: ViewportPoint) -> ExactRay<'a> {
         let (direction, scale) = camera.fine_direction(point);
         let (direction, more) = scaled(direction);
@@ -193,12 +195,12 @@ impl<'a> ExactRay<'a> {
         ExactRay { origin, source, fine, rough, scale, stretch }
     }
 
-    /// The point at `t = 0`.
+    /// Returns the ray's point at `t = 0`.
     pub fn origin(&self) -> DVec3 {
         self.origin
     }
 
-    /// Returns the pixel whose view ray this is, if it is the ray of a pixel.
+    /// Returns the pixel through whose centre this view ray passes; `None` for any other ray.
     pub fn pixel(&self) -> Option<Pixel> {
         match self.source {
             Source::View(_, ViewportPoint::Pixel(pixel)) => Some(pixel),
@@ -214,7 +216,7 @@ impl<'a> ExactRay<'a> {
         }
     }
 
-    /// The ray in `f64`: each coordinate of the direction is the exact one, rounded.
+    /// Returns the ray in `f64`: each coordinate of the direction is the exact one, rounded.
     pub fn rounded(&self) -> Ray {
         let direction = match self.source {
             Source::Given(direction) => direction,
@@ -238,7 +240,7 @@ impl<'a> ExactRay<'a> {
         }))
     }
 
-    /// The exact numbers.
+    /// Returns the ray in exact numbers.
     pub(crate) fn big(&self) -> BigRay {
         match self.source {
             Source::Given(direction) => BigRay::given(self.origin, direction),

@@ -35,17 +35,17 @@ pub(crate) enum AimGiven {
     Basis,
 }
 
-/// A point of the viewport, through which a view ray passes, exactly.
+/// A point of the viewport through which a view ray passes exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewportPoint {
-    /// Through a pixel's centre.
+    /// A pixel's centre.
     Pixel(Pixel),
-    /// Through this (u, v).
+    /// A position (u, v).
     Uv(DVec2),
 }
 
 impl ViewportPoint {
-    /// The whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
+    /// Returns the whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
     pub(crate) fn stretch(self, image: ImageSize) -> f64 {
         match self {
             ViewportPoint::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
@@ -54,15 +54,16 @@ impl ViewportPoint {
     }
 }
 
-/// The pixel that a (u, v) falls into.
+/// The pixel in which a (u, v) lies, and the edges on which it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelOfUv {
-    /// The pixel; on an edge, the one to the right of it or below it (inside the image).
+    /// The pixel; for a (u, v) on an edge, the pixel to the right of the edge or below it (inside the
+    /// image).
     pub pixel: Pixel,
-    /// `k` where u is exactly on the edge between columns `k - 1` and `k` (0 and W are the image's
-    /// own edges).
+    /// `k` where u is exactly on the edge between columns `k - 1` and `k` (0 and W are the image's own
+    /// edges); otherwise `None`.
     pub column_edge: Option<u32>,
-    /// `k` where v is exactly on the edge between rows `k - 1` and `k`.
+    /// `k` where v is exactly on the edge between rows `k - 1` and `k`; otherwise `None`.
     pub row_edge: Option<u32>,
 }
 
@@ -85,13 +86,13 @@ impl Projection {
 }
 
 impl PixelOfUv {
-    /// Returns the pixel that the (u, v) lies inside; `None` on an edge.
+    /// Returns the pixel that contains the (u, v); `None` on an edge.
     pub fn only_pixel(&self) -> Option<Pixel> {
         (self.column_edge.is_none() && self.row_edge.is_none()).then_some(self.pixel)
     }
 
-    /// The pixels that the (u, v) touches: one inside a pixel, two on an edge, four on a corner;
-    /// fewer at the image's border. Row by row.
+    /// Returns the pixels that the (u, v) touches, row by row: one inside a pixel, two on an edge, four
+    /// on a corner; fewer at the image's border.
     pub fn touching(&self, image: ImageSize) -> Vec<Pixel> {
         let around = |edge: Option<u32>, own: u32, count: u32| match edge {
             Some(k) => k.saturating_sub(1)..(k + 1).min(count),
@@ -105,7 +106,7 @@ impl PixelOfUv {
 }
 
 impl ResolvedCamera {
-    /// The camera of parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
+    /// Makes the camera from parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
     pub(crate) fn new(
         eye: DVec3,
         aim: AimGiven,
@@ -116,67 +117,67 @@ impl ResolvedCamera {
         ResolvedCamera { eye, aim, basis: fine_basis.rounded(), fine_basis, viewport, image }
     }
 
-    /// The origin of every view ray.
+    /// Returns the origin of every view ray.
     pub fn eye(&self) -> DVec3 {
         self.eye
     }
 
-    /// u, v, w.
+    /// Returns the vectors u, v, w.
     pub fn basis(&self) -> &Basis {
         &self.basis
     }
 
-    /// Width, height, distance.
+    /// Returns the viewport: width, height and distance.
     pub fn viewport(&self) -> &Viewport {
         &self.viewport
     }
 
-    /// W x H.
+    /// Returns the size of the image, W x H pixels.
     pub fn image(&self) -> ImageSize {
         self.image
     }
 
-    /// (u, v) of a pixel's centre:
+    /// Returns (u, v) of a pixel's centre:
     ///
     /// ```text
     /// u = width  * ((column + 0.5) / W - 0.5)
     /// v = height * (0.5 - (row + 0.5) / H)
     /// ```
     ///
-    /// written as `width * (2 column + 1 - W) / (2 W)`, whose numerator is exact.
+    /// computed as `width * (2 column + 1 - W) / (2 W)`, whose numerator is exact.
     pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
         DVec2::new(self.u_of_column(pixel.column), self.v_of_row(pixel.row))
     }
 
-    /// u of the centre of a column, see [`ResolvedCamera::uv_of_pixel`].
+    /// Returns u of the centre of a column, see [`ResolvedCamera::uv_of_pixel`].
     pub fn u_of_column(&self, column: u32) -> f64 {
         let (j, w) = (f64::from(column), f64::from(self.image.width()));
         self.viewport.width * ((2.0 * j + 1.0 - w) / (2.0 * w))
     }
 
-    /// v of the centre of a row, see [`ResolvedCamera::uv_of_pixel`].
+    /// Returns v of the centre of a row, see [`ResolvedCamera::uv_of_pixel`].
     pub fn v_of_row(&self, row: u32) -> f64 {
         let (i, h) = (f64::from(row), f64::from(self.image.height()));
         self.viewport.height * ((h - 2.0 * i - 1.0) / (2.0 * h))
     }
 
-    /// u of the edge between columns `k - 1` and `k`, `k` from 0 to W: `width * (k / W - 0.5)`.
+    /// Returns u of the edge between columns `k - 1` and `k`, `k` from 0 to W: `width * (k / W - 0.5)`.
     pub fn u_of_column_edge(&self, k: u32) -> f64 {
         let (k, w) = (f64::from(k), f64::from(self.image.width()));
         self.viewport.width * ((2.0 * k - w) / (2.0 * w))
     }
 
-    /// v of the edge between rows `k - 1` and `k`, `k` from 0 to H: `height * (0.5 - k / H)`.
+    /// Returns v of the edge between rows `k - 1` and `k`, `k` from 0 to H: `height * (0.5 - k / H)`.
     pub fn v_of_row_edge(&self, k: u32) -> f64 {
         let (k, h) = (f64::from(k), f64::from(self.image.height()));
         self.viewport.height * ((h - 2.0 * k) / (2.0 * h))
     }
 
-    /// The pixel that (u, v) falls into, and whether it lies exactly on an edge between pixels;
+    /// Returns the pixel in which (u, v) lies, and whether it lies exactly on an edge between pixels;
     /// `None` outside the image.
     ///
-    /// "Exactly" means to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2 is
-    /// not a binary fraction, but a user who types it means the edge.
+    /// "Exactly" means to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2
+    /// is not a binary fraction, but a user who types 0.2 means the edge.
     pub fn pixel_of_uv(&self, uv: DVec2) -> Option<PixelOfUv> {
         let Viewport { width, height, .. } = self.viewport;
         let (columns, rows) = (self.image.width(), self.image.height());
@@ -187,24 +188,24 @@ impl ResolvedCamera {
         Some(PixelOfUv { pixel: Pixel { row, column }, column_edge, row_edge })
     }
 
-    /// The view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
+    /// Returns the view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
     /// normalized, so that `t = 1` is the viewport.
     pub fn ray(&self, uv: DVec2) -> Ray {
         let direction = self.column_term(uv.x) + self.row_term(uv.y);
         Ray { origin: self.eye, direction }
     }
 
-    /// The view ray through a pixel's centre.
+    /// Returns the view ray through a pixel's centre.
     pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
         self.ray(self.uv_of_pixel(pixel))
     }
 
-    /// The basis with all its digits.
+    /// Returns the basis with all its digits.
     pub(crate) fn fine_basis(&self) -> &FineBasis {
         &self.fine_basis
     }
 
-    /// `(u, v, distance)` times the point's stretch, as three pairs whose products are exact.
+    /// Returns `(u, v, distance)` times the point's stretch, as three pairs whose products are exact.
     fn coordinates(&self, point: ViewportPoint) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
         match point {
@@ -221,7 +222,7 @@ impl ResolvedCamera {
         }
     }
 
-    /// The view ray's direction times the point's stretch, in units of `2^k`.
+    /// Returns the view ray's direction times the point's stretch, in units of `2^k`.
     pub(crate) fn fine_direction(&self, point: ViewportPoint) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
         // By the products, not the measures: at the picture's centre width and height drop out.
@@ -233,14 +234,14 @@ impl ResolvedCamera {
         (self.fine_basis.direction(coordinates), k)
     }
 
-    /// `u U`, `v V` and `-distance W` of a pixel's view ray, each coordinate rounded once: what its
-    /// direction is the sum of.
+    /// Returns the terms `u U`, `v V` and `-distance W` of the direction of a pixel's view ray, each
+    /// coordinate rounded once.
     pub fn direction_terms_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
         self.direction_terms(ViewportPoint::Pixel(pixel))
     }
 
-    /// `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each coordinate rounded
-    /// once.
+    /// Returns the terms `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each
+    /// coordinate rounded once.
     pub fn direction_terms_at(&self, uv: DVec2) -> [DVec3; 3] {
         self.direction_terms(ViewportPoint::Uv(uv))
     }
@@ -258,7 +259,7 @@ impl ResolvedCamera {
         [part(along_u, 1.0, u), part(along_v, 1.0, v), part(along_w, -1.0, w)]
     }
 
-    /// A view ray in exact numbers.
+    /// Returns a view ray in exact numbers.
     pub(crate) fn big_ray(&self, point: ViewportPoint) -> BigRay {
         let coordinates = self.coordinates(point).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
         let [x, y, z] = &coordinates;
@@ -286,12 +287,12 @@ impl ResolvedCamera {
         }
     }
 
-    /// `u*U`: what the pixels of a column share of their directions.
+    /// Returns `u*U`, the term that the directions of a column's pixels share.
     pub(crate) fn column_term(&self, u: f64) -> DVec3 {
         u * self.basis.u
     }
 
-    /// `v*V - distance*W`: what the pixels of a row share of their directions.
+    /// Returns `v*V - distance*W`, the term that the directions of a row's pixels share.
     pub(crate) fn row_term(&self, v: f64) -> DVec3 {
         v * self.basis.v - self.viewport.distance * self.basis.w
     }
@@ -302,8 +303,8 @@ impl ResolvedCamera {
     /// depth = -q.W     (u, v) = (q.U, q.V) * distance / depth
     /// ```
     ///
-    /// the inverse of [`ResolvedCamera::ray`]: the ray through that (u, v) passes the point at
-    /// `t = depth / distance`.
+    /// `project` is the inverse of [`ResolvedCamera::ray`]: the ray through that (u, v) passes through
+    /// the point at `t = depth / distance`.
     pub fn project(&self, point: DVec3) -> Projection {
         let (mut to_point, _, mut k) = difference_with_rest(point, self.eye);
         if to_point.abs().max_element() > 1e300 {
@@ -315,14 +316,14 @@ impl ResolvedCamera {
         Projection { uv, depth: ldexp(-q.z, k) }
     }
 
-    /// The point of the viewport, in the world, at (u, v): the view ray's point at `t = 1`.
+    /// Returns the world position of (u, v) in the viewport: the view ray's point at `t = 1`.
     pub fn viewport_point(&self, uv: DVec2) -> DVec3 {
         self.ray(uv).at(1.0)
     }
 }
 
-/// Finds which of `count` cells across an `extent` a position falls into, and which edge it is on.
-/// `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
+/// Finds which of `count` cells across an `extent` a position lies in, and which edge it is on; `None`
+/// outside. `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
 fn cell_of(
     position: f64,
     fraction: f64,

@@ -8,7 +8,7 @@ use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
 use crate::camera::viewport::Viewport;
 use crate::camera::viewport::{ImageSize, Pixel};
 
-/// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
+/// The selected ray, given by a pixel, or by (u, v) if it passes through no pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Selection {
     /// The ray through a pixel's centre.
@@ -56,7 +56,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection after a change of the image's size: the pixel at the same position.
+    /// Returns the selection after a change of the image's size. A selected pixel becomes the pixel at
+    /// the same position in the new image.
     pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
         let position = |k: u32, before: u32, now: u32| {
             let share = (f64::from(k) + 0.5) / f64::from(before);
@@ -71,7 +72,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection after the viewport was scaled: the same share of its width and height.
+    /// Returns the selection after the viewport was scaled. A selected (u, v) is scaled with the width
+    /// and height.
     pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
         match self {
             Selection::Uv(uv) if before != now => {
@@ -83,8 +85,8 @@ impl Selection {
         }
     }
 
-    /// Returns the pixel that many rows down and columns right, for the arrow keys. From a (u, v), the
-    /// first step goes to the next centre of a pixel in its direction.
+    /// Returns the pixel `rows` down and `columns` to the right, for the arrow keys. From a (u, v), the
+    /// first step goes to the next pixel centre in its direction.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
         let (Pixel { row, column }, rows, columns) = match self {
             Selection::Pixel(pixel) => (pixel, rows, columns),

@@ -18,13 +18,13 @@ pub struct Viewport {
     pub distance: f64,
 }
 
-/// A viewport measure that is not a positive, finite number.
+/// The error of a viewport measure that is not a positive, finite number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ViewportError {
     /// `width`, `height` or `distance`.
     pub field: &'static str,
-    /// The value.
+    /// The invalid measure.
     pub value: f64,
 }
 
@@ -38,13 +38,13 @@ impl fmt::Display for ViewportError {
 impl std::error::Error for ViewportError {}
 
 impl Viewport {
-    /// The canonical camera's: 1 x 1 at distance 1.
+    /// The canonical camera's viewport: 1 x 1 at distance 1.
     pub const CANONICAL: Viewport = Viewport { width: 1.0, height: 1.0, distance: 1.0 };
 
     /// Checks that width, height and distance are positive and finite.
     ///
     /// # Errors
-    /// Returns an error for the first measure that is not.
+    /// Returns an error for the first measure that is not positive and finite.
     pub fn check(&self) -> Result<(), ViewportError> {
         for (field, value) in
             [("width", self.width), ("height", self.height), ("distance", self.distance)]
@@ -56,32 +56,32 @@ impl Viewport {
         Ok(())
     }
 
-    /// The horizontal field of view in radians: [`fov_of_extent`] of the width.
+    /// Returns the horizontal field of view in radians: [`fov_of_extent`] of the width.
     pub fn horizontal_fov(&self) -> f64 {
         fov_of_extent(self.width, self.distance)
     }
 
-    /// The vertical field of view in radians: [`fov_of_extent`] of the height.
+    /// Returns the vertical field of view in radians: [`fov_of_extent`] of the height.
     pub fn vertical_fov(&self) -> f64 {
         fov_of_extent(self.height, self.distance)
     }
 
-    /// The viewport with this vertical field of view (radians), the same distance, and the same
+    /// Returns the viewport with this vertical field of view (radians), the same distance, and the same
     /// ratio of width to height. Where there is no such ratio (a height of 0) the width stays.
     pub fn with_vertical_fov(&self, fov: f64) -> Viewport {
         let height = extent_of_fov(fov, self.distance);
         Viewport { width: in_proportion(self.width, self.height, height), height, ..*self }
     }
 
-    /// The viewport with this horizontal field of view (radians), the same distance, and the same
-    /// ratio of width to height. Where there is no such ratio (a width of 0) the height stays.
+    /// Returns the viewport with this horizontal field of view (radians), the same distance, and the
+    /// same ratio of width to height. Where there is no such ratio (a width of 0) the height stays.
     pub fn with_horizontal_fov(&self, fov: f64) -> Viewport {
         let width = extent_of_fov(fov, self.distance);
         Viewport { width, height: in_proportion(self.height, self.width, width), ..*self }
     }
 }
 
-/// `x * new / old`; `x` where that is no positive, finite number.
+/// Returns `x * new / old`; `x` where that is no positive, finite number.
 fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
     // x / old first: a square stays a square to the bit.
     let ratio = x / old;
@@ -89,13 +89,13 @@ fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
     if scaled.is_finite() && scaled > 0.0 { scaled } else { x }
 }
 
-/// `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width or
+/// Returns `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width or
 /// height of the viewport. In `(0, pi)` but for rounding where both are positive.
 pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
     2.0 * (0.5 * extent).atan2(distance)
 }
 
-/// `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
+/// Returns `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
 /// under the angle `fov`, in radians, in `(0, pi)`.
 ///
 /// For any other `fov` no viewport is right, and the result is 0, which [`Viewport::check`] refuses.
@@ -122,13 +122,13 @@ pub struct Pixel {
     pub column: u32,
 }
 
-/// An image measure outside 1 to [`ImageSize::MAX`].
+/// The error of an image measure outside 1 to [`ImageSize::MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ImageError {
     /// `width` or `height`.
     pub field: &'static str,
-    /// The value.
+    /// The invalid measure.
     pub value: u32,
 }
 
@@ -142,20 +142,20 @@ impl fmt::Display for ImageError {
 impl std::error::Error for ImageError {}
 
 impl ImageSize {
-    /// The largest width and height.
+    /// The largest width and height of an image.
     pub const MAX: u32 = 16_384;
 
-    /// An image of `width` x `height` pixels.
+    /// Makes the size of an image of `width` x `height` pixels.
     ///
     /// # Errors
-    /// Returns an error if one of them is 0 or above [`ImageSize::MAX`].
+    /// Returns an error if the width or height is 0 or above [`ImageSize::MAX`].
     pub const fn new(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         ImageSize::within(ImageSize::MAX, width, height)
     }
 
-    /// An image of which only some rows and columns are ever traced, [`ImageSize::MAX`] of each at
-    /// most: it may be up to four times as large. The margins of [`crate::render::outline::extent`]
-    /// allow for that.
+    /// Makes the size of an image of which only some rows and columns are ever traced, at most
+    /// [`ImageSize::MAX`] of each: width and height may be up to four times as large. The margins of
+    /// [`crate::render::outline::extent`] allow for such sizes.
     #[doc(hidden)]
     pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         ImageSize::within(4 * ImageSize::MAX, width, height)
@@ -171,22 +171,22 @@ impl ImageSize {
         Ok(ImageSize { width, height })
     }
 
-    /// W, in pixels.
+    /// Returns the width W, in pixels.
     pub fn width(self) -> u32 {
         self.width
     }
 
-    /// H, in pixels.
+    /// Returns the height H, in pixels.
     pub fn height(self) -> u32 {
         self.height
     }
 
-    /// W / H.
+    /// Returns the aspect ratio W / H.
     pub fn aspect(self) -> f64 {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    /// Number of pixels: W H.
+    /// Returns the number of pixels: W H.
     pub fn pixel_count(self) -> u64 {
         u64::from(self.width()) * u64::from(self.height())
     }
@@ -211,13 +211,13 @@ impl ImageSize {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Intrinsics {
-    /// `distance W / width`
+    /// Horizontal focal length in pixels, `distance W / width`.
     pub fx: f64,
-    /// `distance H / height`; the same as fx where pixels are square.
+    /// Vertical focal length in pixels, `distance H / height`; equal to fx if pixels are square.
     pub fy: f64,
-    /// Column at which the view direction meets the image: W / 2 for every camera here.
+    /// Column at which the view direction meets the image: W / 2 for every [`Camera`](crate::Camera).
     pub cx: f64,
-    /// H / 2, likewise.
+    /// Row at which the view direction meets the image: H / 2 for every [`Camera`](crate::Camera).
     pub cy: f64,
 }
 
@@ -233,7 +233,7 @@ impl Intrinsics {
         }
     }
 
-    /// The viewport at `distance` with these focal lengths; the principal point is ignored.
+    /// Returns the viewport at `distance` with these focal lengths; the principal point is ignored.
     pub fn viewport(&self, image: ImageSize, distance: f64) -> Viewport {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         Viewport { width: distance * w / self.fx, height: distance * h / self.fy, distance }

@@ -28,7 +28,7 @@ pub(crate) struct BigRoot {
     pub(crate) x: Surd,
     pub(crate) sign: Ordering,
     pub(crate) radicand: Surd,
-    /// `None` for the ray's own `a`.
+    /// The denominator; `None` stands for the ray's own `a`.
     pub(crate) y: Option<Surd>,
 }
 
@@ -51,7 +51,7 @@ impl BigRay {
         BigRay { origin: exact3(origin), direction, scale, radicands, a }
     }
 
-    /// A ray as given.
+    /// Makes a ray from an origin and a direction as given.
     pub(crate) fn given(origin: DVec3, direction: DVec3) -> BigRay {
         let one = Surd::from(Dyadic::from(1.0));
         BigRay::new(origin, exact3(direction).map(Surd::from), one, Radicands::none())
@@ -62,22 +62,23 @@ impl BigRay {
         &(&terms[0] + &terms[1]) + &terms[2]
     }
 
-    /// Sign of D: whether the line misses, touches or crosses the sphere.
+    /// Returns the sign of D: whether the line misses, touches or crosses the sphere.
     pub(crate) fn meets(&self, quadratic: &BigQuadratic) -> Ordering {
         quadratic.discriminant.sign(&self.radicands)
     }
 
-    /// Sign of b: whether the sphere's centre lies ahead.
+    /// Returns the sign of b: whether the sphere's centre lies ahead.
     pub(crate) fn is_ahead(&self, quadratic: &BigQuadratic) -> Ordering {
         quadratic.b.sign(&self.radicands)
     }
 
-    /// The nearer or the farther root: `sign` is that of the square root.
+    /// Returns the nearer or the farther root: `sign` is that of the square root.
     pub(crate) fn root(&self, quadratic: BigQuadratic, sign: Ordering) -> BigRoot {
         BigRoot { x: quadratic.b, sign, radicand: quadratic.discriminant, y: None }
     }
 
-    /// `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly where it is.
+    /// Returns `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly
+    /// where it is.
     pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {
         if value.sign(&self.radicands) == Ordering::Equal {
             return Precise::ZERO;
@@ -104,7 +105,7 @@ impl BigRay {
         sign_with_roots(&numerators, (one.sign, &p), (other.sign.reverse(), &q), radicands)
     }
 
-    /// `t` of a root that is not 0: relative error at most `2^-100`.
+    /// Returns `t` of a root that is not 0: relative error at most `2^-100`.
     pub(crate) fn t(&self, root: &BigRoot) -> Precise {
         let (numerator, n) = self.digits(|places| self.numerator(root, places));
         let (denominator, m) =
@@ -141,7 +142,7 @@ impl BigRay {
         sign_with_roots(&-&y.scaled(distance), one, no_root, radicands)
     }
 
-    /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.
+    /// Returns `(x + sign sqrt radicand) * 2^places`, off by less than 8.
     pub(crate) fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
         let x = root.x.fixed(places, &self.radicands);
         if root.sign == Ordering::Equal {
@@ -153,8 +154,8 @@ impl BigRay {
         if root.sign == Ordering::Less { x - swing } else { x + swing }
     }
 
-    /// A fixed-point number with enough places that 128 bits of it are right, and its places.
-    /// The number itself, which `fixed` gives with an error below 8, must not be 0.
+    /// Returns a fixed-point number with enough places that 128 bits are right, and the number of
+    /// places. The number that `fixed` gives, with an error below 8, must not be 0.
     fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
         let mut places = 160 - self.a.log2_bound(&self.radicands) / 2;
         loop {

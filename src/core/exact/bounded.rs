@@ -30,18 +30,19 @@ pub(crate) trait Number:
     /// A bound of the relative error of a square root.
     const ROOT: f64;
 
-    /// Error bound of a dot product, as a share of the vectors' lengths: three products, each of
-    /// which goes through at most two sums.
+    /// Error bound of a dot product, relative to the product of the vectors' lengths: three products,
+    /// each of which goes through at most two sums.
     const DOT: f64 = Self::PRODUCT + 2.0 * Self::SUM;
 
-    /// Error bound of a cross product's length, likewise: a coordinate is off by `PRODUCT + SUM` times
-    /// `|a_j b_k| + |a_k b_j|`, and the vector of those sums is no longer than `sqrt 2 |a| |b|`.
+    /// Error bound of a cross product's length, relative to the product of the vectors' lengths: a
+    /// coordinate is off by `PRODUCT + SUM` times `|a_j b_k| + |a_k b_j|`, and the vector of those sums
+    /// is no longer than `sqrt 2 |a| |b|`.
     const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
 
-    /// The square root of a number that is greater than 0.
+    /// Returns the square root of a number that is greater than 0.
     fn root(self) -> Self;
 
-    /// The number in `f64`, rounded.
+    /// Returns the number in `f64`, rounded.
     fn near(self) -> f64;
 }
 
@@ -81,48 +82,50 @@ impl Number for DoubleDouble {
     }
 }
 
-/// Allowance for terms of second order in the bounds (below 1e-12 of those of the first in `f64`)
-/// and the rounding of the bounds.
+/// Allowance for terms of second order in the bounds (below 1e-12 of the first-order terms in `f64`) and
+/// the rounding of the bounds.
 pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
 
-/// Bound of what underflow can add to any of the values below, which are made of scaled vectors whose
-/// largest coordinates are within 1e-30 and 1e30: products below 2^-969 lose their rounding error,
-/// at most 2^-1073 each, times 1e120.
+/// Bound of what underflow can add to any value computed from scaled vectors, whose largest coordinates
+/// are between 1e-30 and 1e30: products below 2^-969 lose their rounding error, at most 2^-1073 each,
+/// times 1e120.
 pub(crate) const UNDERFLOW: f64 = 1e-190;
 
 /// A vector of numbers.
 pub(crate) type Vector<T> = [T; 3];
 
-/// `a . b`: error at most `DOT |a| |b|`.
+/// Returns `a . b`: error at most `DOT |a| |b|`.
 #[inline(always)]
 pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// `a x b`: error at most `CROSS |a| |b|`.
+/// Returns `a x b`: error at most `CROSS |a| |b|`.
 #[inline(always)]
 pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// A vector rounded to `f64`.
+/// Returns a vector rounded to `f64`.
 #[inline(always)]
 pub(crate) fn near<T: Number>(v: Vector<T>) -> Vector<f64> {
     v.map(T::near)
 }
 
-/// The Euclidean length, to a few roundings.
+/// Returns the Euclidean length, to a few roundings.
 #[inline(always)]
 pub(crate) fn length(v: Vector<f64>) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// Largest coordinates within these need no scaling: see [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+/// Range of the largest coordinate in which a vector needs no scaling: see
+/// [`UNDERFLOW`](crate::exact::dyadic::quadratic).
 pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
 
-/// `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What is lost of
-/// coordinates that are 2^900 times smaller is below [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+/// Returns `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What
+/// coordinates 2^900 times smaller than the largest lose is below
+/// [`UNDERFLOW`](crate::exact::dyadic::quadratic).
 pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
     let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
     if PLAIN.contains(&largest) || largest == 0.0 {

@@ -3,8 +3,8 @@
 //! With `u = 2^-53` every operation below has a proven bound on its relative error. The bounds hold
 //! barring overflow and underflow; callers scale by powers of two.
 //!
-//! Below it are the error-free sums and products that it is made of, of one number or of several side
-//! by side.
+//! The module also has the error-free sums and products that double-double is made of, for one number or
+//! for several side by side.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -22,9 +22,9 @@ use crate::exact::scale::ldexp;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DoubleDouble {
-    /// The number, rounded.
+    /// The number, rounded to `f64`.
     pub hi: f64,
-    /// The part that rounding left out.
+    /// The number minus `hi`: the part that rounding left out.
     pub lo: f64,
 }
 
@@ -32,16 +32,16 @@ pub struct DoubleDouble {
 pub(crate) const U2: f64 = 0.25 * f64::EPSILON * f64::EPSILON;
 
 impl DoubleDouble {
-    /// `a * b`, exactly.
+    /// Returns `a * b`, exactly.
     #[inline(always)]
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = a.two_product(b);
         DoubleDouble { hi, lo }
     }
 
-    /// `self * x`: relative error at most `3 u^2` (Joldes, Muller, Popescu, *Tight and rigorous
-    /// error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44, 2017,
-    /// algorithm 8 and theorem 4.2).
+    /// Returns `self * x`: relative error at most `3 u^2` (Joldes, Muller, Popescu, *Tight and rigorous
+    /// error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44, 2017, algorithm 8
+    /// and theorem 4.2).
     #[inline(always)]
     pub(crate) fn times(self, x: f64) -> Self {
         let (product, error) = self.hi.two_product(x);
@@ -49,9 +49,9 @@ impl DoubleDouble {
         DoubleDouble { hi, lo }
     }
 
-    /// The square root: relative error at most `25/8 u^2` (Lefevre, Louvet, Muller, Picot, Rideau,
-    /// *Accurate calculation of Euclidean norms using double-word arithmetic*, ACM TOMS 49, 2023,
-    /// algorithm 8). `hi` must be greater than 0.
+    /// Returns the square root: relative error at most `25/8 u^2` (Lefevre, Louvet, Muller, Picot,
+    /// Rideau, *Accurate calculation of Euclidean norms using double-word arithmetic*, ACM TOMS 49,
+    /// 2023, algorithm 8). `hi` must be greater than 0.
     #[inline(always)]
     pub(crate) fn square_root(self) -> Self {
         let root = self.hi.sqrt();
@@ -66,8 +66,8 @@ impl DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// Relative error at most `3 u^2 / (1 - 4u)`, whatever the signs (the same, algorithm 6 and
-    /// theorem 3.1).
+    /// Adds two numbers, with a relative error of at most `3 u^2 / (1 - 4u)`, whatever the signs
+    /// (Joldes, Muller, Popescu 2017, algorithm 6 and theorem 3.1).
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         let (high, high_error) = two_sum(self.hi, other.hi);
@@ -99,7 +99,8 @@ impl Neg for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    /// Relative error at most `7 u^2` (the same, algorithm 10 and theorem 5.1).
+    /// Multiplies two numbers, with a relative error of at most `7 u^2` (Joldes, Muller, Popescu 2017,
+    /// algorithm 10 and theorem 5.1).
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (product, error) = self.hi.two_product(other.hi);
@@ -112,8 +113,9 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Relative error at most `17 u^2` (the same, algorithm 17 and theorem 6.2: `15 u^2` and a
-    /// little; its product by a quotient has `3/2 u^2` less than ours by one `f64`).
+    /// Divides two numbers, with a relative error of at most `17 u^2` (Joldes, Muller, Popescu 2017,
+    /// algorithm 17 and theorem 6.2: `15 u^2` and a little; its product by a quotient has `3/2 u^2` less
+    /// than ours by one `f64`).
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
@@ -132,7 +134,7 @@ impl DoubleDouble {
         self.hi + (self.lo + doubt) == self.hi && self.hi + (self.lo - doubt) == self.hi
     }
 
-    /// `self * 2^k`, exact unless it leaves the range.
+    /// Returns `self * 2^k`, exact unless it leaves the range.
     pub(crate) fn scaled(self, k: i32) -> DoubleDouble {
         DoubleDouble { hi: ldexp(self.hi, k), lo: ldexp(self.lo, k) }
     }
@@ -156,23 +158,23 @@ pub(crate) trait Lane:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The rounded square root.
+    /// Returns the rounded square root.
     fn sqrt(self) -> Self;
 
-    /// `(p, e)` with `p = fl(self * other)` and `self * other = p + e` exactly, for factors below
-    /// 2^996 and products of at least 2^-969. Below that, e is off by at most 2^-1073.
+    /// Returns `(p, e)` with `p = fl(self * other)` and `self * other = p + e` exactly, for factors
+    /// below 2^996 and products of at least 2^-969. Below that, e is off by at most 2^-1073.
     fn two_product(self, other: Self) -> (Self, Self);
 
-    /// `x / 2`.
+    /// Returns `x / 2`.
     fn half(self) -> Self;
 
-    /// The number, or 0 where it is below.
+    /// Returns the number, or 0 where it is negative.
     fn not_negative(self) -> Self;
 
-    /// `(2^27 + 1) * self`.
+    /// Returns `(2^27 + 1) * self`.
     fn shifted(self) -> Self;
 
-    /// Two halves of at most 26 bits each, by Veltkamp's splitting.
+    /// Returns two halves of at most 26 bits each, by Veltkamp's splitting.
     #[inline(always)]
     fn halves(self) -> (Self, Self) {
         let shifted = self.shifted();
@@ -181,8 +183,8 @@ pub(crate) trait Lane:
     }
 }
 
-/// `(s, e)` with `s = fl(a + b)` and `a + b = s + e` exactly, unless the sum overflows (Knuth, *The
-/// Art of Computer Programming* vol. 2, section 4.2.2, theorem B).
+/// Returns `(s, e)` with `s = fl(a + b)` and `a + b = s + e` exactly, unless the sum overflows (Knuth,
+/// *The Art of Computer Programming* vol. 2, section 4.2.2, theorem B).
 #[inline(always)]
 pub(crate) fn two_sum<F: Lane>(a: F, b: F) -> (F, F) {
     let sum = a + b;
@@ -191,17 +193,18 @@ pub(crate) fn two_sum<F: Lane>(a: F, b: F) -> (F, F) {
     (sum, (a - a_rounded) + (b - b_rounded))
 }
 
-/// [`two_sum`] where a is 0 or has no smaller exponent than b (Dekker, *A floating-point technique
-/// for extending the available precision*, Numerische Mathematik 18, 1971).
+/// Returns the [`two_sum`] of a and b, where a is 0 or has no smaller exponent than b (Dekker, *A
+/// floating-point technique for extending the available precision*, Numerische Mathematik 18, 1971).
 #[inline(always)]
 pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and products
-/// of at least 2^-969 (Dekker 1971, by Veltkamp's splitting): plain operations, for processors that
-/// have no fused multiply-add, with the same bits as it (but for the sign of an error of 0).
+/// Returns `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and
+/// products of at least 2^-969 (Dekker 1971, by Veltkamp's splitting). The operations are plain, for
+/// processors that have no fused multiply-add; the bits are the same as with one (but for the sign of an
+/// error of 0).
 #[inline(always)]
 pub(crate) fn dekker_product<F: Lane>(a: F, b: F) -> (F, F) {
     let product = a * b;
@@ -240,14 +243,15 @@ impl Lane for f64 {
     }
 }
 
-/// `(d, e)` with `d = fl(a - b)` and `a - b = d + e` exactly, of each coordinate: [`two_sum`].
+/// Returns `(d, e)` with `d = fl(a - b)` and `a - b = d + e` exactly, for each coordinate, by
+/// [`two_sum`].
 fn two_difference(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
     let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
     (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
 }
 
-/// `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless the
-/// difference overflows.
+/// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless
+/// the difference overflows.
 pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
     let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
     let (difference, rest) = two_difference(shrink * a, shrink * b);

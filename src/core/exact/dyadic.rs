@@ -9,7 +9,8 @@ use num_bigint::{BigInt, BigUint, Sign};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::scale::ldexp;
 
-/// `mantissa * 2^exponent`. Every finite `f64` is one, and so are their sums and products.
+/// The number `mantissa * 2^exponent`. Every finite `f64` is a dyadic number, and so are sums and
+/// products of dyadic numbers.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     mantissa: BigInt,
@@ -17,7 +18,7 @@ pub struct Dyadic {
 }
 
 impl From<f64> for Dyadic {
-    /// A finite number, as it is.
+    /// Converts a finite `f64`, exactly.
     fn from(x: f64) -> Dyadic {
         let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
         let fraction = x.to_bits() & ((1 << 52) - 1);
@@ -39,7 +40,7 @@ impl Dyadic {
         Dyadic { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    /// The sign: less than, equal to or greater than 0.
+    /// Returns the sign: less than, equal to or greater than 0.
     pub fn sign(&self) -> Ordering {
         match self.mantissa.sign() {
             Sign::Minus => Ordering::Less,
@@ -53,22 +54,22 @@ impl Dyadic {
         self.mantissa.sign() == Sign::NoSign
     }
 
-    /// `(m, k)` with the number `m * 2^k`.
+    /// Returns `(m, k)` with the number `m * 2^k`.
     pub(crate) fn parts(&self) -> (&BigInt, i32) {
         (&self.mantissa, self.exponent)
     }
 
-    /// The mantissa that goes with a smaller exponent.
+    /// Returns the mantissa that goes with a smaller exponent.
     fn aligned(&self, exponent: i32) -> BigInt {
         &self.mantissa << (self.exponent - exponent) as u32
     }
 
-    /// The number times itself.
+    /// Returns the number times itself.
     pub fn square(&self) -> Dyadic {
         self * self
     }
 
-    /// `floor(log2 |self|)`; very small for 0.
+    /// Returns `floor(log2 |self|)`, or a very small number for 0.
     pub(crate) fn log2(&self) -> i32 {
         if self.is_zero() {
             return i32::MIN / 4;
@@ -76,30 +77,30 @@ impl Dyadic {
         self.mantissa.bits() as i32 - 1 + self.exponent
     }
 
-    /// `floor(self * 2^places)`, towards 0 for negative numbers' magnitudes.
+    /// Returns `floor(self * 2^places)`, towards 0 for negative numbers' magnitudes.
     pub(crate) fn fixed(&self, places: i32) -> BigInt {
         shifted(&self.mantissa, self.exponent + places)
     }
 
-    /// `floor(|self|^(1/2) * 2^places)` of a number that is not negative.
+    /// Returns `floor(|self|^(1/2) * 2^places)` of a number that is not negative.
     pub(crate) fn fixed_root(&self, places: i32) -> BigInt {
         let square = shifted(&self.mantissa, self.exponent + 2 * places);
         debug_assert!(square.sign() != Sign::Minus);
         BigInt::from(square.magnitude().sqrt())
     }
 
-    /// The nearest double-double times `2^k`, with a relative error of at most `2^-105`.
+    /// Returns the nearest double-double times `2^k`, with a relative error of at most `2^-105`.
     pub(crate) fn to_double_double(&self) -> (DoubleDouble, i32) {
         ratio(&self.mantissa, &BigInt::from(1), self.exponent)
     }
 
-    /// `self * 2^k` as the nearest `f64`; halves to even.
+    /// Returns `self * 2^k` as the nearest `f64`; halves to even.
     pub fn rounded_times(&self, k: i32) -> f64 {
         round(&self.mantissa, self.exponent + k)
     }
 }
 
-/// `floor(|m| * 2^k)` with the sign of m.
+/// Returns `floor(|m| * 2^k)` with the sign of m.
 pub(crate) fn shifted(m: &BigInt, k: i32) -> BigInt {
     if k >= 0 {
         return m << k as u32;
@@ -108,7 +109,7 @@ pub(crate) fn shifted(m: &BigInt, k: i32) -> BigInt {
     BigInt::from_biguint(m.sign(), m.magnitude() >> k.unsigned_abs())
 }
 
-/// `m * 2^k` as the nearest `f64`, ties to even, infinite where it overflows.
+/// Returns `m * 2^k` as the nearest `f64`, ties to even, infinite where it overflows.
 fn round(m: &BigInt, k: i32) -> f64 {
     let (sign, magnitude) = (m.sign(), m.magnitude());
     let bits = magnitude.bits() as i32;
@@ -132,7 +133,7 @@ fn round(m: &BigInt, k: i32) -> f64 {
     if sign == Sign::Minus { -x } else { x }
 }
 
-/// `m * 2^k` as the nearest `f64`, where m has at most 57 bits, the lowest of which stands for
+/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits, the lowest of which stands for
 /// everything below it.
 fn round_to_odd(m: u64, k: i32) -> f64 {
     if m == 0 {
@@ -153,7 +154,7 @@ fn round_to_odd(m: u64, k: i32) -> f64 {
     ldexp((whole + u64::from(up)) as f64, last)
 }
 
-/// `numerator / denominator` as the nearest `f64`, halves to even; the denominator is not 0.
+/// Returns `numerator / denominator` as the nearest `f64`, halves to even; the denominator is not 0.
 pub fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     // Enough for a result's 53 bits; the bit below them stands for all that is left over.
     let widen = (64 + denominator.mantissa.bits()).saturating_sub(numerator.mantissa.bits());
@@ -165,8 +166,8 @@ pub fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     round(&quotient, numerator.exponent - denominator.exponent - widen as i32 - 1)
 }
 
-/// `sqrt(numerator / denominator)` of numbers that are not negative, within an ulp; infinite where
-/// the denominator is 0.
+/// Returns `sqrt(numerator / denominator)` of numbers that are not negative, within an ulp; infinite
+/// where the denominator is 0.
 pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     if numerator.is_zero() {
         return 0.0;
@@ -182,8 +183,8 @@ pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     ldexp(quotient.scaled(odd).square_root().hi, (k - odd) / 2)
 }
 
-/// `numerator / denominator * 2^k` as a double-double times a power of two: relative error at most
-/// `2^-105`. The high part is in `[1/2, 2]`.
+/// Returns `numerator / denominator * 2^k` as a double-double times a power of two: relative error at
+/// most `2^-105`. The high part is in `[1/2, 2]`.
 pub(crate) fn ratio(numerator: &BigInt, denominator: &BigInt, k: i32) -> (DoubleDouble, i32) {
     const DIGITS: i32 = 128;
     if numerator.sign() == Sign::NoSign {
@@ -250,28 +251,28 @@ impl Mul for &Dyadic {
 /// A vector of exact numbers.
 pub type Exact3 = [Dyadic; 3];
 
-/// The vector as given.
+/// Returns the vector as given.
 pub fn exact3(v: DVec3) -> Exact3 {
     v.to_array().map(Dyadic::from)
 }
 
-/// `a - b`
+/// Returns `a - b`.
 pub fn minus(a: &Exact3, b: &Exact3) -> Exact3 {
     std::array::from_fn(|i| &a[i] - &b[i])
 }
 
-/// `a . b`
+/// Returns `a . b`.
 pub fn dot(a: &Exact3, b: &Exact3) -> Dyadic {
     &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }
 
-/// `a x b`
+/// Returns `a x b`.
 pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
     let minor = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// `x v`
+/// Returns `x v`.
 pub(crate) fn times(v: &Exact3, x: &Dyadic) -> Exact3 {
     std::array::from_fn(|i| &v[i] * x)
 }

@@ -1,9 +1,9 @@
-//! Several `f64`, or several `f32`, side by side.
+//! Vectors of several `f64` or `f32` side by side (SIMD).
 //!
-//! By `fearless_simd`: it chooses AVX-512, AVX2, SSE4.2 or NEON when the program runs, on stable Rust and
-//! without `unsafe` of ours, and was as fast as the processor's own intrinsics. `pulp` was 3 % slower on
-//! the row kernel, `wide` cannot choose at run time, and loops left to the compiler took two to three
-//! times as long.
+//! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON when the program runs,
+//! on stable Rust and without `unsafe` of ours, and was as fast as the processor's own intrinsics.
+//! `pulp` was 3 % slower on the row kernel, `wide` cannot choose at run time, and loops left to the
+//! compiler took two to three times as long.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -45,7 +45,8 @@ macro_rules! operator {
     };
 }
 
-/// The arithmetic of lanes, with Veltkamp's factor for their precision.
+/// Implements the arithmetic of lanes of one precision, given the precision and Veltkamp's factor for
+/// it.
 macro_rules! lanes {
     ($lanes:ident, $real:ident, $vector:ident, $splitter:expr) => {
         impl<S: Simd> $lanes<S> {
@@ -109,7 +110,7 @@ lanes!(Lanes, f64, f64s, SPLITTER);
 lanes!(SingleLanes, f32, f32s, (1_u32 << 12) as f32 + 1.0);
 
 impl<S: Simd> SingleLanes<S> {
-    /// `self - a * b`, rounded once, where `a * b` is so close to self that their difference is
+    /// Returns `self - a * b`, rounded once, where `a * b` is so close to self that the difference is
     /// exact: the residual of a root or a quotient.
     #[inline(always)]
     pub(crate) fn residual(self, a: Self, b: Self) -> Self {
@@ -122,7 +123,7 @@ impl<S: Simd> SingleLanes<S> {
     }
 }
 
-/// The lanes whose bits are set.
+/// Iterates over the lanes whose bits are set.
 #[inline(always)]
 pub(crate) fn lanes_of(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

@@ -9,14 +9,14 @@ use crate::exact::scale::ldexp;
 /// The largest relative error of a [`Precise`]: just below 2^-93, which is 2^-40 of an ulp of `f64`.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
-/// Returns whether `t d + term` is so small compared with `term`, with which `t d` cancels, that all of its
-/// digits may come from the error of t. It then counts as 0.
+/// Returns whether a sum `t d + term`, whose terms cancel, is so small compared with `term` that all of
+/// its digits may come from the error of t. The sum then counts as 0.
 pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
 
-/// Rounds a number that lies between these neighbours or a little beyond one of them: to the even one
-/// from the middle between them, with which `compare` compares it.
+/// Rounds a number that lies between two neighbouring `f64` or a little beyond one of them, to nearest,
+/// ties to even. `compare` compares the number with the middle between the neighbours.
 pub(crate) fn rounded([low, high]: [f64; 2], compare: impl FnOnce(&Dyadic) -> Ordering) -> f64 {
     let half = |x: f64| &Dyadic::from(x) * &Dyadic::from(0.5);
     // Beyond the largest number, the next one would be as far as the one before it.
@@ -42,15 +42,15 @@ pub(crate) struct Precise {
 }
 
 impl Precise {
-    /// Exactly 0.
+    /// The number 0, exactly.
     pub(crate) const ZERO: Precise = Precise { value: DoubleDouble { hi: 0.0, lo: 0.0 }, scale: 0 };
 
     pub(crate) fn new(value: DoubleDouble, scale: i32) -> Precise {
         Precise { value, scale }
     }
 
-    /// The nearest `f64`. A number too large for it is infinite, one too small the smallest there is,
-    /// so that its sign is right.
+    /// Returns the nearest `f64`. A number too large for `f64` becomes infinite; one too small becomes
+    /// the smallest positive `f64`, with its sign.
     pub(crate) fn to_f64(self) -> f64 {
         let Precise { value, scale } = self;
         let rounded = ldexp(value.hi, scale);
@@ -66,13 +66,14 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// The least and the greatest `f64` that a number within this share of this one rounds to.
+    /// Returns the least and the greatest `f64` that this number may round to if its relative error is
+    /// `doubt`.
     pub(crate) fn nearest(self, doubt: f64) -> [f64; 2] {
         let off = DoubleDouble::from(1.01 * doubt * self.value.hi.abs());
         [self.value - off, self.value + off].map(|value| Precise { value, ..self }.to_f64())
     }
 
-    /// Compares the two; `None` where they are closer than their errors.
+    /// Compares two numbers; returns `None` where they are closer than their errors.
     pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
         let sign = |x: f64| x.total_cmp(&0.0);
@@ -87,8 +88,8 @@ impl Precise {
         (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 
-    /// `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` if one is so
-    /// much larger that the other is negligible.
+    /// Returns `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` if
+    /// one number is so much larger that the other is negligible.
     pub(crate) fn difference(self, other: Precise) -> Option<(f64, f64, f64)> {
         let k = other.scale - self.scale;
         if k.abs() > 2000 {

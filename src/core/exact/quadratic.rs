@@ -3,8 +3,8 @@
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 
-/// Maximum relative error of a root whose bound is used: below it, what the bound leaves out, the square
-/// of the error, is within [`SECOND_ORDER`].
+/// Maximum relative error of a root whose bound is used. Up to it, the square of the error, which the
+/// bound leaves out, is covered by [`SECOND_ORDER`].
 pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
 
 /// The form of the discriminant that loses the least, by the origin's distance from the centre.
@@ -17,7 +17,7 @@ pub(crate) enum Form {
     Far,
 }
 
-/// A sphere as the rays of one origin see it, scaled: `q = center - origin`, r, and
+/// The terms of a sphere that all rays of one origin share, scaled: `q = center - origin`, r, and
 /// `c = |q|^2 - r^2`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SphereTerms<T> {
@@ -28,18 +28,18 @@ pub(crate) struct SphereTerms<T> {
     pub(crate) c_doubt: f64,
     /// `|q|`, rounded.
     pub(crate) distance: f64,
-    /// Error of q as a share of `|q|`.
+    /// Error of q, relative to `|q|`.
     pub(crate) q_doubt: f64,
     pub(crate) form: Form,
 }
 
-/// A direction, scaled.
+/// The terms of a ray's direction, scaled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DirectionTerms<T> {
     pub(crate) d: Vector<T>,
     /// `|d|`, rounded.
     pub(crate) length: f64,
-    /// Error of d as a share of `|d|`.
+    /// Error of d, relative to `|d|`.
     pub(crate) doubt: f64,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct Quadratic<T> {
 }
 
 impl<T: Number> Quadratic<T> {
-    /// The parts and their bounds. With `k` the doubts of q and d together:
+    /// Computes the coefficients and their bounds. With `k` the sum of the relative errors of q and d:
     ///
     /// ```text
     /// b:  B = |q||d| (DOT + k)                 a:  a (DOT + 2 k)
@@ -67,7 +67,7 @@ impl<T: Number> Quadratic<T> {
     /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
     /// ```
     ///
-    /// and SUM of both terms for the difference itself.
+    /// where the difference itself adds SUM times each of its terms.
     #[inline(always)]
     pub(crate) fn new(sphere: &SphereTerms<T>, direction: &DirectionTerms<T>) -> Quadratic<T> {
         let (q, d) = (sphere.q, direction.d);
@@ -99,7 +99,8 @@ impl<T: Number> Quadratic<T> {
         Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt }
     }
 
-    /// The nearer or the farther root with a bound of its relative error; `None` where D may be 0.
+    /// Returns the nearer or the farther root with a bound of its relative error; `None` where D may be
+    /// 0.
     ///
     /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z`
     /// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6). D is off by at most its doubt, so
@@ -129,8 +130,8 @@ impl<T: Number> Quadratic<T> {
     }
 }
 
-/// `(t d - q) / r` made a unit vector: the outward normal of a sphere at `t`. Zero where rounding has
-/// left no direction.
+/// Returns `(t d - q) / r` made a unit vector: the outward normal of a sphere at `t`. Zero where
+/// rounding has left no direction.
 pub(crate) fn sphere_normal<T: Number>(
     q: Vector<T>,
     direction: &DirectionTerms<T>,

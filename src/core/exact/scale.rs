@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 
-/// Squared lengths within these lose no digits to underflow and do not overflow, and neither do
-/// their reciprocals.
+/// Range of a squared length in which neither the length nor its reciprocal overflows or loses digits to
+/// underflow.
 pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
 /// Returns whether the direction's squared length is so far from 0 and infinity that intersections
@@ -13,12 +13,12 @@ pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
     (1e-120..1e120).contains(&direction.length_squared())
 }
 
-/// `2^k` for k from -1022 to 1023.
+/// Returns `2^k` for k from -1022 to 1023.
 fn power_of_two(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)
 }
 
-/// `floor(log2 |x|)` for finite `x != 0`, subnormal numbers included.
+/// Returns `floor(log2 |x|)` for finite `x != 0`, subnormal numbers included.
 pub(crate) fn exponent(x: f64) -> i32 {
     const SUBNORMAL_LIFT: i32 = 64;
     let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
@@ -28,7 +28,7 @@ pub(crate) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// `x * 2^k` for any `k`, rounded once; exact unless the result overflows or is subnormal.
+/// Returns `x * 2^k` for any `k`, rounded once; exact unless the result overflows or is subnormal.
 pub(crate) fn ldexp(x: f64, k: i32) -> f64 {
     // One factor 2^k alone may not be representable. Downwards, each step but the last stops 53
     // short of the smallest exponent: digits lost before the last step then belong to a result
@@ -47,19 +47,19 @@ pub(crate) fn ldexp(x: f64, k: i32) -> f64 {
     x * power_of_two(k)
 }
 
-/// `v * 2^k`.
+/// Returns `v * 2^k`.
 pub(crate) fn ldexp3(v: DVec3, k: i32) -> DVec3 {
     DVec3::new(ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k))
 }
 
-/// Splits a finite, non-zero `v` into `(m, k)` with `v = m * 2^k` and the largest `|m_i|` in `[1, 2)`.
-/// A component more than 2^1000 below the largest one loses digits.
+/// Splits a finite, non-zero `v` into `(m, k)` with `v = m * 2^k` and the largest `|m_i|` in `[1, 2)`. A
+/// component more than 2^1000 times smaller than the largest loses digits.
 pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
     let k = exponent(v.abs().max_element());
     (ldexp3(v, -k), k)
 }
 
-/// `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
+/// Returns `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
 pub fn unit(v: DVec3) -> DVec3 {
     if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
         // The same bits as below: powers of two cancel in the quotient.
@@ -69,7 +69,7 @@ pub fn unit(v: DVec3) -> DVec3 {
     m / m.length()
 }
 
-/// `|v|`, free of intermediate overflow and underflow.
+/// Returns `|v|`, free of intermediate overflow and underflow.
 pub fn length(v: DVec3) -> f64 {
     let squared = v.length_squared();
     if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
@@ -79,7 +79,7 @@ pub fn length(v: DVec3) -> f64 {
     ldexp(m.length(), k)
 }
 
-/// The angle between two directions of length 1, accurate also where it is small.
+/// Returns the angle between two directions of length 1, accurate also where it is small.
 pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
@@ -96,7 +96,7 @@ pub fn shortest(x: f64) -> String {
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
 
-/// A point or direction as `(1, 2, 3)`.
+/// Formats a point or direction as `(1, 2, 3)`.
 pub fn triple(p: DVec3) -> String {
     format!("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z))
 }
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
     use crate::test_seed::config;
 
-    /// `x * 2^k` rounded to nearest, ties to even, on the integer `m` of `|x| = m * 2^e`.
+    /// Computes `x * 2^k` rounded to nearest, ties to even, on the integer `m` of `|x| = m * 2^e`.
     fn by_integers(x: f64, k: i32) -> f64 {
         let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
         let fraction = x.to_bits() & ((1 << 52) - 1);

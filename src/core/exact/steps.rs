@@ -1,18 +1,18 @@
-//! The steps of the ladder, and how many decisions each of them made.
+//! The steps of the ladder, and how many decisions each step made.
 
 use std::cmp::Ordering;
 use std::ops::Add;
 
-/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly; or, counted
-/// separately, the number of `t` that each step found.
+/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly; or the
+/// number of `t` that each step computed, if those are counted.
 ///
-/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has a
-/// bound of its own error, and passes the decisions within it on to the next.
+/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has
+/// a bound of its own error, and passes decisions that lie within the bound on to the next step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Steps {
-    /// Decided in `f64`.
+    /// Decisions made in `f64`.
     pub f64: u64,
     /// Decisions in doubt in `f64`, made in double-double.
     pub double_double: u64,
@@ -42,12 +42,12 @@ impl Steps {
         }
     }
 
-    /// All decisions.
+    /// Returns the number of all decisions.
     pub fn total(&self) -> u64 {
         self.f64 + self.double_double + self.exact
     }
 
-    /// Number of decisions that `f64` could not make.
+    /// Returns the number of decisions that `f64` could not make.
     pub fn beyond_f64(&self) -> u64 {
         self.double_double + self.exact
     }
@@ -65,7 +65,7 @@ impl Add for Steps {
     }
 }
 
-/// The sign of a number; -0 is 0.
+/// Returns the sign of a number; `Equal` also for -0.
 pub(crate) fn sign_of(x: f64) -> Ordering {
     (x + 0.0).total_cmp(&0.0)
 }

@@ -1,4 +1,4 @@
-//! Exact numbers with two square roots in them, which is what a camera's pixel rays are made of.
+//! Exact numbers with two square roots: the directions of a camera's pixel rays are of this form.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Neg, Sub};
@@ -27,7 +27,7 @@ impl Radicands {
         Radicands::new(Dyadic::from(1.0), Dyadic::from(1.0))
     }
 
-    /// `sqrt(A B)`.
+    /// Returns `sqrt(A B)`.
     pub(crate) fn root_of_product() -> Surd {
         let zero = Dyadic::zero;
         Surd([zero(), zero(), zero(), Dyadic::from(1.0)])
@@ -50,7 +50,7 @@ impl Surd {
         Surd::from(Dyadic::zero())
     }
 
-    /// `x y`. `sqrt A sqrt A = A`, and likewise; coefficients of 0 cost nothing.
+    /// Returns `x y`. `sqrt A sqrt A = A`, and likewise; coefficients of 0 cost nothing.
     pub(crate) fn times(&self, other: &Surd, radicands: &Radicands) -> Surd {
         /// The root under which the product of two coefficients goes: bit 0 for A, bit 1 for B.
         /// Where both have a root, its radicand comes out.
@@ -80,17 +80,17 @@ impl Surd {
         product
     }
 
-    /// `x^2`
+    /// Returns `x^2`.
     pub(crate) fn square(&self, radicands: &Radicands) -> Surd {
         self.times(self, radicands)
     }
 
-    /// `x y` of an exact y.
+    /// Returns `x y` of an exact y.
     pub(crate) fn scaled(&self, y: &Dyadic) -> Surd {
         Surd(std::array::from_fn(|i| &self.0[i] * y))
     }
 
-    /// The sign, decided exactly.
+    /// Returns the sign, decided exactly.
     ///
     /// `x + y sqrt B` has the sign that x and y share; where they differ, that of x if
     /// `x^2 > y^2 B`. x and y are numbers `p + q sqrt A`, whose signs follow in the same way from
@@ -113,7 +113,7 @@ impl Surd {
         })
     }
 
-    /// The number times `2^places`, as an integer that is off by less than 4.
+    /// Returns the number times `2^places`, as an integer that is off by less than 4.
     pub(crate) fn fixed(&self, places: i32, radicands: &Radicands) -> BigInt {
         let mut sum = self.0[0].fixed(places);
         for (coefficient, radicand) in
@@ -131,7 +131,7 @@ impl Surd {
         sum
     }
 
-    /// An upper bound of `log2 |x|`.
+    /// Returns an upper bound of `log2 |x|`.
     pub(crate) fn log2_bound(&self, radicands: &Radicands) -> i32 {
         let one = Dyadic::from(1.0);
         let terms = self.0.iter().zip([&one, &radicands.a, &radicands.b, &radicands.ab]);
@@ -142,7 +142,7 @@ impl Surd {
     }
 }
 
-/// The sign of `x + y` from theirs; where they differ, that of x if `x^2 > y^2`, which `squares`
+/// Returns the sign of `x + y` from theirs; where they differ, that of x if `x^2 > y^2`, which `squares`
 /// compares.
 pub(crate) fn larger_of(x: Ordering, y: Ordering, squares: impl FnOnce() -> Ordering) -> Ordering {
     match (x, y) {
@@ -154,13 +154,13 @@ pub(crate) fn larger_of(x: Ordering, y: Ordering, squares: impl FnOnce() -> Orde
     }
 }
 
-/// The sign of `p + q sqrt a`.
+/// Returns the sign of `p + q sqrt a`.
 fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
     larger_of(p.sign(), q.sign(), || (&p.square() - &(&q.square() * a)).sign())
 }
 
-/// The sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`, decided exactly:
-/// by squaring, as often as there are roots.
+/// Returns the sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`, decided
+/// exactly: by squaring, as often as there are roots.
 pub(crate) fn sign_with_roots(
     x: &Surd,
     (s, p): (Ordering, &Surd),
