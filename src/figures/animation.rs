@@ -29,14 +29,14 @@ impl Frames {
     /// Maximum number of frames per second.
     pub const MOST_PER_SECOND: u16 = gif::MOST_PER_SECOND;
 
-    /// Returns the frames for a whole animation of this kind.
+    /// Returns the frames for a whole animation of the given kind.
     pub fn new(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second }
     }
 }
 
-/// Checks that an animation can be written to a file of this name.
+/// Checks that an animation can be written to a file with the given name.
 ///
 /// # Errors
 /// Returns an error, as a sentence, if the name does not end with `.gif`.
@@ -54,7 +54,7 @@ pub struct Animation {
     pub kind: Kind,
     /// The state at the start.
     pub start: Start,
-    /// True if it repeats.
+    /// True if the animation repeats.
     pub loops: bool,
     /// The document, and the session whose view is drawn.
     pub scene: (Document, Session),
@@ -89,12 +89,13 @@ impl Recorder {
         Ok(Recorder { animation, done: 0, path, gif, draft })
     }
 
-    /// Returns the number of written frames and the number of all frames.
+    /// Returns the number of frames written so far and the total number of frames.
     pub fn progress(&self) -> (u32, u32) {
         (self.done, self.animation.frames.count)
     }
 
-    /// Draws the next frame. It depends only on the animation's start and on the frame's number.
+    /// Draws the next frame. The frame depends only on the animation's start and on the frame's
+    /// number.
     ///
     /// # Errors
     /// Returns the reason, as a sentence, if the frame cannot be drawn.
@@ -110,7 +111,7 @@ impl Recorder {
     /// Writes the next frame.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if it cannot be written.
+    /// Returns an error, as a sentence, if the frame cannot be written.
     pub fn push(&mut self, figure: &Figure) -> Result<(), String> {
         self.done += 1;
         self.gif

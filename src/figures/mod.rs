@@ -1,9 +1,10 @@
 //! Figures for slides: what the window shows, as SVG, PDF and PNG.
 //!
-//! The window's own code draws all of it. The overlay's marks come from its
-//! [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the lab of lines are drawn
-//! into an egui pass without a window. A PNG is painted from both exactly as the window is. For SVG
-//! and PDF, both become the same primitives: paths and texts. So a file shows what the screen shows.
+//! The window's own code draws every figure. The overlay's marks come from its
+//! [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the lab of lines are
+//! drawn into an egui pass without a window. A PNG is painted from the drawing and the pass exactly
+//! as the window is. For SVG and PDF, the drawing and the pass become primitives: paths and texts.
+//! So a file shows what the screen shows.
 //!
 //! - this file: a figure and its formats;
 //! - `order`: the request for a figure, and the figure made from it;
@@ -28,11 +29,11 @@ mod vector;
 /// The file format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureFormat {
-    /// Strokes as strokes, text as text.
+    /// SVG: strokes stay strokes, text stays text.
     Svg,
-    /// Strokes as strokes, text as text, in points.
+    /// PDF: strokes stay strokes, text stays text; lengths are in points.
     Pdf,
-    /// Pixels.
+    /// PNG: pixels.
     Png,
 }
 
@@ -64,8 +65,8 @@ impl Figure {
         Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
     }
 
-    /// Paints the figure as the window is painted. Returns the premultiplied pixels, row by row from
-    /// the top.
+    /// Paints the figure exactly as the window would, and returns the premultiplied pixels, row by
+    /// row from the top.
     pub fn to_pixels(&self) -> Vec<Color32> {
         let [width, height] = self.size;
         let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];

@@ -20,7 +20,7 @@ use crate::view::typesetting::{derivation, labels, theme};
 /// Margin on each side of the derivation, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Height of a page on which every derivation fits, in points.
+/// Page height that is large enough for every derivation, in points.
 const UNLIMITED: f32 = 1e6;
 
 /// The subject of a figure.
@@ -55,7 +55,7 @@ impl FigureSubject {
         }
     }
 
-    /// Returns the name on the command line.
+    /// Returns the subject's name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             FigureSubject::World => "world",
@@ -75,7 +75,8 @@ pub enum Content {
     Text(Markup),
 }
 
-/// The content of a file by its extension: figures, then the formats of the derivation alone.
+/// The file extensions and their contents: first figures, then the formats that only a derivation
+/// can have.
 const CONTENTS: [(&str, Content); 5] = [
     ("svg", Content::Figure(FigureFormat::Svg)),
     ("pdf", Content::Figure(FigureFormat::Pdf)),
@@ -217,7 +218,7 @@ impl Order {
         self.size.map(|n| n as usize)
     }
 
-    /// Creates a context in which text looks as in the window.
+    /// Creates an egui context in which text looks as in the window.
     fn context(&self) -> Context {
         let ctx = Context::default();
         theme::install_base(&ctx);
@@ -239,13 +240,13 @@ impl Order {
     }
 }
 
-/// Returns the dots per point for a figure made without a window: the shorter side is then 720
-/// points long, and a point has at least one dot.
+/// Returns the dots per point for a figure made without a window. The shorter side is 720 points
+/// long, unless a point would then have less than one dot.
 pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }
 
-/// Returns the derivation of the document, whatever the layout shows.
+/// Returns the derivation of the document, regardless of what the layout shows.
 pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
     session.settings.layout = ViewLayout::Derivation;

@@ -24,10 +24,11 @@ pub(super) struct Cpu {
     size: [u32; 2],
     painter: SoftwarePainter,
     canvas: Canvas,
-    /// True if the buffers may differ from the canvas: the next frame is then copied as a whole.
+    /// True if the buffers may differ from the canvas; then the next frame is copied as a whole.
     stale: bool,
-    /// True if the display keeps the presented picture. X11 does not, and the loss of a part can
-    /// come in one event with a requested redraw, so there every frame is presented as a whole.
+    /// True if the display keeps the presented picture. X11 does not: it can report the loss of a
+    /// part in the same event as a requested redraw. So on X11, every frame is presented as a
+    /// whole.
     keeps_picture: bool,
     failures: u32,
 }
@@ -54,8 +55,8 @@ impl Cpu {
         })
     }
 
-    /// Presents the canvas. Only `rects` of it changed since the last time; the display needs the
-    /// whole canvas if the window was `exposed`.
+    /// Presents the canvas. Only the canvas's `rects` have changed since the last frame; the
+    /// display needs the whole canvas if the window was `exposed`.
     fn present(
         &mut self,
         window: &Arc<Window>,
@@ -136,7 +137,8 @@ impl WindowSurface for Cpu {
     }
 }
 
-/// Copies a rectangle into a buffer in the display's format, which has the canvas's size.
+/// Copies a rectangle of the canvas into a buffer of the same size, and converts the pixels to the
+/// display's format.
 fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
     // The buffer has another size if the window was resized in the meantime. The next frame will
     // fit.
@@ -151,8 +153,8 @@ fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
         let run = rect.left..rect.right;
         let from: &[u32] = bytemuck::cast_slice(&from[run.clone()]);
         for (to, from) in to[run].iter_mut().zip(from) {
-            // Converts red, green, blue in memory order to blue, green, red: of whole numbers, several
-            // at a time.
+            // Converts red, green, blue in memory order to blue, green, red. Working on whole
+            // integers lets the compiler convert several pixels at a time.
             let rgb = u32::from_le(*from);
             *to = (rgb & 0xff) << 16 | rgb & 0xff00 | rgb >> 16 & 0xff;
         }

@@ -1,5 +1,5 @@
-//! The connection to the display, without panics if there is none, and the reasons why there is no
-//! window.
+//! The connection to the display, which does not panic if there is no display, and the reasons why
+//! a window cannot open.
 
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,12 +18,12 @@ pub(super) enum UserEvent {
     /// A repaint that egui requested.
     Repaint {
         when: Instant,
-        /// The pass that requested it. A request is out of date once others have run since.
+        /// The pass that requested the repaint. The request is outdated once another pass has run.
         pass: u64,
     },
     /// A signal that ends the program.
     End,
-    /// The desktop has a file dialog.
+    /// The desktop was found to have a file dialog.
     FileDialog,
     /// The answer of the desktop's file dialog with this number.
     File(u64, FileAnswer),
@@ -49,8 +49,8 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
     built.flatten().map_err(PresentError::NoDisplay)
 }
 
-/// Returns true if nothing answers at `WAYLAND_DISPLAY` while there is an X display: winit would
-/// only try the first.
+/// Returns true if nothing answers at `WAYLAND_DISPLAY` but there is an X display. winit would try
+/// only Wayland.
 #[cfg(target_os = "linux")]
 fn only_x11_answers() -> bool {
     use std::{env, os::unix::net::UnixStream, path::PathBuf};
@@ -63,7 +63,8 @@ fn only_x11_answers() -> bool {
     UnixStream::connect(folder.join(wayland)).is_err()
 }
 
-/// Runs a function and returns the message of a panic in it, without printing it to stderr.
+/// Runs a function. If the function panics, returns the panic message as the error, without
+/// printing to stderr.
 pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
@@ -92,7 +93,7 @@ pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     after_location.unwrap_or(text).trim_end_matches('.').to_owned()
 }
 
-/// A reason why there is no window, or no longer one.
+/// A reason why the window cannot open or cannot stay open.
 #[derive(Debug)]
 pub(super) enum PresentError {
     /// There is no display to open a window on.
@@ -101,7 +102,7 @@ pub(super) enum PresentError {
     NoWindow(String),
     /// `--renderer wgpu` was requested and no adapter works.
     NoAdapter(String),
-    /// Drawing began to fail while the window was open, on the CPU too.
+    /// Drawing failed while the window was open, also on the CPU.
     Lost(String),
 }
 

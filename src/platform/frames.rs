@@ -1,12 +1,12 @@
 //! The window's first pass and the log of its frame times.
 //!
-//! The app's first pass runs while the window opens: it reads the fonts, draws the glyphs and traces the
-//! pictures, which is most of what a first frame costs. If the window gets the size that it was closed
-//! with, its first frame only has to show them.
+//! The app's first pass runs while the window opens: it reads the fonts, draws the glyphs and
+//! traces the pictures, which is most of the cost of a first frame. If the window opens at the size
+//! at which it was closed, its first frame only has to show the results.
 //!
 //! `PINHOLE_FRAME_TIMES=times.csv pinhole` writes the time of each frame, input to presented, in
-//! milliseconds, when the window is closed. The first frame is without the pass that ran while the
-//! window opened. `tests/drag-latency.sh` takes the medians.
+//! milliseconds, when the window is closed. The time of the first frame excludes the pass that ran
+//! while the window opened. `tests/drag-latency.sh` takes the medians.
 
 use std::fmt::Write as _;
 use std::panic::resume_unwind;
@@ -35,8 +35,9 @@ impl FirstPass {
         }))
     }
 
-    /// Waits for the end of the pass, and does its parallel work meanwhile: this thread is one of those
-    /// who share it, and on one processor the only one. Returns the app and what it wants of the window.
+    /// Waits for the end of the pass. Meanwhile, the calling thread shares in the pass's parallel
+    /// work; with one processor, it does all of that work. Returns the app and its requests to the
+    /// window.
     pub(super) fn end(self) -> (App, FullOutput) {
         while !self.0.is_finished() {
             if rayon::yield_now() != Some(rayon::Yield::Executed) {
@@ -46,14 +47,14 @@ impl FirstPass {
         self.0.join().unwrap_or_else(|panic| resume_unwind(panic))
     }
 
-    /// Ends the app where no window opens.
+    /// Ends the app if no window opens.
     pub(super) fn discard(self) {
         let (_, output) = self.end();
         output.drop_without_applying_deltas();
     }
 }
 
-/// Returns the input of a window that nobody has touched yet.
+/// Returns the input of a window without any user input yet.
 fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
     let info = ViewportInfo {
         native_pixels_per_point: Some(geometry.screen_scale()),
@@ -78,16 +79,16 @@ pub(super) struct FrameTimes {
     /// Time from the first input event that the frame answers until it was presented; `None` for a
     /// frame without input, such as one of an animation.
     pub(super) since_input: Option<Duration>,
-    /// Time from the start of the app's pass until the frame was presented. The others are parts of
-    /// it.
+    /// Time from the start of the app's pass until the frame was presented. The other durations are
+    /// parts of this one.
     pub(super) frame: Duration,
-    /// The app's pass with egui's work around it.
+    /// Time for the app's pass, including egui's work around the pass.
     pub(super) ui: Duration,
-    /// Uploading new pictures and glyphs.
+    /// Time for uploading new pictures and glyphs.
     pub(super) upload: Duration,
-    /// Tessellating and drawing; for wgpu, issuing the draw commands.
+    /// Time for tessellating and drawing; with wgpu, for issuing the draw commands.
     pub(super) paint: Duration,
-    /// Waiting until the display accepts another frame.
+    /// Time for waiting until the display accepts another frame.
     pub(super) wait: Duration,
 }
 
@@ -98,20 +99,22 @@ pub(super) struct FrameLog {
 }
 
 impl FrameLog {
-    /// Creates the log that the environment asks for, if it asks for one.
+    /// Creates a log if the environment variable `PINHOLE_FRAME_TIMES` is set; otherwise returns
+    /// `None`.
     pub(super) fn from_environment() -> Option<FrameLog> {
         let path = std::env::var_os(FRAME_TIMES)?.into();
         Some(FrameLog { path, frames: Vec::new() })
     }
 
-    /// Records a presented frame, with the work for it if it showed a new picture.
+    /// Records the times of a presented frame, and the times of its `work` if it showed a new
+    /// picture.
     pub(super) fn push(&mut self, times: FrameTimes, work: Option<WorkTimes>) {
         self.frames.push((times, work));
     }
 
-    /// Writes the file. `since_input` is empty for a frame that answers no input. The columns of
-    /// the work, of which `own` is the sum, are part of `ui` and empty for a frame without a new
-    /// picture.
+    /// Writes the CSV file. The column `since_input` is empty for a frame that answers no input.
+    /// The columns for the work are part of `ui`, and `own` is their sum; they are empty for a
+    /// frame without a new picture.
     pub(super) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
         let mut text =
@@ -140,7 +143,7 @@ mod tests {
     use crate::model::session::Settings;
     use crate::model::store::Remembered;
 
-    /// Returns the window's context and the app, as they are when the window has opened.
+    /// Returns the window's context and the app in the state after the window has opened.
     fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
         let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
         let settings = Settings { zoom, ..Settings::default() };

@@ -34,9 +34,9 @@ pub(super) struct Gpu {
     painter: Painter,
     size: [u32; 2],
     failure: Failure,
-    /// Set if the display took the surface away instead of a frame.
+    /// Set if the display invalidated the surface instead of accepting a frame.
     took_surface: Arc<AtomicBool>,
-    /// Number of consecutive frames for which it did.
+    /// Number of consecutive frames for which the display invalidated the surface.
     retries: u32,
 }
 
@@ -92,7 +92,8 @@ impl Gpu {
         Ok((Self { painter, size, failure, took_surface, retries: 0 }, description))
     }
 
-    /// Uploads changed textures before painting would, so that the upload can be timed.
+    /// Uploads changed textures ahead of painting, which would otherwise do so, to time the upload
+    /// separately.
     fn set_textures(&self, delta: &mut TexturesDelta) {
         let Some(state) = self.painter.render_state() else { return };
         let mut renderer = state.renderer.write();
@@ -103,7 +104,7 @@ impl Gpu {
         }
     }
 
-    /// Draws a frame and presents it, or asks for another one on a new surface.
+    /// Draws and presents a frame, or requests another frame on a new surface.
     fn try_paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);
@@ -156,7 +157,7 @@ impl WindowSurface for Gpu {
     }
 }
 
-/// Returns the last line of a message, which is the cause of the others.
+/// Returns the last line of an error message, which names the innermost cause.
 fn innermost(message: &str) -> String {
     let last = message.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
     last.trim().trim_end_matches('.').to_owned()
@@ -172,7 +173,7 @@ fn reason(error: &WgpuError) -> String {
     }
 }
 
-/// Stores the device's errors instead of panicking, which is wgpu's default.
+/// Makes the device store its errors; by default, wgpu panics.
 fn watch(device: &wgpu::Device) -> Failure {
     let failure = Failure::default();
     let keep = |failure: &Failure| {

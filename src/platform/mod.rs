@@ -1,15 +1,15 @@
 //! The window on the screen, drawn by the graphics driver, or by our own painter if there is none.
 //!
-//! [`run`] opens the window and shows the app in it. It is drawn by:
+//! [`run`] opens the window and shows the app in it. The window is drawn by:
 //!
 //! - a hardware graphics adapter, through wgpu, if there is one;
 //! - otherwise [`painter`](crate::view::painter), on the CPU: if there is no adapter, if the adapter fails
 //!   to start, and if it is itself software, because software drivers take many times as long for the
 //!   same picture. It also takes over the open window if the adapter fails later.
 //!
-//! Both use the same event loop (`window.rs`, `open.rs`), so everything else about the window is
-//! the same. Only `gpu.rs` uses wgpu. Files are asked for by the desktop's own dialog, where there is
-//! one (`file_dialog`).
+//! The two renderers share one event loop (`window.rs`, `open.rs`), so everything else about the
+//! window is the same. Only `gpu.rs` uses wgpu. The user chooses files in the desktop's own dialog
+//! if there is one (`file_dialog`).
 //!
 //! eframe, egui's own framework for windows, has no renderer on the CPU and cannot hand an open window
 //! to another renderer when the adapter fails, so the event loop is our own.
@@ -54,7 +54,7 @@ pub mod signals {
     pub fn pass_on() {}
 }
 
-/// Opens the window on the named scene or lesson, otherwise on that of the last run, otherwise on
+/// Opens the window with the named scene or lesson, otherwise with the last run's, otherwise with
 /// the lecture's own scene. Returns when the window is closed.
 ///
 /// # Errors
@@ -97,7 +97,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
 struct FirstScene {
     open: OpenDocument,
     remembered: Remembered,
-    /// The reason why it is not the scene of the last run.
+    /// The reason why the document is not the scene of the last run.
     trouble: Option<String>,
 }
 
@@ -139,8 +139,8 @@ const SETTINGS: [(&str, &str, &str); 3] = [
     ("kdeglobals", "AnimationDurationFactor", "0"),
 ];
 
-/// Returns true if the desktop's settings in this folder switch animations off; false if they do
-/// not mention them.
+/// Returns true if the desktop's settings in `folder` switch animations off; false if the settings
+/// do not mention animations.
 fn is_reduced(folder: &Path) -> bool {
     SETTINGS.iter().any(|(file, key, off)| {
         let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
@@ -151,7 +151,7 @@ fn is_reduced(folder: &Path) -> bool {
     })
 }
 
-/// Returns true for GTK's other notation of false, 0.
+/// Returns true for `0`, GTK's other notation for `false`.
 fn is_zero(off: &str, value: &str) -> bool {
     off == "false" && value == "0"
 }

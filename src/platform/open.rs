@@ -28,7 +28,7 @@ use crate::ui::dialogs::path_field::FileAnswer;
 ///
 /// The fields are dropped in this order: the window comes last.
 pub(super) struct Open {
-    /// `None` only if the last one is lost.
+    /// The renderer; `None` only if the last renderer has failed.
     surface: Option<Box<dyn WindowSurface>>,
     renderer: Renderer,
     app: App,
@@ -42,30 +42,32 @@ pub(super) struct Open {
     textures: Textures,
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
-    /// True if the next `RedrawRequested` was requested here.
+    /// True if the next `RedrawRequested` event was requested by this program, not by the display.
     asked: bool,
     /// Time of the first input event that no frame has answered yet.
     input_since: Option<Instant>,
     /// True if the window was requested to open maximised and is not maximised yet.
     pub(super) maximizing: bool,
     shown: Option<Instant>,
-    /// Start of the last frame, and the minimum time between it and a frame that only animates.
+    /// Start of the last frame.
     began: Instant,
+    /// Minimum time between the start of the last frame and a frame that only animates.
     pace: Duration,
-    /// Time of the last look at the scene's file.
+    /// Time of the last check of the scene's file.
     looked: Instant,
     proxy: EventLoopProxy<UserEvent>,
-    /// The desktop's file dialog that is open, and the number of those opened so far.
+    /// The open file dialog of the desktop, if any.
     file_dialog: Option<FileDialog>,
+    /// Number of file dialogs opened so far.
     file_dialogs: u64,
     window: Arc<Window>,
 }
 
-/// Time between two looks at the scene's file, for which alone nothing is drawn.
+/// Time between two checks of the scene's file. A check by itself does not cause a frame.
 const LOOK: Duration = Duration::from_secs(1);
 
 impl Open {
-    /// Gives the app, after its first pass, a window that is not shown yet.
+    /// Combines the app, after its first pass, with a window that is not shown yet.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
@@ -123,7 +125,7 @@ impl Open {
         open
     }
 
-    /// Ends the app: its last chance to save.
+    /// Ends the app, which can save its state now for the last time.
     pub(super) fn end(mut self) {
         self.ctx.on_exit();
         self.app.on_exit();
@@ -143,7 +145,7 @@ impl Open {
         }
     }
 
-    /// Handles a motion of the mouse, even if the pointer could not follow it.
+    /// Handles a motion of the mouse, even if the pointer cannot move further.
     pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) {
         if self.state.on_mouse_motion(delta) {
             self.repaint_by(Instant::now());
@@ -263,12 +265,13 @@ impl Open {
         Ok(false)
     }
 
-    /// Uses the desktop's dialog for files from now on.
+    /// Makes the app use the desktop's file dialog from now on.
     pub(super) fn use_desktop_dialog(&mut self) {
         self.app.use_desktop_dialog();
     }
 
-    /// Opens the desktop's dialog where the app wants it, and closes it where it does so no more.
+    /// Opens the desktop's file dialog if the app requests one, and closes it if the app no longer
+    /// does.
     fn ask_for_file(&mut self) {
         let Some(request) = self.app.file_request() else {
             self.file_dialog = None;
@@ -282,7 +285,8 @@ impl Open {
         }
     }
 
-    /// Passes on the answer of the desktop's dialog with this number, if it is still waited for.
+    /// Passes the answer of the desktop's file dialog with this number to the app, if the app still
+    /// waits for it.
     pub(super) fn answer_file(&mut self, number: u64, answer: FileAnswer) {
         if number == self.file_dialogs && self.file_dialog.take().is_some() {
             self.app.answer_file(answer);
@@ -290,8 +294,8 @@ impl Open {
         }
     }
 
-    /// Keeps the pointer where it is on the screen after a change of the zoom: egui stores its
-    /// position in points until the mouse is moved.
+    /// Keeps the pointer's position on the screen after a change of zoom: egui stores the position
+    /// in points until the mouse moves.
     fn keep_pointer(&mut self, before: f32) {
         let ratio = before / self.ctx.zoom_factor();
         if let (true, Some(pointer)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
@@ -385,8 +389,8 @@ impl Open {
         if self.renderer == Renderer::Cpu {
             return Err(PresentError::Lost(reason));
         }
-        // First of all, because some displays let only one of both draw to a window. A driver may fail
-        // at that, too.
+        // The lost surface is dropped first, because some displays let only one renderer draw to a
+        // window. The driver may fail even while its surface is dropped.
         let _ = without_panic(|| drop(lost));
         let cpu = Cpu::new(event_loop, &self.window)
             .map_err(|error| PresentError::Lost(format!("{reason}; on the CPU: {error}")))?;
@@ -456,12 +460,11 @@ fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallbac
     screenshots.collect()
 }
 
-/// Characters whose keys step or zoom, again and again while they are held.
+/// Characters whose keys step or zoom repeatedly while held.
 const STEPPING: [&str; 7] = [",", ".", "[", "]", "+", "-", "="];
 
-/// Returns true if an event is the repeat of a held key that nothing takes: neither a text that is
-/// typed, nor a shortcut with Ctrl, nor a step. Such a repeat would cost a frame, and switch a
-/// command on and off.
+/// Returns true if an event is the repeat of a held key that is neither typed text, nor a shortcut
+/// with Ctrl, nor a step. Such a repeat would cost a frame, and would switch a command on and off.
 pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
     let WindowEvent::KeyboardInput { event, .. } = event else { return false };
     let KeyEvent { repeat: true, state: ElementState::Pressed, logical_key, .. } = event else {
@@ -471,7 +474,7 @@ pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
     !is_taken && !steps(logical_key)
 }
 
-/// Returns true if a key does something again at each repeat.
+/// Returns true if a key acts again at each repeat.
 fn steps(key: &Key) -> bool {
     match key {
         Key::Named(named) => matches!(

@@ -1,17 +1,17 @@
-//! Handles the signals that end the program: the window saves its changes aside and closes; a command removes
-//! its temporary files.
+//! Handles the signals that end the program: the window saves its changes to a separate file and
+//! closes; a command removes its temporary files.
 
 use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Ends the window.
+/// A function that ends the window.
 type End = Box<dyn FnOnce() + Send>;
 
-/// The way to end the window that is open.
+/// The function that ends the open window; `None` without a window.
 static WINDOW: Mutex<Option<End>> = Mutex::new(None);
 
-/// The signal that ended the window, 0 for none.
+/// The signal that ended the window; 0 if none did.
 static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
 /// Several signals within this time count as one: a terminal that closes sends SIGHUP twice, a session that

@@ -20,7 +20,8 @@ use crate::model::store::WindowGeometry;
 /// Returns egui's context, configured for the window.
 pub(super) fn context() -> egui::Context {
     let ctx = egui::Context::default();
-    // There is only one window: show inside it what egui would open as another one.
+    // There is only one window: egui shows inside it any viewport that would otherwise be a second
+    // window.
     ctx.set_embed_viewports(true);
     ctx.options_mut(|options| {
         options.max_passes = options.max_passes.max(std::num::NonZeroUsize::MIN.saturating_add(1));
@@ -63,7 +64,7 @@ pub(super) fn builder(geometry: WindowGeometry, event_loop: &ActiveEventLoop) ->
 /// Room for the window's frame and the desktop's bar, in points.
 const FRAME: egui::Vec2 = egui::vec2(16.0, 80.0);
 
-/// Returns the size of the window's content, of which the largest screen has room for all.
+/// Returns the wanted size of the window's content, limited to fit on the largest screen.
 fn size_on(screens: &[egui::Rect], wanted: egui::Vec2) -> egui::Vec2 {
     const LEAST: egui::Vec2 = egui::Vec2::splat(64.0);
     let largest = screens.iter().map(|screen| screen.size()).reduce(egui::Vec2::max);
@@ -71,7 +72,8 @@ fn size_on(screens: &[egui::Rect], wanted: egui::Vec2) -> egui::Vec2 {
     wanted.min(room).max(LEAST)
 }
 
-/// Returns the icon of the window; `None` still lets the window open.
+/// Returns the icon of the window; `None` if it cannot be read, in which case the window opens
+/// without an icon.
 fn icon() -> Option<egui::IconData> {
     let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../../assets/icon.png")));
     decoder.set_transformations(png::Transformations::ALPHA);
@@ -98,7 +100,8 @@ pub(super) fn surface(
     builder: &ViewportBuilder,
 ) -> Result<OpenWindow, PresentError> {
     let open = || {
-        // By a context without a zoom: the geometry has none, and that of the app's may have one already.
+        // The window is created by a context without zoom: the geometry is unzoomed, and the app's
+        // context may already be zoomed.
         let window = egui_winit::create_window(&egui::Context::default(), event_loop, builder);
         window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
     };
@@ -136,8 +139,8 @@ pub(super) fn surface(
 
 /// Returns the minimum time between two frames of an animation.
 ///
-/// An adapter waits for the display by itself. Our painter would draw as fast as it can, and keep a
-/// processor busy with frames that nobody sees.
+/// A graphics adapter waits for the display by itself. Our painter would draw as fast as it can,
+/// and would keep a processor busy with frames that are never shown.
 pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
     const USUAL_MILLIHERTZ: u32 = 60_000;
     match renderer {

@@ -10,11 +10,12 @@ use egui::epaint::{ClippedPrimitive, ImageDelta, TextureAtlas};
 use egui::{ScreenshotCallback, TextureId};
 use winit::window::Window;
 
-/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. With another
-/// one than in the first pass, the first frame would draw its glyphs again.
+/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. If this
+/// value differed from that of the first pass, the first frame would draw its glyphs again.
 pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
 
-/// Number of consecutive frames that may fail to reach the display, after which the renderer has failed.
+/// Number of consecutive frames that may fail to reach the display before the renderer counts as
+/// failed.
 pub(super) const PATIENCE: u32 = 5;
 
 /// A renderer of the window.
@@ -35,9 +36,9 @@ pub(super) struct WindowFrame<'a> {
     /// The background colour.
     pub(super) ground: egui::Color32,
     pub(super) primitives: Vec<ClippedPrimitive>,
-    /// Changes of textures; the renderer takes them out.
+    /// Changes of textures, which the renderer consumes.
     pub(super) delta: &'a mut TexturesDelta,
-    /// The requests for a copy of the picture.
+    /// The requests for a copy of the drawn picture.
     pub(super) screenshots: Vec<ScreenshotCallback>,
     /// True if the display may have lost its picture.
     pub(super) exposed: bool,
@@ -60,7 +61,7 @@ pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
     start.map_or(Duration::ZERO, |start| start.elapsed())
 }
 
-/// egui's textures, apart from that of the glyphs. egui sends each change once.
+/// The contents of egui's textures other than the glyph texture. egui sends each change only once.
 ///
 /// The images are shared with the app, not copied.
 #[derive(Default)]
@@ -70,7 +71,7 @@ pub(super) struct Textures(HashMap<TextureId, Vec<ImageDelta>>);
 const GLYPHS: TextureId = TextureId::Managed(0);
 
 impl Textures {
-    /// Takes note of changes that the surface is about to take out.
+    /// Records changes of textures before the surface consumes them.
     pub(super) fn note(&mut self, delta: &TexturesDelta) {
         let others = delta.set.iter().filter(|(id, _)| **id != GLYPHS);
         for (id, changes) in others {

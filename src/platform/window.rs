@@ -20,8 +20,8 @@ use crate::model::fault::caught;
 use crate::model::store::WindowGeometry;
 use crate::ui::app::App;
 
-/// Opens the window and returns when it is closed. `choice` is the renderer that the user requested;
-/// `None` takes the best that works.
+/// Opens the window and returns when it is closed. `choice` is the renderer that the user
+/// requested; `None` chooses the best renderer that works.
 pub(super) fn run(
     choice: Option<Renderer>,
     geometry: WindowGeometry,
@@ -59,7 +59,7 @@ struct Handler {
     choice: Option<Renderer>,
     geometry: WindowGeometry,
     ctx: egui::Context,
-    /// The app's first pass and the log until the window is open.
+    /// The app's first pass and the frame log; `None` once the window is open.
     first: Option<(FirstPass, Option<FrameLog>)>,
     proxy: EventLoopProxy<UserEvent>,
     open: Option<Open>,
@@ -149,7 +149,8 @@ impl ApplicationHandler<UserEvent> for Handler {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: UserEvent) {
         self.with(event_loop, |open| match event {
-            // Nobody is asked: changes are written aside, and offered at the next start.
+            // The user is not asked: changes are saved to a separate file, and offered at the next
+            // start.
             UserEvent::End => Ok(true),
             UserEvent::Repaint { when, pass } => {
                 open.wake(when, pass);

@@ -1,8 +1,9 @@
 //! Measures error against run time, a slice at a time: [`Measurement`].
 //!
-//! A measurement is a list of cases (a scene, or a stress family at one setting of its knob). For each case,
-//! the reference and every [`Method`] follow some rays. Whole frames or lists of rays are timed in rounds that
-//! take the methods in turn, so that a slow moment of the machine affects all of them.
+//! A measurement is a list of cases (a scene, or a stress family at one setting of its knob). For
+//! each case, the reference and every [`Method`] trace some rays. Whole frames or lists of rays are
+//! timed in rounds. Each round times all methods in turn, so a slow moment of the machine affects
+//! every method.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -43,7 +44,7 @@ pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::
 /// ```
 pub struct Measurement {
     cases: Vec<CaseRun>,
-    /// The case at work; those before it are done.
+    /// Index of the current case; all earlier cases are done.
     current: usize,
     left_out: Vec<String>,
     notes: &'static str,
@@ -94,22 +95,22 @@ impl Measurement {
         }
     }
 
-    /// Amount of work, in pieces of work of roughly equal length.
+    /// Returns the total amount of work, in pieces of roughly equal length.
     pub fn total(&self) -> usize {
         self.cases.iter().map(CaseRun::total).sum()
     }
 
-    /// Amount of it that is done.
+    /// Returns the number of pieces of work that are done.
     pub fn done(&self) -> usize {
         self.cases.iter().map(CaseRun::done).sum()
     }
 
-    /// Returns whether there is nothing left to do.
+    /// Returns true if no work is left.
     pub fn is_done(&self) -> bool {
         self.current == self.cases.len()
     }
 
-    /// Works on for about 10 ms.
+    /// Does about 10 ms of work.
     pub fn step(&mut self) {
         let start = Instant::now();
         while let Some(case) = self.cases.get_mut(self.current) {
@@ -124,7 +125,7 @@ impl Measurement {
         }
     }
 
-    /// Reports the cases that have begun, each with the decisions that it has made so far.
+    /// Returns a report of the cases begun so far, each with the decisions made so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
         let mut left_out = self.left_out.clone();
@@ -147,13 +148,14 @@ impl Measurement {
     }
 }
 
-/// Returns a pool of one thread for the ladder; without one, it is timed on all threads of the default pool.
+/// Returns a pool of one thread for the ladder; `None` if the pool cannot be created, in which case
+/// the ladder is timed on all threads of the default pool.
 fn one_thread() -> Option<ThreadPool> {
     ThreadPoolBuilder::new().num_threads(1).build().ok()
 }
 
-/// Describes the processor: its name if known, the vector instructions by which programs choose their code, and
-/// those that `what` was compiled for.
+/// Describes the processor: its name if known, the vector instructions by which programs choose
+/// their code, and the instructions that `what` was compiled for.
 pub(crate) fn describe(what: &str) -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
     let features = features();
@@ -165,7 +167,7 @@ pub(crate) fn describe(what: &str) -> String {
     format!("{name} ({}; {features}; {what} compiled for {})", std::env::consts::ARCH, level())
 }
 
-/// The instructions that core chose.
+/// Returns the name of the vector instructions that `pinhole_core` chose.
 fn level() -> &'static str {
     match Level::new() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -1,4 +1,4 @@
-//! Error against run time, which `pinhole report` measures and shows.
+//! Measures error against run time and shows the results, for `pinhole report`.
 //!
 //! [`model`] contains the results; the other modules measure them, or turn them into text and pictures.
 

@@ -1,8 +1,8 @@
 //! A report as plain data, in the form that `report --json` writes.
 //!
-//! Missing numbers, such as the error in t if method and truth have no hit in common, are `None`, which is
-//! `null` in JSON. No number is NaN or infinite: a method that returns one for a ray that hits has decided
-//! wrong, and is counted there.
+//! Missing numbers, such as the error in t if method and truth have no hit in common, are `None`,
+//! or `null` in JSON. No number is NaN or infinite: if a method returns such a number for a ray
+//! that hits, this counts as a wrong decision.
 
 use pinhole_core::Steps;
 use serde::Serialize;
@@ -10,11 +10,11 @@ use serde::Serialize;
 /// Error against run time, of every method in every case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
-    /// The arithmetic that says what is true.
+    /// Description of the reference arithmetic, which computes the true results.
     pub reference: String,
-    /// The processor, and which of its features were used.
+    /// Description of the processor and of the features used.
     pub cpu: String,
-    /// The cases measured, in order; the cases of a family follow each other.
+    /// The cases measured, in order; the cases of a family are consecutive.
     pub cases: Vec<Case>,
     /// Sentences about measurements that were omitted because the cases do not need them.
     pub left_out: Vec<String>,
@@ -29,34 +29,35 @@ pub struct Report {
 /// One scene, or a stress family at one setting of its knob.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Case {
-    /// The name of the scene, or of the family, which its cases share.
+    /// The name of the scene or of the family. All cases of a family have the same name.
     pub name: String,
-    /// The setting that makes the family easier or harder; a scene has none.
+    /// The setting that makes the family easier or harder; `None` for a scene.
     pub knob: Option<f64>,
     /// The share of rays that hit, 0 to 1.
     pub coverage: f64,
-    /// Results of each method.
+    /// The results of each method.
     pub methods: Vec<MethodRow>,
-    /// Name of the knob; empty without one.
+    /// The name of the knob; empty for a scene.
     pub knob_name: String,
     /// The sensitivity of t to the input, over the rays that hit.
     pub condition: Option<ConditionSpread>,
-    /// The same for the cases of the `f32` methods, if those differ.
+    /// The sensitivity of t to the input in the cases of the `f32` methods, if these cases differ.
     pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
-    /// The scene of which this is a part, measured separately: its pixels are among the scene's too.
+    /// The scene of which this case is a separately measured part. The whole scene includes the
+    /// part's pixels.
     pub part_of: Option<String>,
 }
 
-/// Spread of the condition number of t: if centre, radius, origin and direction each change by a small share of
-/// their sizes, t changes by at most the condition number times this share. Tangents, where it is infinite, are
-/// excluded.
+/// Spread of the condition number of t: if centre, radius, origin and direction each change by a
+/// small fraction of their sizes, t changes by at most the condition number times this fraction.
+/// Tangents, whose condition number is infinite, are excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ConditionSpread {
-    /// Half of them are at most this.
+    /// The median: half of the condition numbers are at most this.
     pub median: f64,
-    /// All are at most this.
+    /// The largest condition number.
     pub max: f64,
 }
 
@@ -65,43 +66,43 @@ pub struct ConditionSpread {
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
-    /// Decisions that differ from exact arithmetic: hit or miss, which object is first, and which of a sphere's
-    /// two roots (it is another one if t is less than half as far from it as from the true one; roots that the
-    /// method's precision can hardly distinguish count as one).
+    /// Decisions that differ from exact arithmetic: hit or miss, which object is first, and which
+    /// of a sphere's two roots t is. A root is wrong if t is less than half as far from it as from
+    /// the true root; roots that the method's precision can hardly distinguish count as one.
     pub wrong: u64,
-    /// All decisions.
+    /// Number of all decisions.
     pub decisions: u64,
     /// The error in t, in ulps of the method's own precision, over the rays whose decisions are right.
     /// [`MethodRow::ulp_f64`] contains the same errors on one scale.
     pub ulp: Ulps,
     /// The largest angle between the method's normal and the true one, in radians.
     pub normal_error_max: Option<f64>,
-    /// Nanoseconds a pixel.
+    /// Run times, in nanoseconds per pixel.
     pub ns_per_pixel: Times,
     /// Number of decisions by each step of the ladder; only the ladder has steps.
     pub steps: Option<Steps>,
-    /// The error in t, in ulps of `f64` whatever the method's precision, with which methods are compared: an
-    /// ulp of `f32` is 2^29 of them.
+    /// The error in t, in ulps of `f64` regardless of the method's precision, for comparing
+    /// methods. An ulp of `f32` is 2^29 ulps of `f64`.
     pub ulp_f64: Ulps,
-    /// Number of `t`s found by each step of the ladder, if `t` has steps of its own: rounded once from more
-    /// digits than `f64` has, it is found in double-double or exactly.
+    /// Number of `t`s found by each step of the ladder, if `t` has steps of its own. A `t` that is
+    /// rounded only once from more digits than `f64` has is found in double-double or exactly.
     pub steps_of_t: Option<Steps>,
-    /// Wrong decisions as a share of all rays of the case, 0 to 1. If pixels next to outlines are sampled more
-    /// densely, both kinds are weighted by their number.
+    /// The share of the case's rays that are decided wrong, 0 to 1. If pixels next to outlines are
+    /// sampled more densely, they and the other pixels are weighted by their numbers.
     pub wrong_share: Option<f64>,
-    /// The largest backward error, in units of 2^-53: if centre, radius, origin and direction each change by
-    /// this share of their sizes, the method's t is exact. Multiplied by the condition number, it is at least
-    /// the error in ulps of `f64`, to first order.
+    /// The largest backward error, in units of 2^-53: if centre, radius, origin and direction each
+    /// change by this fraction of their sizes, the method's t is exact. The backward error times
+    /// the condition number is at least the error in ulps of `f64`, to first order.
     pub backward_error_max: Option<f64>,
-    /// Rays that are decided right, but whose true t is outside the range of the method's precision. They are
-    /// excluded from the errors.
+    /// Number of rays that are decided right, but whose true t is outside the range of the method's
+    /// precision. Such rays are excluded from the errors.
     pub t_out_of_range: u64,
     /// Number of pixels (or rays) that each round traced, whose decisions [`MethodRow::steps`] counts.
     pub pixels_timed: u64,
 }
 
-/// The smallest error, in ulps of `f64`, at which no digit of t is right in `f32` or `f64`: it is as large as
-/// t.
+/// The smallest error, in ulps of `f64`, at which no digit of t is right in `f32` or `f64`: the
+/// error is as large as t.
 pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 
 /// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), if both are normal numbers.
@@ -112,42 +113,42 @@ pub const SINGLE: f64 = (1u64 << 29) as f64;
 pub struct Ulps {
     /// Half of the errors are at most this.
     pub median: Option<f64>,
-    /// 99 of 100 are at most this.
+    /// The 99th percentile: 99 of 100 errors are at most this.
     pub p99: Option<f64>,
-    /// All are at most this.
+    /// The largest error.
     pub max: Option<f64>,
 }
 
 impl Ulps {
-    /// Returns the same errors in ulps of another precision, where each of these is `count` of those; at most
-    /// [`f64::MAX`].
+    /// Returns the same errors in ulps of another precision: each error is multiplied by `count`,
+    /// and is at most [`f64::MAX`].
     pub fn times(self, count: f64) -> Ulps {
         let times = |error: Option<f64>| error.map(|error| (error * count).min(f64::MAX));
         Ulps { median: times(self.median), p99: times(self.p99), max: times(self.max) }
     }
 }
 
-/// Run times of interleaved rounds, in nanoseconds a pixel.
+/// Run times of interleaved rounds, in nanoseconds per pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Times {
-    /// The middle one.
+    /// The median of the rounds.
     pub median: Option<f64>,
     /// The shortest round, with which methods are compared, because every disturbance makes a round longer.
     pub min: Option<f64>,
-    /// A quarter of them are at most this.
+    /// The lower quartile: a quarter of the rounds take at most this time.
     pub lower_quartile: Option<f64>,
-    /// Three quarters of them are at most this.
+    /// The upper quartile: three quarters of the rounds take at most this time.
     pub upper_quartile: Option<f64>,
 }
 
-/// A precision, the one with the fewest digits first.
+/// A precision; the variants are in ascending order of their number of digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Digits {
     /// `f32`
     Single,
     /// `f64`
     Double,
-    /// Two `f64`.
+    /// Double-double: the sum of two `f64`.
     DoubleDouble,
 }
 
@@ -169,7 +170,8 @@ impl Report {
         }
     }
 
-    /// Returns the cases grouped by name, in order: a scene alone, a family with all its settings.
+    /// Returns the cases grouped by name, in order: each group is a single scene, or a family with
+    /// all its settings.
     pub fn families(&self) -> Vec<Vec<&Case>> {
         let mut families: Vec<Vec<&Case>> = Vec::new();
         for case in &self.cases {
@@ -183,7 +185,8 @@ impl Report {
 }
 
 impl Case {
-    /// Returns the name, with the knob if there is one: `tiny far sphere, radius / distance = 1e-6`.
+    /// Returns the case's name, followed by the knob's setting if there is one: `tiny far sphere,
+    /// radius / distance = 1e-6`.
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };
@@ -192,7 +195,8 @@ impl Case {
 }
 
 impl MethodRow {
-    /// Returns a sentence about the steps with which the ladder decided, if the method has steps.
+    /// Returns a sentence about the steps with which the ladder decided; `None` for methods without
+    /// steps.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {
@@ -205,12 +209,13 @@ impl MethodRow {
         ))
     }
 
-    /// Returns whether it computes in single precision.
+    /// Returns true if the method computes in single precision.
     pub fn is_single(&self) -> bool {
         self.digits() == Digits::Single
     }
 
-    /// Returns the name without the precision: `half-b`, of which `double-double` is one more precision.
+    /// Returns the method's name without the precision, such as `half-b`. The method
+    /// `double-double` counts as another precision of `half-b`.
     pub fn formula(&self) -> &str {
         match self.name.as_str() {
             DOUBLE_DOUBLE => "half-b",
@@ -218,7 +223,7 @@ impl MethodRow {
         }
     }
 
-    /// The precision that it computes in.
+    /// Returns the precision in which the method computes.
     pub fn digits(&self) -> Digits {
         match self.name.as_str() {
             DOUBLE_DOUBLE => Digits::DoubleDouble,

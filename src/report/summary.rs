@@ -1,4 +1,5 @@
-//! Summaries of a scene, of a family over all settings of its knob, and of all of them together.
+//! Summaries of a scene, of a family over all settings of its knob, and of all scenes or families
+//! together.
 
 use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
 
@@ -18,8 +19,8 @@ pub(crate) struct MethodSummary<'a> {
     pub(crate) outcome: Option<Outcome>,
     /// Nanoseconds per pixel: the middle one of the shortest rounds of all cases.
     pub(crate) time: Option<f64>,
-    /// For a family, the least and the greatest of them; for a scene, the shortest round and the upper
-    /// quartile.
+    /// The least and the greatest time: for a family, of the shortest rounds of all cases; for a
+    /// scene, the shortest round and the upper quartile.
     pub(crate) times: Option<[f64; 2]>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
@@ -28,9 +29,9 @@ pub(crate) struct MethodSummary<'a> {
 /// The error in t of a method, or the reason why it has none, in ascending order of severity.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(crate) enum Outcome {
-    /// Every true t is outside the range of its precision.
+    /// Every true t is outside the range of the method's precision.
     OutOfRange,
-    /// Ulps of `f64`.
+    /// An error, in ulps of `f64`.
     Error(f64),
     /// An error as large as t.
     NoDigit,
@@ -38,7 +39,8 @@ pub(crate) enum Outcome {
     NoHit,
 }
 
-/// Returns the outcome of a method in a case; `None` if there is nothing to hit and it hits nothing.
+/// Returns the outcome of a method in a case; `None` if there is nothing to hit and the method hits
+/// nothing.
 pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     match row.ulp_f64.max {
         Some(error) if error >= NO_DIGIT => Some(Outcome::NoDigit),
@@ -48,7 +50,8 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
-/// Returns the summaries of a report, in order. Parts of a scene are excluded, because they would count twice.
+/// Returns the summaries of a report, in order. Parts of a scene are excluded, because their rays
+/// would count twice.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     let families = report.families().into_iter();
     families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
@@ -74,12 +77,12 @@ impl<'a> Summary<'a> {
         Summary { cases, methods }
     }
 
-    /// Returns true if there is a curve over a knob to show.
+    /// Returns true if there is a curve to show over the knob.
     pub(crate) fn has_knob(&self) -> bool {
         self.cases.len() > 1
     }
 
-    /// Everything that some panel shows.
+    /// Returns every outcome that some panel shows.
     pub(crate) fn outcomes(&self) -> impl Iterator<Item = Outcome> {
         self.cases.iter().flat_map(|case| &case.methods).filter_map(outcome)
     }
@@ -88,7 +91,7 @@ impl<'a> Summary<'a> {
         self.methods.iter().find(|worst| worst.name == name)
     }
 
-    /// Coverage, from the least to the most, as text.
+    /// Returns the coverage as text: the least and the greatest value.
     pub(crate) fn coverage(&self) -> String {
         let percent =
             |share: f64| pinhole_lecture::numbers::short_plain((100.0 * share * 1e3).round() / 1e3);
@@ -128,7 +131,8 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns the time and the error of a method whose decisions are all right and that has some right digit.
+    /// Returns the time and the error of the method; `None` unless all its decisions are right and
+    /// t has some right digit.
     fn result(&self) -> Option<(f64, f64)> {
         match (self.time, self.outcome) {
             (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
@@ -136,7 +140,8 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns true if the other is at least as fast and as accurate, and better in one of them.
+    /// Returns true if `other` is at least as fast and as accurate, and strictly better in one
+    /// respect.
     fn is_beaten_by(&self, other: &MethodSummary) -> bool {
         let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
         others.0 <= own.0 && others.1 <= own.1 && others != own
@@ -150,8 +155,8 @@ pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
 }
 
-/// Returns the Pareto front: of the methods whose decisions are all right, those that no other one beats in
-/// both time and error; the fastest first.
+/// Returns the Pareto front: of the methods whose decisions are all right, those not beaten in time
+/// and error by another method; the fastest first.
 pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
     let is_first = |method: &&MethodSummary| {
         method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
@@ -163,18 +168,18 @@ pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodS
 
 /// All scenes or families together.
 pub(crate) struct Overall<'a> {
-    /// A line each.
+    /// The methods, each with one row in the table.
     pub(crate) methods: Vec<MethodOverall<'a>>,
-    /// What there is several of: families or scenes.
+    /// The word for what is summarized: `families` or `scenes`.
     pub(crate) noun: &'static str,
-    /// Number of those that all methods share, but the one of frames alone.
+    /// Number of scenes or families shared by all methods except the one that only traces frames.
     pub(crate) in_share: usize,
-    /// Number of those that all methods share.
+    /// Number of scenes or families shared by all methods.
     pub(crate) in_errors: usize,
 }
 
-/// A method over all scenes or families. Shares, errors and times are only those of shared cases, because
-/// different cases cannot be compared.
+/// A method over all scenes or families. Shares, errors and times only include shared cases,
+/// because different cases cannot be compared.
 pub(crate) struct MethodOverall<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
@@ -183,16 +188,16 @@ pub(crate) struct MethodOverall<'a> {
     pub(crate) decisions: u64,
     /// The mean share of wrong decisions of the cases.
     pub(crate) share: Option<f64>,
-    /// The outcome of each, ascending.
+    /// The outcome of each scene or family, in ascending order.
     pub(crate) outcomes: Vec<Outcome>,
-    /// The time of each, ascending; nanoseconds a pixel.
+    /// The time of each scene or family in nanoseconds per pixel, in ascending order.
     pub(crate) times: Vec<f64>,
 }
 
-/// The method that single rays do not have.
+/// The name of the method that only traces frames, not single rays.
 const OF_FRAMES_ALONE: &str = "ladder-f32";
 
-/// Returns every method over all of a report.
+/// Returns the summary of every method over all scenes or families.
 pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
     let mut all: Vec<&MethodSummary<'a>> = Vec::new();
     for worst in summaries.iter().flat_map(|summary| &summary.methods) {
@@ -250,8 +255,8 @@ impl<'a> MethodOverall<'a> {
         }
     }
 
-    /// Returns the least, the middle and the greatest of the outcomes as numbers, infinite if no digit of t is
-    /// right or nothing was hit.
+    /// Returns the least, the middle and the greatest of the outcomes as numbers; an outcome is
+    /// infinite if no digit of t is right or nothing was hit.
     pub(crate) fn errors(&self) -> Option<[f64; 3]> {
         let number = |outcome: &Outcome| match outcome {
             Outcome::Error(error) => *error,

@@ -26,7 +26,7 @@ const COLUMNS: [&str; 12] = [
     "× base",
 ];
 
-/// What the columns are.
+/// Text that explains the columns.
 const READING: &str = "wrong: hit or miss, which object is first, or another root of it (t less than half \
     as far from that as from the true one); errors are of all other rays, in t in ulps of f64, the spacing \
     of f64 numbers there, of which an ulp of f32 is 2^29, and the largest one in ulps of the method's own \
@@ -39,7 +39,7 @@ const READING: &str = "wrong: hit or miss, which object is first, or another roo
 const SUMMARY: [&str; 10] =
     ["method", "wrong", "of", "share", "least", "middle", "most", "least", "middle", "most"];
 
-/// The whole report.
+/// Returns the whole report as text.
 pub fn to_table(report: &Report) -> String {
     let mut out = String::new();
     let seed = report.seed.map(|seed| seed.to_string()).unwrap_or_default();
@@ -82,7 +82,7 @@ pub fn to_table(report: &Report) -> String {
     out
 }
 
-/// All scenes or families together, a line a method.
+/// Writes the summary of all scenes or families, one line per method.
 fn summary(out: &mut String, all: &Overall) {
     let Overall { methods, noun, in_share, in_errors } = all;
     let about = format!(
@@ -117,7 +117,8 @@ fn summary(out: &mut String, all: &Overall) {
     headed(out, &rows, &HEADS);
 }
 
-/// Writes rows under heads that span one column or several: the first column, their number, and the text.
+/// Writes rows under heads that span one column or several: each head has its first column, its
+/// number of columns, and its text.
 fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usize, usize, &str)]) {
     let mut widths = widths(rows);
     let before = heads.first().map_or(0, |(first, ..)| *first);
@@ -135,8 +136,8 @@ fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usiz
     aligned(out, rows, widths);
 }
 
-/// Returns the time with which the others are compared: that of the method named at the beginning of the
-/// baseline's text.
+/// Returns the time with which other times are compared: the time of the method named at the
+/// beginning of the baseline's text.
 fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
     let name = report.baseline.split([' ', ',', ':']).next()?;
     let row = case.methods.iter().find(|row| row.name == name)?;
@@ -210,7 +211,8 @@ pub(crate) fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
     })
 }
 
-/// Writes rows: the first column aligned to the left, the others to the right, separated by two blanks.
+/// Writes rows: the first column aligned to the left, the other columns to the right, separated by
+/// two blanks.
 pub(crate) fn aligned<const N: usize>(out: &mut String, rows: &[[String; N]], widths: [usize; N]) {
     for row in rows {
         let mut line = format!("{:<width$}", row[0], width = widths[0]);

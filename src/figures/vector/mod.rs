@@ -1,8 +1,8 @@
 //! Figures as vectors: SVG and PDF, with strokes as strokes and text as text.
 //!
-//! This file turns a figure into paths and texts, whatever drew them: egui's text becomes runs of
-//! letters with positions, each run in one font and one colour, and each letter in the font that
-//! egui takes it from. `svg` and `pdf` write the files.
+//! This file turns a figure into paths and texts. egui's text becomes runs of positioned letters;
+//! each run has one font and one colour, and each letter has the font that egui chose for it. `svg`
+//! and `pdf` write the files.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -130,8 +130,8 @@ impl Maker {
     }
 }
 
-/// Least number of pixels along the shorter side of a compacted picture. Some programs smooth the
-/// pictures that they enlarge; with so many pixels, the smoothing is hardly visible.
+/// Minimum number of pixels along the shorter side of a compacted picture. Some programs smooth
+/// enlarged pictures; at this size, the smoothing is hardly visible.
 const LEAST_SIDE: usize = 600;
 
 /// Shrinks a picture that consists of equal squares, such as enlarged pixels, so that it is not
@@ -170,7 +170,7 @@ struct CasedText {
     halo: Option<(Color32, f32)>,
 }
 
-/// Letters on one baseline, all of one font and colour.
+/// Letters on one baseline, with the same font and colour.
 #[derive(Clone, Debug, PartialEq)]
 struct LetterRun {
     text: String,
@@ -250,8 +250,8 @@ impl LetterRun {
         self.advances.extend(&next.advances);
     }
 
-    /// Distributes the width of a ligature over its letters. egui gives all of the width to the first
-    /// letter, and the others have none apart from rounding.
+    /// Distributes the width of a ligature over its letters. egui assigns the whole width to the
+    /// first letter; the other widths are zero up to rounding.
     fn spread(&mut self) {
         let natural: Vec<f32> =
             self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
@@ -271,22 +271,23 @@ impl LetterRun {
     }
 }
 
-/// The fonts of plain text: the program's own, then similar ones.
+/// The font families for plain text: the program's own, then similar ones as fallbacks.
 const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
 
-/// Tables that a font needs outside of PDF, and that a subset for PDF lacks. The table of names
+/// Font tables that are required outside PDF but missing from a subset for PDF. The `name` table
 /// contains the licence.
 const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
 
 /// The program's fonts, as they are installed in egui.
 static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions);
 
-/// One of the fonts, by its name.
+/// A font of the program, identified by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct FontName(&'static str);
 
 impl FontName {
-    /// Returns the font from which egui takes a letter of a family: the first that contains it.
+    /// Returns the font that egui uses for a letter: the family's first font that contains the
+    /// letter.
     fn for_letter(family: &FontFamily, letter: char) -> FontName {
         let chain = FONTS.families.get(family).map(Vec::as_slice).unwrap_or_default();
         let name = chain.iter().find(|name| FontName(name).glyph(letter).is_some());
@@ -302,7 +303,7 @@ impl FontName {
         FontRef::new(self.data()).ok()
     }
 
-    /// Returns the glyph of a letter, if the font contains it.
+    /// Returns the glyph of a letter; `None` if the font lacks the letter.
     fn glyph(self, letter: char) -> Option<GlyphId> {
         self.font()?.charmap().map(letter)
     }
@@ -485,7 +486,7 @@ mod tests {
         let picture = compacted(&enlarged([700, 650], [3, 2]));
         assert_eq!(picture.size, [700, 650]);
         assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
-        // If they are few, each is stored as several, so that smoothing does not blur them.
+        // In a small picture, each pixel is stored several times, to prevent blur from smoothing.
         let few = compacted(&enlarged([4, 3], [300, 400]));
         assert_eq!(few.size, [800, 600]);
         assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);

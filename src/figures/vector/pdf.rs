@@ -1,8 +1,9 @@
 //! A figure as a PDF of one page: strokes as strokes, text as text, in embedded fonts.
 //!
-//! krilla writes it: krilla takes glyphs with positions, keeps them as text, and embeds only the
-//! letters that occur. Converting the SVG with `krilla-svg` would lay the text out anew, letter by
-//! letter, would write each text with a casing twice, and needs 23 crates more.
+//! The crate krilla writes the file: krilla takes glyphs with positions, keeps them as text, and
+//! embeds only the letters that occur. Converting the SVG with `krilla-svg` would lay the text out
+//! anew, letter by letter, would write each text with a casing twice, and would need 23 more
+//! crates.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,5 @@
-//! A figure as SVG: strokes as strokes, text as text, with embedded fonts of the letters it needs.
+//! A figure as SVG: strokes as strokes, text as text, with embedded fonts that contain only the
+//! letters that occur.
 
 use std::collections::{BTreeMap, BTreeSet};
 

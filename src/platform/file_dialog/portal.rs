@@ -27,11 +27,11 @@ const OBJECT: &str = "/org/freedesktop/portal/desktop";
 const FILE_CHOOSER: &str = "org.freedesktop.portal.FileChooser";
 const REQUEST: &str = "org.freedesktop.portal.Request";
 
-/// Time in which the bus and the portal, which may have to be started, must answer a call. No call waits for
-/// the user.
+/// Timeout for a call to the bus or the portal, either of which may have to be started first. No
+/// call waits for the user.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A dialog that ends within this time was not closed by a user.
+/// Time within which no user can have closed a dialog.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
 /// Calls `tell` if the bus has a portal, or can start one.
@@ -72,7 +72,7 @@ impl Drop for FileDialog {
     }
 }
 
-/// Opens the dialog over this window, and passes its answer to `tell`.
+/// Opens a file dialog over the window, and passes the answer to `tell`.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
@@ -88,8 +88,8 @@ pub(crate) fn ask(
     asked
 }
 
-/// Returns the portal's name for the window; empty where it has none. On Wayland, the compositor would
-/// have to be asked for one by a protocol that winit does not speak.
+/// Returns the portal's name for the window; empty if the window has no name. On Wayland, a name
+/// would have to be requested from the compositor by a protocol that winit does not support.
 fn name_of(window: &Window) -> String {
     match window.window_handle().map(|handle| handle.as_raw()) {
         Ok(RawWindowHandle::Xlib(handle)) => format!("x11:{:x}", handle.window),
@@ -150,7 +150,7 @@ fn options(request: &FileRequest) -> HashMap<&'static str, Value<'static>> {
     options
 }
 
-/// Reads the portal's response, which came after so long.
+/// Reads the portal's response, which arrived `after` the dialog was opened.
 fn read(response: &Message, after: Duration) -> zbus::Result<FileAnswer> {
     const CHOSEN: u32 = 0;
     const CANCELLED: u32 = 1;
@@ -160,8 +160,8 @@ fn read(response: &Message, after: Duration) -> zbus::Result<FileAnswer> {
         return Ok(FileAnswer::Cancelled);
     }
     if code != CHOSEN {
-        // The portal has ended it "in some other way": its dialog could not be opened, or, with GTK's, it
-        // was closed by the button of its frame.
+        // The portal reports that the dialog ended "in some other way": it could not be opened, or,
+        // with GTK, was closed by the button of its frame.
         let was_seen = after > AT_ONCE;
         return Ok(if was_seen { FileAnswer::Cancelled } else { FileAnswer::Unavailable });
     }
@@ -173,7 +173,7 @@ fn read(response: &Message, after: Duration) -> zbus::Result<FileAnswer> {
     Ok(path_of(&uri).map_or(FileAnswer::Elsewhere(uri), FileAnswer::Chosen))
 }
 
-/// Returns the path that a `file:` URI names; `None` for any other.
+/// Returns the path that a `file:` URI names; `None` for any other URI.
 fn path_of(uri: &str) -> Option<PathBuf> {
     let path = uri.strip_prefix("file://")?;
     let path = PathBuf::from(OsString::from_vec(percent_decode_str(path).collect()));

@@ -10,10 +10,10 @@ pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
     tell();
 }
 
-/// An open dialog. The system keeps it before its window until it is answered.
+/// An open dialog. The system keeps the dialog in front of its window until the user answers.
 pub(crate) struct FileDialog;
 
-/// Opens the dialog over this window, and passes its answer to `tell`.
+/// Opens a file dialog over the window, and passes the answer to `tell`.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
@@ -30,7 +30,8 @@ pub(crate) fn ask(
             .add_filter(question.endings.join(", "), question.endings)
             .add_filter("all files", &["*"]);
     }
-    // On macOS, the window's thread must start the dialog, and another one wait for it.
+    // On macOS, the window's thread must start the dialog, and another thread must wait for the
+    // answer.
     if question.writes.is_some() {
         wait(dialog.save_file(), tell);
     } else {

@@ -14,9 +14,9 @@ use crate::report::measure::condition::Problem;
 use crate::report::measure::subject::{CaseSubject, Kernel, Populations};
 use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps};
 
-/// One case: to come, under way or done.
+/// A case that is pending, in progress or done.
 pub(super) struct CaseRun {
-    /// The case, with results once it is done.
+    /// The case; it contains results once the measurement is done.
     case: Case,
     limits: Limits,
     make: Option<Box<dyn FnOnce() -> CaseWork + Send>>,
@@ -24,25 +24,25 @@ pub(super) struct CaseRun {
     left_out: Option<String>,
 }
 
-/// The amount of work for a case, which is the same on every machine, however busy it is.
+/// The amount of work for a case. It is the same on every machine, regardless of load.
 pub(super) struct Limits {
     /// Number of times that every method is timed.
     pub(super) rounds: usize,
-    /// Number of pieces of work that it counts as.
+    /// Number of pieces of work that the case counts as.
     pub(super) pieces: usize,
 }
 
 /// The sets of a case, created when its turn comes.
 pub(super) struct CaseWork {
     sets: Vec<Set>,
-    /// The share of rays that hit, if known; otherwise that of the decided rays is used.
+    /// The share of rays that hit, if known; otherwise the share among the decided rays is used.
     coverage: Option<f64>,
-    /// A sentence about what is not decided.
+    /// A sentence about the rays that are left out, if any.
     left_out: Option<String>,
     is_timing_next: bool,
 }
 
-/// Rays and the methods that follow them.
+/// Rays and the methods that trace them.
 pub(super) struct Set {
     subject: CaseSubject,
     workers: Vec<Worker>,
@@ -52,7 +52,7 @@ pub(super) struct Set {
     conditions: Vec<(f64, usize)>,
     /// Number of rays to decide at a time.
     chunk: usize,
-    /// Number of measurements of time made, of all methods together.
+    /// Number of time measurements made, over all methods.
     timings: usize,
 }
 
@@ -62,7 +62,7 @@ struct Worker {
     tally: Tally,
 }
 
-/// Aim for the time of a piece of work.
+/// Target duration of a piece of work.
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
@@ -106,7 +106,7 @@ impl CaseRun {
         }
     }
 
-    /// Keeps the results and drops all else.
+    /// Keeps the results and drops everything else.
     pub(super) fn finish(&mut self) {
         (self.case, self.left_out, self.work) = (self.report(), self.left_out(), None);
     }
@@ -143,7 +143,7 @@ impl CaseWork {
         CaseWork { sets, coverage, left_out, is_timing_next: false }
     }
 
-    /// Share of the work that is done, up to 1.
+    /// Returns the share of the work that is done, from 0 to 1.
     fn share(&self, rounds: usize) -> f64 {
         let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
         let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
@@ -160,7 +160,7 @@ impl CaseWork {
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
 
-    /// Decides some rays and takes some times, in turn.
+    /// Decides some rays or times some methods, alternately.
     fn step(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
         let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
@@ -190,7 +190,7 @@ impl Set {
         Set { subject, workers, decided: 0, hits: 0, conditions: Vec::new(), chunk: 4, timings: 0 }
     }
 
-    /// Spread of the condition numbers.
+    /// Returns the spread of the condition numbers.
     fn condition(&self) -> Option<ConditionSpread> {
         let weights = self.workers.first()?.tally.weights();
         let weighted = self.conditions.iter().map(|(x, stratum)| (*x, weights[*stratum]));
@@ -199,12 +199,12 @@ impl Set {
         Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *max })
     }
 
-    /// Number of the round that it is in.
+    /// Returns the number of the set's current round.
     fn round(&self) -> usize {
         self.timings / self.workers.len().max(1)
     }
 
-    /// Follows the next rays with the reference and all methods.
+    /// Traces the next rays with the reference and all methods.
     fn decide(&mut self) {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
@@ -233,7 +233,7 @@ impl Set {
         self.chunk = (fitting as usize).clamp(1, 2 * self.chunk + 2);
     }
 
-    /// Takes the times of the next methods in turn.
+    /// Times the next methods in turn.
     fn time(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
         let start = Instant::now();
         while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
@@ -253,9 +253,9 @@ struct Tally {
     populations: Populations,
     /// Decisions in each stratum.
     decisions: [u64; 2],
-    /// Those that are wrong.
+    /// Wrong decisions in each stratum.
     wrong: [u64; 2],
-    /// Errors, with the stratum of each.
+    /// Errors of `t` in ulps, with the stratum of each.
     ulps: Vec<(f64, usize)>,
     /// Decisions that are right, but whose true t is out of range.
     t_out_of_range: u64,
@@ -268,13 +268,13 @@ struct Tally {
 }
 
 impl Tally {
-    /// Nothing yet, of so many rays.
+    /// Creates an empty tally for rays with these numbers per stratum.
     fn of(populations: Populations) -> Tally {
         Tally { populations, ..Tally::default() }
     }
 
-    /// Counts a decision. Errors are recorded if it is right; those of t, only if the true t is a normal number
-    /// of the method's precision.
+    /// Counts a decision. If the decision is right, also records its errors; the error of t is
+    /// recorded only if the true t is a normal number in the method's precision.
     fn decide(
         &mut self,
         method: Method,
@@ -322,7 +322,7 @@ impl Tally {
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
 
-    /// Number of rays that a decision of each stratum stands for.
+    /// Returns the number of rays that a decision of each stratum stands for.
     fn weights(&self) -> [f64; 2] {
         [0, 1].map(|k| self.populations[k] as f64 / self.decisions[k].max(1) as f64)
     }
@@ -372,7 +372,7 @@ impl Tally {
     }
 }
 
-/// Values with their weights, ascending.
+/// Returns the values with their weights, in ascending order.
 fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut values: Vec<_> = values.collect();
     values.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,7 +1,8 @@
-//! How well `t` is determined by its problem, and how large a change of the problem explains a method's
-//! `t`: the condition number and the backward error (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). Their product bounds the relative error of
-//! `t`, so that what the method loses is told from what the problem does.
+//! How well `t` is determined by its problem, and how large a change of the problem explains a
+//! method's `t`: the condition number and the backward error (Higham, *Accuracy and Stability of
+//! Numerical Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). Their product bounds the
+//! relative error of `t`, which separates the error of the method from the sensitivity of the
+//! problem.
 //!
 //! The root of `|o + t d - c| = r` moves, to first order, by
 //!
@@ -9,17 +10,17 @@
 //! dt = -(n.(do + t dd - dc) - dr) / n.d        n the unit normal where the ray meets the sphere
 //! ```
 //!
-//! Let every vector change by at most the share e of its length, and r by e r. The worst is a change of
-//! all of them along n: `|dt| / t <= e k` with
+//! Let every vector change by at most the fraction e of its length, and r by e r. The worst case is
+//! that all vectors change along n: `|dt| / t <= e k` with
 //!
 //! ```text
 //! k = (|o| + |c| + t |d| + r) / (t |n.d|)
 //! ```
 //!
-//! Turned round, a computed t' is the exact root of a problem changed by the share
-//! `| |o + t' d - c| - r | / (|o| + |c| + t' |d| + r)`, and of none changed by less: the theorem of Rigal
-//! and Gaches (Higham, theorem 7.1) for one equation. A plane `n.(o + t d - q) = 0` has `|p - q|` in
-//! place of r: what a change of its normal does.
+//! Conversely, a computed t' is the exact root of a problem changed by the fraction `| |o + t' d -
+//! c| - r | / (|o| + |c| + t' |d| + r)`, and of no problem changed by less: the theorem of Rigal
+//! and Gaches (Higham, theorem 7.1) for one equation. A plane `n.(o + t d - q) = 0` has `|p - q|`
+//! in place of r: the effect of a change of its normal.
 
 use pinhole_core::{DVec3, Object, Ray};
 use pinhole_reference::{Hit, Real};
@@ -28,16 +29,16 @@ use pinhole_reference::{Hit, Real};
 /// times the backward error.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// The true hit of one ray with one object. All lengths are relative to the distance of the hit, so that they
+/// The true hit of one ray with one object. All lengths are relative to the distance of the hit, to
 /// stay in the range of `f64`.
 pub(super) struct Problem {
-    /// True `t`.
+    /// The true `t`.
     t: f64,
     /// Cosine of the angle between direction and normal.
     cosine: f64,
     /// `|o| + |c| + r`, or `|o| + |q| + |p - q|`.
     fixed: f64,
-    /// A sphere's radius.
+    /// The sphere's radius; `None` for a plane.
     radius: Option<f64>,
 }
 
@@ -45,7 +46,7 @@ pub(super) struct Problem {
 const ONE_ROOT: f64 = 1e-14;
 
 impl Problem {
-    /// The first hit's.
+    /// Creates the problem whose answer is this first hit.
     pub(super) fn new(ray: &Ray, object: &Object, truth: &Hit) -> Problem {
         let of_reals = |reals: &[pinhole_reference::Real; 3]| {
             DVec3::new(reals[0].to_f64(), reals[1].to_f64(), reals[2].to_f64())
@@ -66,7 +67,8 @@ impl Problem {
         }
     }
 
-    /// `(t' - t) / t` of a computed t'; `None` where that leaves the range of `f64`.
+    /// Returns `(t' - t) / t` for a computed t'; `None` if the quotient is outside the range of
+    /// `f64`.
     fn moved(&self, truth: &Hit, t: f64) -> Option<f64> {
         if !t.is_finite() {
             return None;
@@ -81,8 +83,9 @@ impl Problem {
         moved.is_finite().then_some(moved)
     }
 
-    /// Returns true if a computed t is the other root of the same object: less than half as far from it as from
-    /// the true one. Roots that differ by only a few of these units of precision count as one.
+    /// Returns true if a computed t is the other root of the same object: less than half as far
+    /// from the other root as from the true one. Roots that differ by only a few times `unit` count
+    /// as one root.
     pub(super) fn is_other_root(&self, truth: &Hit, t: f64, unit: f64) -> bool {
         let (Some(radius), Some(moved)) = (self.radius, self.moved(truth, t)) else { return false };
         let to_other = -2.0 * self.cosine * radius;
@@ -90,8 +93,8 @@ impl Problem {
         are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
-    /// Returns the condition number of `t`; `None` at a tangent, where it is infinite, and if sizes leave the
-    /// range of `f64`.
+    /// Returns the condition number of `t`; `None` at a tangent, where the condition number is
+    /// infinite, and if sizes are outside the range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
         let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
@@ -113,7 +116,7 @@ impl Problem {
     }
 }
 
-/// The length of a vector of any size.
+/// Returns the length of a vector without overflow or underflow.
 fn length(v: DVec3) -> f64 {
     let largest = v.abs().max_element();
     if largest > 0.0 { largest * (v / largest).length() } else { 0.0 }
@@ -142,8 +145,8 @@ mod tests {
         (Problem::new(&ray, &object, &truth), truth)
     }
 
-    /// Each input in turn is changed by a small share in the worst direction; together, t moves by the
-    /// condition number times the share.
+    /// Each input in turn is changed by a small fraction in the worst direction. In total, t moves
+    /// by the condition number times the fraction.
     #[test]
     fn the_condition_number_is_how_much_t_moves_at_worst() {
         let ray = Ray { origin: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::new(0.5, 0.25, -2.0) };
@@ -162,7 +165,7 @@ mod tests {
         assert!((condition / expected - 1.0).abs() < 1e-4, "{condition} {expected}");
     }
 
-    /// Lengths of which the products are below all numbers.
+    /// Lengths whose products underflow to zero.
     #[test]
     fn no_size_makes_the_backward_error_vanish() {
         let tiny = 1e-315;
@@ -203,7 +206,8 @@ mod tests {
         }
     }
 
-    /// Both roots within a few numbers: which of them t is nearer to is a matter of rounding.
+    /// The two roots are only a few numbers apart, so rounding decides which of them t is nearer
+    /// to.
     #[test]
     fn roots_that_the_precision_does_not_tell_apart_are_one() {
         let ray = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z };

@@ -20,15 +20,15 @@ const RAYS: usize = 600;
 const FRAMES: usize = 4;
 /// Approximate number of pixels at which a small picture is timed.
 const TIMED: u32 = 90 * 90;
-/// Maximum number of pixels of a picture, a side.
+/// Maximum number of pixels per side of a picture.
 const SIDE: u32 = 256;
 
-/// What a reader of the families' numbers needs.
+/// A note for readers of the families' numbers.
 pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: numbers exact in f32, ulps \
      of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2); \
      ladder-f32 gets the pictures of the f64 methods";
 
-/// The cases, and what they leave out.
+/// Returns the cases, and sentences about omitted measurements.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let of_knobs =
         |family: &'static Family| family.knobs.iter().map(move |knob| case(family, *knob, seed));
@@ -83,7 +83,8 @@ fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
     CaseWork::new(sets, None, left_out)
 }
 
-/// Returns the precision of a method's input. The ladder's input is `f64`, whatever the precision of its t.
+/// Returns the precision of a method's input. The ladder's input is `f64`, regardless of the
+/// precision of its t.
 fn given_in(method: Method) -> Precision {
     match method {
         Method::Known(_, precision) => precision,
@@ -129,9 +130,9 @@ fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     Some(MeasuredPicture::new(scene, &camera, &resolved, raster, sample, timed))
 }
 
-/// Returns a picture of usual size, in which work that all pixels share takes little of the time. Each pixel is
-/// divided into odd by odd ones, so that its own ray, which may be the difficult one, is among them. Returns
-/// `None` if the picture is large already.
+/// Returns a picture of usual size, in which work shared by all pixels takes little of the time.
+/// Each pixel is divided into an odd number of pixels per direction, to include the pixel's own
+/// ray, which may be the difficult one. Returns `None` if the picture is already large.
 fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
     let (columns, rows) = (camera.image.width(), camera.image.height());
     let times = (f64::from(TIMED) / (f64::from(columns) * f64::from(rows))).sqrt() as u32;

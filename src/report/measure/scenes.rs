@@ -1,4 +1,5 @@
-//! The cases of one scene: the whole scene, and separately the objects that need other code.
+//! The cases of one scene: the whole scene, and separate cases for objects that are handled by
+//! other code.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -10,9 +11,9 @@ use super::case::{CaseRun, CaseWork, Limits, Set};
 use super::subject::{CaseSubject, MeasuredPicture, Sample, objects_of};
 use crate::report::model::Case;
 
-/// Maximum number of pixels per side for comparing.
+/// Maximum number of pixels per side when comparing with the truth.
 const SIDE: u32 = 400;
-/// Maximum number of pixels per side for timing.
+/// Maximum number of pixels per side when timing.
 const TIMED_SIDE: u32 = 256;
 /// Maximum number of intersection tests that are timed at once, so that slices stay short.
 const TIMED_TESTS: usize = 1 << 17;
@@ -20,11 +21,11 @@ const TIMED_TESTS: usize = 1 << 17;
 const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
 
-/// What a reader of a scene's numbers needs.
+/// A note for readers of a scene's numbers.
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// A part of a scene, which makes a case.
+/// A part of a scene that is measured as a case.
 struct Subset {
     title: String,
     part_of: Option<String>,
@@ -32,7 +33,7 @@ struct Subset {
     limits: Limits,
 }
 
-/// The cases, and what they leave out.
+/// Returns the cases, and sentences about omitted measurements.
 pub(super) fn cases(
     name: &str,
     scene: &Scene,
@@ -49,7 +50,7 @@ pub(super) fn cases(
     Ok((subsets.into_iter().map(run).collect(), left_out))
 }
 
-/// Returns the scene, its planes, and the spheres around the eye if there are others too.
+/// Returns the scene, its planes, and the spheres around the eye if there are other spheres too.
 fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
     let limits = |pieces| Limits { rounds: 41, pieces };
     let (title, whole) = (name.to_owned(), scene.clone());
@@ -92,7 +93,7 @@ fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String
     subsets
 }
 
-/// Returns all methods, or without spheres, one for each way to intersect a plane.
+/// Returns all methods; without spheres, returns one method for each way to intersect a plane.
 pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     Method::of_frames().filter(move |method| match method {
         Method::Known(formula, _) => has_spheres || *formula == Formula::Textbook,

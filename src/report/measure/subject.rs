@@ -1,4 +1,4 @@
-//! The subject of a case: rays that the reference and the methods follow.
+//! The subject of a case: rays that the reference and the methods trace.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -18,7 +18,7 @@ pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
      from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
-/// Rays of one kind, numbered.
+/// Numbered rays of one kind.
 pub(super) enum CaseSubject {
     /// Any rays, each with a scene of its own.
     Rays(Vec<(Scene, Ray)>),
@@ -37,7 +37,7 @@ pub(super) struct MeasuredPicture {
     view: Option<View>,
     raster: Raster,
     sample: Sample,
-    /// What is traced for the time.
+    /// The camera and raster that are traced for timing.
     timed: (ResolvedCamera, Raster),
 }
 
@@ -51,15 +51,15 @@ pub(super) struct Sample {
     pub(super) populations: Populations,
 }
 
-/// The number of rays in each of the two strata of a case, which may be sampled with different density. Errors
-/// and shares are weighted by it.
+/// The number of rays in each of the two strata of a case, which may be sampled with different
+/// density. Errors and shares are weighted by these numbers.
 pub(super) type Populations = [usize; 2];
 
 /// One method at work on a subject.
 pub(super) enum Kernel {
     Rays {
         kernel: Box<dyn RayKernel>,
-        /// Number of passes through the list for one measurement of time.
+        /// Number of passes through the list in one time measurement.
         repeats: u32,
     },
     Frames {
@@ -68,14 +68,14 @@ pub(super) enum Kernel {
     },
 }
 
-/// Minimum time of one measurement of rays, if possible.
+/// Minimum duration of one time measurement of rays, if possible.
 const MEASUREMENT: Duration = Duration::from_micros(300);
 
-/// Number of objects above which the reference only gets those that a ray may hit.
+/// Number of objects above which the reference gets only the objects that a ray may hit.
 const MANY_OBJECTS: usize = 12;
 
 impl CaseSubject {
-    /// Number of rays.
+    /// Returns the number of rays.
     pub(super) fn len(&self) -> usize {
         match self {
             CaseSubject::Rays(cases) => cases.len(),
@@ -98,7 +98,7 @@ impl CaseSubject {
         None
     }
 
-    /// Number of rays that each stratum stands for.
+    /// Returns the number of rays that each stratum stands for.
     pub(super) fn populations(&self) -> Populations {
         match self {
             CaseSubject::Rays(cases) => [cases.len(), 0],
@@ -108,7 +108,7 @@ impl CaseSubject {
         }
     }
 
-    /// The stratum of the ray of this number.
+    /// Returns the stratum of the ray with this number.
     pub(super) fn stratum(&self, index: usize) -> usize {
         let CaseSubject::Frames(pictures) = self else { return 0 };
         let located = CaseSubject::locate(pictures, index);
@@ -117,7 +117,7 @@ impl CaseSubject {
             .unwrap_or(0)
     }
 
-    /// The true first hit of the ray of this number.
+    /// Returns the true first hit of the ray with this number; `None` if the ray hits nothing.
     pub(super) fn truth(&self, index: usize) -> Option<Hit> {
         match self {
             CaseSubject::Rays(cases) => {
@@ -132,7 +132,7 @@ impl CaseSubject {
         }
     }
 
-    /// The problem whose answer this true hit is.
+    /// Returns the problem whose answer is this true hit.
     pub(super) fn problem(&self, index: usize, truth: &Hit) -> Option<Problem> {
         let object = |scene: &Scene| scene.object(u32::try_from(truth.object).ok()?);
         match self {
@@ -148,7 +148,8 @@ impl CaseSubject {
         }
     }
 
-    /// Prepares a method to follow these rays; `None` for single rays and a method that only traces frames.
+    /// Prepares a method to trace the rays; returns `None` if the rays are single and the method
+    /// only traces frames.
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
             CaseSubject::Rays(cases) => {
@@ -191,7 +192,7 @@ impl CaseSubject {
         }
     }
 
-    /// Times the method, in nanoseconds a pixel (or ray).
+    /// Returns the time of the method, in nanoseconds per pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
         let repeats = if let Kernel::Rays { repeats, .. } = kernel { *repeats } else { 1 };
         let pixels = self.pixels_timed() * repeats as usize;
@@ -212,7 +213,7 @@ impl CaseSubject {
 }
 
 impl Kernel {
-    /// Returns the ladder's steps in the last measurement of time: for decisions, and for `t`.
+    /// Returns the ladder's steps in the last time measurement: for decisions, and for `t`.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
         match self {
             Kernel::Rays { kernel, .. } => kernel.steps(),
@@ -254,7 +255,7 @@ impl MeasuredPicture {
         }
     }
 
-    /// The pixel of this number.
+    /// Returns the pixel with this number.
     fn pixel(&self, pixel: usize) -> Pixel {
         let (row, column) = self.sample.pixels[pixel];
         Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
@@ -277,10 +278,12 @@ impl MeasuredPicture {
     }
 }
 
-/// Returns true if the line misses the sphere by more than any rounding of the ray.
+/// Returns true if the ray's line misses the sphere by more than any rounding of the ray could
+/// explain.
 ///
-/// The ray's direction has a relative error of about 1e-16; the margin, 1e-6 of the distance to the centre, is
-/// far larger than that and the rounding here. If anything overflows or underflows, the result is false.
+/// The ray's direction has a relative error of about 1e-16; the margin, 1e-6 of the distance to the
+/// centre, is far larger than that error and the rounding errors here. If anything overflows or
+/// underflows, the result is false.
 fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     let Object::Sphere { center, radius } = object else { return false };
     let to_center = DVec3::from_array(*center) - ray.origin;

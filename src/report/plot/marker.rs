@@ -23,7 +23,7 @@ enum MarkerOutline {
 /// Half the width of a mark, in points.
 const RADIUS: f32 = 6.0;
 
-/// Wrong decisions, wherever they are shown.
+/// The colour of wrong decisions.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers can distinguish;
@@ -39,7 +39,7 @@ const MARKERS: [(&str, Marker); 8] = [
     ("lagrange", marker([0x88, 0x22, 0x55], 3, 90.0)),
 ];
 
-/// What each formula does, in half a line.
+/// A short description of each formula.
 const IN_WORDS: [(&str, &str); 8] = [
     ("ladder", "certified: where f64 leaves doubt, more digits, up to exact"),
     ("textbook", "(-b ± sqrt(b² - 4ac)) / 2a"),
@@ -56,14 +56,14 @@ pub(crate) fn in_words(formula: &str) -> &'static str {
     IN_WORDS.iter().find(|(name, _)| *name == formula).map_or("", |(_, words)| *words)
 }
 
-/// A method that came later, in grey.
+/// The grey marker of a formula that is missing from [`MARKERS`].
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
 const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
     Marker { color: Color32::from_rgb(r, g, b), outline: MarkerOutline::Regular(sides, turned) }
 }
 
-/// The mark of a formula.
+/// Returns the marker of a formula.
 pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
@@ -77,7 +77,8 @@ pub(crate) fn lightened(color: Color32) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the sign of methods with wrong decisions: one ring around their marks, which are next to each other.
+/// Draws the sign of wrong decisions: one ring around adjacent marks of methods with wrong
+/// decisions.
 pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = Pos2>) {
     const RING: f32 = 1.5 * RADIUS;
     let mut around = Rect::NOTHING;
@@ -89,7 +90,7 @@ pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = P
 }
 
 impl Marker {
-    /// Draws the mark.
+    /// Draws the marker of a method of this precision.
     pub(crate) fn draw(&self, painter: &Painter, center: Pos2, digits: Digits) {
         let corners = self.corners(center, 1.0);
         let outlined = |corners: &[Pos2], width: f32, color| {
@@ -121,7 +122,8 @@ impl Marker {
         }
     }
 
-    /// Returns the corners. Triangles and stars are drawn larger to appear as large as the others.
+    /// Returns the corners of the outline. Triangles and stars are enlarged, to appear as large as
+    /// the other outlines.
     fn corners(&self, center: Pos2, scale: f32) -> Vec<Pos2> {
         let corner = |degrees: f32, radius: f32| {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())

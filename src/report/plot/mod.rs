@@ -22,7 +22,7 @@ use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 
-/// Dots per point in PNG: as wide as a projector.
+/// Dots per point in PNG: the page is then as wide as a projector's picture.
 pub const PNG_SCALE: f32 = 1.5;
 
 /// The size of a page, in points.
@@ -35,13 +35,13 @@ const MARGIN: f32 = 28.0;
 const NUMBERS: f32 = 84.0;
 const NAMES: f32 = 46.0;
 
-/// Families on a page: two by two.
+/// Number of families on a page: two by two.
 const FAMILIES: usize = 4;
 
 const TEXT: Color32 = Color32::from_gray(0x1a);
 const WEAK: Color32 = Color32::from_gray(0x5a);
 const FRAME: Color32 = Color32::from_gray(0x70);
-/// Every other formula of a table lies on this.
+/// The background of every other formula in a table.
 const BAND: Color32 = Color32::from_gray(0xf6);
 
 /// The font sizes of an axis's numbers and of other text.
@@ -57,7 +57,7 @@ fn bold(size: f32) -> FontId {
     FontId::new(size, theme::bold())
 }
 
-/// Draws the contents of a page.
+/// A function that draws the contents of a page.
 type DrawPage<'a> = Box<dyn Fn(&Painter) + 'a>;
 
 /// Draws a report with this number of dots per point: one picture per page.
@@ -89,21 +89,21 @@ pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     (1..).zip(&pages).map(figure).collect()
 }
 
-/// How to read the marks of a panel.
+/// Text that explains the marks of a panel.
 const MARKS: &str = "Down and left is better. A line joins a formula's precisions: hollow (and dashed over \
     a knob) f32, filled f64, framed double-double. Pale stairs: the Pareto front, those that no other beats \
     in both time and error and that decide all right. Red ring: also decided wrong (hit or miss, which \
     object is first, or another root of it); such rays are in no error.";
 
-/// How to read the panels of a family.
+/// Text that explains the panels of a family.
 const SETTINGS: &str = "Left: worst error of all settings, the middle of their times; bar: least to most. \
     Wide grey line: condition number, the ulps that one rounding of what is given may cost.";
 
-/// How to read the panel of a scene.
+/// Text that explains the panel of a scene.
 const ROUNDS: &str = "Time: the shortest of the rounds, which take the methods in turn; the bar ends at \
     their upper quartile.";
 
-/// What the words mean.
+/// Text that explains the terms.
 const WORDS: &str = "Ulp: the spacing of neighbouring numbers; a t off by 1 ulp of f64 has 16 digits right, \
     by 1 ulp of f32 7. Coverage: the share of rays that hit.";
 
@@ -209,7 +209,7 @@ fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     below
 }
 
-/// Writes the reference, the processor, the notes, and what was left out.
+/// Writes the reference, the processor, the notes, and the omitted measurements.
 fn foot(painter: &Painter, mut y: f32, report: &Report) {
     let seed = report.seed.map_or(String::new(), |seed| format!("; seed {seed}"));
     for (name, text, more) in [
@@ -226,7 +226,8 @@ fn foot(painter: &Painter, mut y: f32, report: &Report) {
     }
 }
 
-/// Returns the first measurement that was left out, and the number of others: the table contains all of them.
+/// Returns the first measurement that was left out, and the number of others: the text table lists
+/// all of them.
 fn left_out(lines: &[String]) -> String {
     const MOST: usize = 160;
     let mut length = 0;

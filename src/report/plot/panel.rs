@@ -11,10 +11,10 @@ use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
-/// The Pareto front, wide and pale behind the curves.
+/// The colour of the Pareto front, a wide pale line behind the curves.
 const FRONT: Color32 = Color32::from_rgb(0xc9, 0xd6, 0xe6);
 
-/// The condition number.
+/// The colour of the condition number.
 const CONDITION: Color32 = Color32::from_gray(0xa0);
 
 /// Dash and gap of a dashed line.
@@ -27,14 +27,14 @@ const LANE: f32 = 20.0;
 const MARGIN: f32 = 10.0;
 const EDGE: f32 = 24.0;
 
-/// Lanes above the scale, from the top, each present only if something is in it.
+/// Lanes above the scale, from the top. A lane is present only if it contains a mark.
 const LANES: [(Outcome, &str); 3] = [
     (Outcome::NoHit, "no hit alike"),
     (Outcome::NoDigit, "no digit right"),
     (Outcome::OutOfRange, "out of range"),
 ];
 
-/// The scale of errors, which both panels of a row share.
+/// The scale of errors, shared by the two panels of a row.
 pub(super) struct Errors {
     scale: Scale,
     y: Rangef,
@@ -43,7 +43,7 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    /// Creates the scale of panels with this top and bottom.
+    /// Creates the scale of panels with this vertical range.
     pub(super) fn new(summary: &Summary, y: Rangef) -> Errors {
         let is_there = |(lane, _): &(Outcome, &str)| summary.outcomes().any(|o| o == *lane);
         let lanes: Vec<_> = LANES.into_iter().filter(is_there).collect();
@@ -68,7 +68,7 @@ impl Errors {
         }
     }
 
-    /// Draws the frame and the horizontal lines, with numbers and names to the left of the frame.
+    /// Draws the frame and the horizontal lines, and labels to the left of the frame.
     fn draw(&self, painter: &Painter, rect: Rect, has_numbers: bool) {
         let ticks = self.scale.ticks(24.0);
         rows(painter, rect, &ticks, GRID.line);
@@ -102,7 +102,7 @@ impl Errors {
     }
 }
 
-/// A method's mark, somewhere.
+/// A method's mark at a position.
 #[derive(Clone, Copy)]
 pub(crate) struct PlotMark<'a> {
     pub(crate) method: &'a MethodSummary<'a>,
@@ -117,8 +117,8 @@ impl PlotMark<'_> {
     }
 }
 
-/// Draws error against time: one curve per formula, over its precisions, each with a bar over its times; behind
-/// them the Pareto front. Returns the marks.
+/// Draws error against time: one curve per formula, over its precisions; one bar per method, over
+/// its times; and the Pareto front behind the curves. Returns the marks.
 pub(super) fn time<'a>(
     painter: &Painter,
     rect: Rect,
@@ -148,8 +148,8 @@ pub(super) fn time<'a>(
         let points: Vec<Pos2> = curve.iter().map(|mark| mark.center).collect();
         line(painter, &points, (2.0, marker_of(curve[0].method.formula).color), SOLID);
     }
-    // The first method is drawn on top, as it is the one to look for; each ring is drawn with its own mark, so
-    // that they are not confused.
+    // The first method, the one to look for, is drawn on top. Each ring is drawn together with its
+    // mark, to make clear which mark it belongs to.
     for mark in marks.iter().rev() {
         marker::ring_around(painter, mark.is_wrong.then_some(mark.center));
         mark.draw(painter);
@@ -229,8 +229,8 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     }
 }
 
-/// Returns the position of each setting of the knob, true to scale if that keeps their marks separate,
-/// otherwise equally spaced; and whether it is true to scale.
+/// Returns the position of each setting of the knob: true to scale if the marks then stay separate,
+/// otherwise equally spaced. The second result is true if the positions are true to scale.
 fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     let knobs: Vec<f64> = summary.cases.iter().map(|case| case.knob.unwrap_or(0.0)).collect();
     let (low, high) = (knobs[0], knobs[knobs.len() - 1]);
@@ -254,12 +254,14 @@ fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     chains.into_iter()
 }
 
-/// Marks whose heights differ by less than this are moved apart horizontally, by the second distance.
+/// Height difference below which marks are moved apart horizontally.
 const CLOSE: f32 = 5.0;
+/// Horizontal distance between marks that are moved apart.
 const APART: f32 = 4.0;
 
-/// Returns the marks of one setting of the knob, grouped so that marks that would overlap are next to each
-/// other, over at most `room`. Those with wrong decisions come last, so that one ring can enclose them.
+/// Returns the marks of one setting of the knob, grouped: marks that would overlap are placed next
+/// to each other, over a width of at most `room`. Marks with wrong decisions come last, to let one
+/// ring enclose them.
 fn column<'a>(
     case: &Case,
     (x, room): (f32, f32),
@@ -289,8 +291,8 @@ fn column<'a>(
     column
 }
 
-/// Returns the condition number if it leaves any digit of t: the error that one rounding of the input may
-/// cause.
+/// Returns the condition number, which is the error that one rounding of the input may cause;
+/// `None` if this error leaves no digit of t.
 fn condition(case: &Case) -> Option<f64> {
     case.condition.map(|condition| condition.max).filter(|max| *max < NO_DIGIT)
 }

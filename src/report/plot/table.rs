@@ -1,6 +1,6 @@
-//! The table of methods on every page except those of families: one row per method, with its mark, its formula
-//! in words and its wrong decisions. For several scenes or families, it also shows errors and times, each as a
-//! line from the least to the greatest.
+//! The table of methods on every page except those of families: one row per method, with its mark,
+//! its formula in words and its wrong decisions. For several scenes or families, the table also
+//! shows errors and times, each as a line from the least to the greatest value.
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use pinhole_lecture::numbers::grouped;
@@ -19,11 +19,12 @@ pub(super) const WIDTH: f32 = 512.0;
 /// Height of a row, in points.
 const ROW: f32 = 23.0;
 
-/// Left edge of the words, from the table's left edge.
+/// Distance from the table's left edge to the words.
 const WORDS: f32 = 178.0;
 
-/// The columns of errors and of times, from the page's left edge.
+/// The left and right edges of the column of errors, from the page's left edge.
 const ERROR: [f32; 2] = [590.0, 885.0];
+/// The left and right edges of the column of times, from the page's left edge.
 const TIME: [f32; 2] = [930.0, 1240.0];
 
 /// A row of the table.
@@ -95,7 +96,7 @@ pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
     body.bottom() + 30.0
 }
 
-/// Draws the rows; returns their area.
+/// Draws the rows, and returns the area that they cover.
 fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str) -> Rect {
     let right = at.x + WIDTH;
     painter.text(at, Align2::LEFT_CENTER, "method", bold(17.0), TEXT);
@@ -128,8 +129,8 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str
     body
 }
 
-/// Draws, for each method, a line from its least to its greatest value, with its mark at the middle one. Zero
-/// and infinity have separate places.
+/// Draws, for each method, a line from its least to its greatest value, with its mark at the middle
+/// value. Zero and infinity have separate places.
 fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f64; 3]>]) {
     let all = || values.iter().flatten().flatten().copied();
     let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };
