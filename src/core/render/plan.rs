@@ -1,5 +1,5 @@
-//! The plan of a frame, made before anything is drawn: which objects the rows can see, how each sphere
-//! is drawn, and what the pixels share.
+//! The plan of a frame, made before drawing: which objects the rows can see, how each sphere is drawn,
+//! and the data that the pixels share.
 
 use std::ops::Range;
 
@@ -29,7 +29,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) axes: RasterAxes,
     /// Spheres that are drawn by rows, near to far.
     pub(crate) spans: Vec<Span>,
-    /// The others: for each run of spheres, for each slice of rows, those that it can see.
+    /// The spheres not drawn by rows: for each run of spheres and each slice of rows, the spheres that
+    /// the slice can see.
     others: Vec<Vec<Vec<(u32, Extent)>>>,
     /// The visible part of the index over the spheres; `None` if there are few.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
@@ -39,14 +40,15 @@ pub(crate) struct Plan<'a> {
     /// True if the frame is finished before another thread would have started.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
-    /// `None` for one that an earlier one hides altogether.
+    /// The planes; `None` for a plane that an earlier one hides completely.
     pub(crate) planes: Vec<Option<ObjectFromOrigin>>,
 }
 
-/// Spheres whose bounds one thread finds at a time.
+/// Number of spheres whose bounds one thread finds at a time.
 const SPHERES_PER_RUN: usize = 8192;
 
-/// Number of spheres up to which whole blocks, most of them written once, cost less than clearing all.
+/// Number of spheres up to which writing whole blocks, most of them once, costs less than clearing all
+/// pixels.
 const MOST_WRITTEN_ONCE: usize = 64;
 
 impl<'a> Plan<'a> {
@@ -107,8 +109,8 @@ impl<'a> Plan<'a> {
         plan
     }
 
-    /// Returns whether a thread draws the frame, a few operations a pixel, in the time that others
-    /// take to wake up.
+    /// Returns whether one thread, at a few operations per pixel, draws the frame in the time that other
+    /// threads need to wake up.
     fn is_quick(&self) -> bool {
         const PIXELS: usize = 1 << 18;
         const SPANS: usize = 8;
@@ -117,10 +119,10 @@ impl<'a> Plan<'a> {
         is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
     }
 
-    /// The rows of each band, in the order in which threads take them.
+    /// Returns the rows of each band, in the order in which threads take the bands.
     ///
-    /// With many spheres, those on the border of two bands are examined twice. Bands have two slices, and
-    /// one slice towards the end, so that all threads finish at about the same time.
+    /// With many spheres, a sphere on the border of two bands is examined twice. Bands have two slices,
+    /// and one slice towards the end, so that all threads finish at about the same time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
         /// The last `rows / LAST` rows are in bands of one slice.
         const LAST: usize = 4;
@@ -136,14 +138,15 @@ impl<'a> Plan<'a> {
         bands
     }
 
-    /// The spheres, but those drawn by rows and those of an index, that a slice of rows can see.
+    /// Returns the spheres that a slice of rows can see, without those drawn by rows and those of an
+    /// index.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
         self.others.iter().flat_map(move |run| &run[slice]).copied()
     }
 }
 
-/// The planes, with `None` for one that is the same set of points as an earlier one, which is seen
-/// in its place.
+/// Returns the planes, with `None` for a plane that is the same set of points as an earlier one, which
+/// is seen in its place.
 fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
     planes.iter().enumerate().map(|(index, plane)| {
         let is_hidden = planes[..index].iter().any(|earlier| earlier.is_same(plane));
@@ -151,14 +154,14 @@ fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
     })
 }
 
-/// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
+/// Number of rows in a slice, for which one object's polynomials are made. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// A run of spheres by the way they are drawn.
+/// A run of spheres, sorted by the way in which they are drawn.
 #[derive(Default)]
 pub(crate) struct Classified {
     pub(crate) spans: Vec<Span>,
-    /// The others, for each slice of rows.
+    /// The spheres not drawn by rows, for each slice of rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
     pub(crate) counts: Counts,
 }
@@ -166,14 +169,14 @@ pub(crate) struct Classified {
 /// The parts of a frame that are needed to classify spheres.
 pub(crate) struct Classifier<'a> {
     pub(crate) level: Level,
-    /// `None` where all spheres are asked pixel by pixel.
+    /// `None` if every sphere is tested pixel by pixel.
     pub(crate) space: Option<CameraSpace>,
     pub(crate) extents: &'a Extents<'a>,
     pub(crate) axes: &'a RasterAxes,
 }
 
 impl Classifier<'_> {
-    /// Sorts a run of spheres, whose first index is `first`.
+    /// Sorts a run of spheres, the first of which has index `first`.
     pub(crate) fn classify(&self, spheres: &[Sphere], first: usize) -> Classified {
         let mut classified = Classified::default();
         classified.others.resize_with(self.axes.height().div_ceil(SLICE_ROWS), Vec::new);

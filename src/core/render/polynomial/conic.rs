@@ -1,4 +1,4 @@
-//! A sphere's outline in the image: its quadratic as a polynomial in whole steps of rows and
+//! A sphere's outline in the image, from its quadratic as a polynomial in whole steps of rows and
 //! columns.
 
 use std::cmp::Ordering;
@@ -7,10 +7,10 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot,
 use crate::exact::quadratic::{Form, SphereTerms};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
-/// A sphere's quadratic as polynomials: with the direction `s + m e + k g`, m columns and k rows
-/// from the middle of a [`Patch`], the parts a, b and D of a sphere's quadratic, whose coefficients
-/// stand in the order 1, m, k, m^2, mk, k^2. The middle is near the outline's, where `r^2 a` and
-/// `|q x d|^2` are small, so that nothing cancels.
+/// A sphere's quadratic as polynomials. The direction is `s + m e + k g`, m columns and k rows from the
+/// middle of a [`Patch`]. The polynomials are the parts a, b and D of the sphere's quadratic, with
+/// coefficients in the order 1, m, k, m^2, mk, k^2. The middle of the patch is near that of the outline,
+/// where `r^2 a` and `|q x d|^2` are small, so that nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Conic {
     a: [f64; 6],
@@ -32,18 +32,19 @@ pub(crate) struct ConicRow {
     pub(crate) discriminant: [f64; 3],
 }
 
-/// Thresholds beyond which a pixel is beyond doubt.
+/// Thresholds beyond which a pixel is not in doubt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thresholds {
-    /// D at least this is a hit, and `t` exact enough.
+    /// D of at least this value is a hit, whose `t` is exact enough.
     pub(crate) hit: f64,
-    /// D below this is a miss.
+    /// D below this value is a miss.
     pub(crate) miss: f64,
-    /// b above this is ahead, below its negative behind.
+    /// b above this value means that the hit is in front of the eye; b below its negative, behind the
+    /// eye.
     pub(crate) ahead: f64,
 }
 
-/// The six coefficients of `x . y` for `x = x0 + m x1 + k x2` with itself.
+/// Returns the six coefficients of `x . x` for `x = x0 + m x1 + k x2`.
 fn square([x0, x1, x2]: [Vector<f64>; 3]) -> [f64; 6] {
     let twice = |a, b| {
         let product = dot(a, b);
@@ -53,7 +54,7 @@ fn square([x0, x1, x2]: [Vector<f64>; 3]) -> [f64; 6] {
 }
 
 impl Conic {
-    /// The coefficients and bounds of their error anywhere in the patch.
+    /// Computes the coefficients, and bounds of their errors anywhere in the patch.
     ///
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
     /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and
@@ -120,7 +121,7 @@ impl Conic {
         }
     }
 
-    /// The row that is `k` steps from the middle.
+    /// Returns the row that is `k` steps from the middle.
     #[inline(always)]
     pub(crate) fn row(&self, k: f64) -> ConicRow {
         let of_row = |c: &[f64; 6]| {
@@ -134,7 +135,8 @@ impl Conic {
         }
     }
 
-    /// Finds where decisions are beyond doubt and the relative error of `t` is at most `t_doubt`.
+    /// Finds the thresholds beyond which decisions are not in doubt and the relative error of `t` is at
+    /// most `t_doubt`.
     ///
     /// With `z = |b| + sqrt D`, t is `c / z` or `z / a`. z is at least `sqrt(|c| a)`, since
     /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. On the sphere itself
@@ -157,13 +159,13 @@ impl Conic {
         let z = 0.99 * sphere.c.abs().sqrt() * least_length;
         let other = if side == Ordering::Less { self.a_doubt } else { 0.0 };
         let left = t_doubt - sphere.c_doubt - other - operations - b_doubt / z;
-        // The root of a D that is large against its doubt is off by little more than half of
-        // doubt / sqrt D.
+        // The root of a D that is large compared with its doubt is off by little more than half of doubt
+        // / sqrt D.
         let root = 0.52 * doubt / (z * left);
         let hit = if left > 0.0 && root.is_finite() {
             (32.0 * doubt).max(root * root)
         } else {
-            // Nothing is left: every pixel goes up the ladder by itself.
+            // No tolerance is left: every pixel goes up the ladder by itself.
             f64::INFINITY
         };
         Thresholds { hit, miss: -doubt, ahead: b_doubt }

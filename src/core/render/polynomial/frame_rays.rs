@@ -22,7 +22,7 @@ pub(crate) struct FrameRays<'a> {
     raster: &'a Raster,
     /// n of each column of the raster.
     pub(crate) n: Vec<f64>,
-    /// l of each row.
+    /// l of each row of the raster.
     pub(crate) l: Vec<f64>,
     /// `n e` of each column, in `f64`.
     column_terms: Vec<Vector<f64>>,
@@ -31,17 +31,17 @@ pub(crate) struct FrameRays<'a> {
     pub(crate) steppers: Steppers,
     /// `2 W H`
     pub(crate) stretch: f64,
-    /// All three vectors are in units of `2^scale`.
+    /// The vectors e, g and z are in units of `2^scale`.
     pub(crate) scale: i32,
 }
 
-/// The vectors e, g and z above.
+/// The vectors e, g and z of [`FrameRays`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Steppers {
     pub(crate) e: Vector<f64>,
     pub(crate) g: Vector<f64>,
     pub(crate) z: Vector<f64>,
-    /// Error of each of them, as a share of its length.
+    /// Relative error of each of the vectors e, g and z.
     vector_doubt: f64,
     /// `|z|`, rounded: no view ray's direction is shorter.
     pub(crate) least_length: f64,
@@ -87,7 +87,7 @@ impl<'a> FrameRays<'a> {
         self.camera
     }
 
-    /// The patch that rows and columns of the raster make.
+    /// Returns the patch of these rows and columns of the raster.
     pub(crate) fn patch(&self, rows: &Range<usize>, columns: &Range<usize>) -> Patch {
         let (n, l) = (&self.n[columns.clone()], &self.l[rows.clone()]);
         let (n0, l0) = (n[n.len() / 2], l[l.len() / 2]);
@@ -104,7 +104,7 @@ impl<'a> FrameRays<'a> {
         [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
-    /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.
+    /// Returns a pixel's direction in `f64`. For the direction's length, a bound is enough.
     #[inline(always)]
     pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionTerms<f64> {
         let Steppers { g, z, .. } = &self.steppers;
@@ -113,26 +113,28 @@ impl<'a> FrameRays<'a> {
         DirectionTerms { d, length: self.longest, doubt: self.steppers.doubt() }
     }
 
-    /// The pixel in the raster's `row`th row and `column`th column.
+    /// Returns the pixel in the raster's `row`th row and `column`th column.
     pub(crate) fn pixel(&self, row: usize, column: usize) -> Pixel {
         Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
     }
 }
 
 impl Steppers {
-    /// Error of a direction made of the vectors, as a share of its length. They are at right angles
-    /// (by hand, within 1e-9), so that the three terms are together no longer than `sqrt 3` times it.
+    /// Returns the relative error of a direction made of e, g and z. The three vectors are perpendicular
+    /// (by hand, within 1e-9), so the three terms together are no longer than `sqrt 3` times the
+    /// direction.
     pub(crate) fn doubt(&self) -> f64 {
         1.74 * (self.vector_doubt + f64::DOT)
     }
 
-    /// `n e + l g + z`
+    /// Returns the direction `n e + l g + z`.
     pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<f64> {
         std::array::from_fn(|i| n * self.e[i] + l * self.g[i] + self.z[i])
     }
 }
 
-/// A rectangle of pixels in whole steps: around `(n, l)`, up to `columns` and `rows` away from it.
+/// A rectangle of pixels in whole steps, centred at `(n, l)`, that reaches up to `columns` and `rows`
+/// steps away.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) n: f64,
@@ -142,7 +144,8 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
-    /// `x0 + m x1 + k x2` at the corner, of lengths: the largest in the patch.
+    /// Returns `x0 + m x1 + k x2` at the corner, for lengths x0, x1 and x2: the largest value in the
+    /// patch.
     pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
         x0 + self.columns * x1 + self.rows * x2
     }

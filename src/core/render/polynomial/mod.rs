@@ -1,5 +1,5 @@
-//! Objects that are not drawn by rows: spheres that are near or large, and planes. An object's
-//! quadratic is a polynomial in rows and columns.
+//! Objects that are not drawn by rows: spheres that are near or large, and planes. An object's quadratic
+//! is a polynomial in rows and columns.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -10,24 +10,24 @@ pub(crate) mod conic;
 pub(crate) mod frame_rays;
 pub(crate) mod object_kernel;
 
-/// A miss in a kernel's answers.
+/// Marks a miss in a kernel's answers.
 pub(crate) const MISS: f64 = f64::INFINITY;
 
-/// Doubt in a kernel's answers: the pixel goes up the ladder by itself.
+/// Marks doubt in a kernel's answers: the pixel goes up the ladder by itself.
 pub(crate) const DOUBT: f64 = f64::NAN;
 
-/// Maximum relative error of the `t` that a kernel gives: 2^-27 makes at most a quarter of an ulp of
-/// `f32`, and its rounding half of one.
+/// Maximum relative error of the `t` that a kernel gives. An error of 2^-27 is at most a quarter of an
+/// ulp of `f32`, and rounding to `f32` adds half an ulp.
 pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
 
-/// The range of `t` in a frame, so far within the range of `f32` that the numbers computed from it are,
-/// too.
+/// The range of `t` in a frame, so far within the range of `f32` that the numbers computed from `t` stay
+/// within it, too.
 pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
 
-/// Two `t` that are closer than this share of them may be in the wrong order for their rounding.
+/// Relative difference below which rounding may have put two `t` in the wrong order.
 const TIE: f32 = 4.0 * f32::EPSILON;
 
-/// Returns the nearest `f32`; infinite or the smallest positive one where it is beyond the range.
+/// Returns the nearest `f32`; infinity, or the smallest positive number, if it is beyond the range.
 #[inline(always)]
 pub(crate) fn to_single(t: f64) -> f32 {
     (t as f32).max(f32::from_bits(1))
@@ -67,8 +67,8 @@ pub(crate) fn blend<S: Simd>(
     any
 }
 
-/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, `t` is near the ends of
-/// the range, or it is closer to the known hit than the rounding of both.
+/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, or `t` is near the
+/// ends of the range, or `t` is closer to the known hit than the rounding of the two.
 #[inline(always)]
 pub(crate) fn is_in_doubt(found: f64, t: f32, object: u32, index: u32) -> bool {
     let x = found as f32;
@@ -100,8 +100,7 @@ fn blend_vector<S: Simd>(
         x.simd_gt(S::f32s::splat(simd, RANGE.0)) & x.simd_lt(S::f32s::splat(simd, RANGE.1));
     let is_sure = is_miss | (is_plain & is_apart);
     let take = is_sure & x.simd_lt(known);
-    // This does not select what is stored: that would become a masked store, which is slow on many
-    // processors.
+    // Selecting the stored value itself would become a masked store, which is slow on many processors.
     take.select(x, S::f32s::splat(simd, f32::INFINITY)).min(known).store_slice(t);
     let objects = S::u32s::from_slice(simd, object);
     let change = S::u32s::splat(simd, index) ^ objects;
@@ -118,8 +117,8 @@ pub(crate) fn pixel_hit(
     factor: f64,
     known: f32,
 ) -> f64 {
-    /// Relative difference from which two `t` are surely different: far more than the error of a `t` in
-    /// `f64`.
+    /// Relative difference from which two `t` are certainly different: far more than the error of a `t`
+    /// in `f64`.
     const APART: f64 = 1e-6;
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
     if discriminant < -discriminant_doubt || b < -b_doubt {

@@ -1,5 +1,5 @@
-//! An object's polynomials over a patch of pixels, and the `t` that they give for a row's pixels, several
-//! at a time, wherever it is beyond doubt.
+//! An object's polynomials over a patch of pixels. They give `t` of several pixels of a row at a time,
+//! wherever it is not in doubt.
 
 use std::cmp::Ordering;
 
@@ -16,7 +16,8 @@ use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
 use crate::render::polynomial::{DOUBT, MISS, T_SHARE};
 use crate::scene::plane_predicates::PlaneFromOrigin;
 
-/// Returns the factor from the units of the polynomials to those of `t`; `None` where they are extreme.
+/// Returns the factor from the units of the polynomials to those of `t`; `None` if the units are
+/// extreme.
 pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     let factor = ldexp(rays.stretch, scale - rays.scale);
     (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
@@ -24,13 +25,13 @@ pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
 
 type MaskOf<S> = <<S as Simd>::f64s as SimdBase<S>>::Mask;
 
-/// `c0 + m (c1 + m c2)`
+/// Returns `c0 + m (c1 + m c2)`.
 #[inline(always)]
 fn quadratic<S: Simd>(c: [Lanes<S>; 3], m: Lanes<S>) -> Lanes<S> {
     c[0] + (c[1] + c[2] * m) * m
 }
 
-/// Selects the lanes of one of two vectors.
+/// Selects each lane from one of two vectors.
 #[inline(always)]
 fn select<S: Simd>(mask: MaskOf<S>, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
     Lanes(mask.select(yes.0, no.0))
@@ -48,7 +49,7 @@ pub(crate) struct SphereKernel {
 }
 
 impl SphereKernel {
-    /// `None` where the units are extreme.
+    /// Makes a sphere's polynomials; returns `None` if the units are extreme.
     pub(crate) fn new(
         rays: &FrameRays,
         parts: &SphereTerms<f64>,
@@ -104,8 +105,8 @@ impl SphereKernel {
         (low <= high).then_some([low, high])
     }
 
-    /// Computes `t` of the first hit of each pixel of the row k, m columns from the middle; [`MISS`] or
-    /// [`DOUBT`]. `m` and `t` are as long as each other, and a multiple of the vector's length.
+    /// Computes `t` of the first hit of each pixel of the row k, m columns from the middle, or [`MISS`]
+    /// or [`DOUBT`]. `m` and `t` must have the same length, a multiple of the vector's length.
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let row = self.conic.row(k);
@@ -155,7 +156,7 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Moves a column by two to one side, and by more where the number is so large that its error may be
+/// Moves a column by two to one side, and by more if the number is so large that its error may be
 /// larger.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
@@ -166,9 +167,9 @@ pub(crate) struct PlaneKernel {
     /// The offset, in the units of `t`.
     offset: f64,
     rate: [f64; 3],
-    /// A rate beyond this, with the offset's sign, is a hit, and `t` exact enough.
+    /// A rate beyond this value, with the offset's sign, is a hit, whose `t` is exact enough.
     hit: f64,
-    /// A rate beyond this, with the other sign, is a miss.
+    /// A rate beyond this value, with the other sign, is a miss.
     miss: f64,
     /// 1 or -1: the offset's sign.
     sign: f64,
@@ -199,7 +200,7 @@ impl PlaneKernel {
         }
     }
 
-    /// Computes `t` of the hit of each pixel, as [`SphereKernel::answer`].
+    /// Computes `t` of the hit of each pixel, as [`SphereKernel::answer`] does.
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let splat = |x: f64| Lanes::<S>::splat(simd, x);

@@ -1,5 +1,5 @@
-//! Pixels that go up the ladder one by one, with the objects and pairs of planes kept from pixel to
-//! pixel; and `t` in `f64` and normals of hits that are already known.
+//! Pixels that go up the ladder one by one, with objects and pairs of planes cached from pixel to pixel;
+//! and `t` in `f64` and normals of hits that are already known.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -30,19 +30,20 @@ const MANY: usize = 1024;
 /// Number of parts into which the rows of a band are split.
 const SHARES: usize = 4;
 
-/// The question about a pixel.
+/// The question whether a pixel shows an object.
 #[derive(Clone, Copy)]
 pub(crate) struct PixelQuery<'a> {
     pub(crate) index: u32,
     pub(crate) seen: &'a ObjectFromOrigin,
-    /// The pixel's row and column in the raster.
+    /// The pixel's row in the raster.
     pub(crate) row: usize,
+    /// The pixel's column in the raster.
     pub(crate) column: usize,
-    /// t, if the object is known to be hit.
+    /// `t`, if the object is known to be hit; otherwise `None`.
     pub(crate) t: Option<f32>,
 }
 
-/// Some rows of a frame, with the hits known so far, to decide pixel by pixel.
+/// Some rows of a frame, with the hits known so far, whose pixels in doubt are decided one by one.
 pub(crate) struct PixelLadder<'a> {
     plan: &'a Plan<'a>,
     rows: Range<usize>,
@@ -55,7 +56,7 @@ pub(crate) struct PixelLadder<'a> {
 }
 
 impl RowBand<'_> {
-    /// A sphere as the eye sees it.
+    /// Returns an object as the eye sees it.
     pub(crate) fn seen(&self, index: u32) -> ObjectFromOrigin {
         seen_sphere(self.plan, index)
     }
@@ -92,8 +93,8 @@ impl RowBand<'_> {
         doubts.clear();
     }
 
-    /// Decides one pixel by itself, up the ladder. It has been counted as decided in `f64`, and is counted
-    /// at its own step instead.
+    /// Decides one pixel by itself, up the ladder. The pixel has been counted as decided in `f64`; it is
+    /// counted at the step that decides it instead.
     #[cold]
     pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
         let RowBand { plan, rows, t, object, hits, known_objects, steps, .. } = self;
@@ -115,7 +116,7 @@ fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 impl PixelLadder<'_> {
     /// Decides the doubts that lie in these rows.
     fn resolve_all(&mut self, doubts: &[Doubt]) {
-        // Most come sphere by sphere.
+        // Most doubts come sphere by sphere.
         let mut last: Option<(u32, ObjectFromOrigin)> = None;
         for doubt in doubts {
             let Doubt { index, row, column, t } = *doubt;
@@ -141,12 +142,12 @@ impl PixelLadder<'_> {
         }
     }
 
-    /// The pixel's position in the buffers.
+    /// Returns the pixel's position in the buffers.
     fn offset(&self, query: &PixelQuery) -> usize {
         (query.row - self.rows.start) * self.plan.rays.n.len() + query.column
     }
 
-    /// Decides a pixel in `f64`, if that is certain; returns whether it is.
+    /// Decides a pixel in `f64`, if `f64` is certain; returns whether it is.
     fn decide_roughly(&mut self, query: &PixelQuery, seen: &SphereFromOrigin) -> bool {
         let PixelQuery { index, row, column, t, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -156,12 +157,12 @@ impl PixelLadder<'_> {
         let known = self.object[offset];
         let known_sphere = plan.scene.spheres().get(known as usize);
         if known_sphere == Some(seen.sphere()) {
-            // The same sphere given twice, at the same t.
+            // The same sphere is listed twice, with the same t.
             self.object[offset] = known.min(index);
             self.steps.f64 += 1;
             return true;
         }
-        // Most are farther, which their power alone shows.
+        // Most hits are farther, which their power alone shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
             && let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == known)
@@ -205,7 +206,7 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Decides in `f64` which of two planes a pixel shows, if that is certain; returns whether it is.
+    /// Decides in `f64` which of two planes a pixel shows, if `f64` is certain; returns whether it is.
     fn decide_planes_roughly(&mut self, query: &PixelQuery, plane: &PlaneFromOrigin) -> bool {
         let PixelQuery { index, row, column, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -230,7 +231,8 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Returns the hit of the object that a pixel shows, if it is a sphere and `f64` is certain of it.
+    /// Returns the hit of the object that a pixel shows; `None` unless it is a sphere and `f64` is
+    /// certain of the hit.
     fn known_hit(
         &mut self,
         offset: usize,
@@ -256,7 +258,7 @@ impl PixelLadder<'_> {
         }
     }
 
-    /// Returns t in the frame's precision, if `f64` gives it accurately enough.
+    /// Returns `t` in the frame's precision; `None` if `f64` does not give it accurately enough.
     fn single_t(&self, hit: &RoughHit) -> Option<f32> {
         let rays = &self.plan.rays;
         let t = hit.t_of(rays.stretch, rays.scale);
@@ -276,7 +278,7 @@ impl PixelLadder<'_> {
         {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
             let known_seen = self.known_objects.get(known, make);
-            // What a pixel shows is hit.
+            // The object that a pixel shows is hit.
             let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
             let known_hit = Hit { index: known, object, root };
             let order = hit.compare(&known_hit, &ray, &mut self.steps);
@@ -290,7 +292,7 @@ impl PixelLadder<'_> {
     }
 }
 
-/// Objects as the eye sees them, by the last digits of their index, and pairs of planes.
+/// Cached objects as the eye sees them, by the last digits of their index, and pairs of planes.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
@@ -298,10 +300,10 @@ pub(crate) struct KnownObjects {
 }
 
 impl KnownObjects {
-    /// Number of objects that are kept; a power of two.
+    /// Number of objects in the cache; a power of two.
     const OBJECTS: usize = 64;
 
-    /// Maximum number of pairs of planes that are kept.
+    /// Maximum number of pairs of planes in the cache.
     const PAIRS: usize = 4096;
 
     /// Returns an object as the eye sees it, from the cache or newly made.
@@ -331,8 +333,8 @@ impl KnownObjects {
     }
 }
 
-/// Fills in `t` and normals of the pixels in some rows, whose objects are known. A buffer without room is
-/// skipped. Returns the steps that `t` took.
+/// Fills in `t` and normals of the pixels in some rows, whose objects are known. A buffer without room
+/// is skipped. Returns the number of `t` that each step of the ladder found.
 pub(crate) fn fill_exactly(
     plan: &Plan,
     rows: Range<usize>,

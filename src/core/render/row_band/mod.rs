@@ -1,4 +1,4 @@
-//! Some rows of a frame, and the objects that are added to them one after the other.
+//! Some rows of a frame, to which objects are added one after the other.
 
 pub(crate) mod fallback;
 pub(crate) mod rough_hits;
@@ -29,11 +29,11 @@ use crate::render::rows::{WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// The widest vector there is: rows are padded to whole ones.
+/// The number of lanes of the widest vector: rows are padded to whole vectors.
 const LANES: usize = 8;
 
-/// Rows of a frame with their part of the buffers. Objects may be added in any order. Where two of them are
-/// too close to call, the ladder finds the first; of equal ones, the one listed first.
+/// Rows of a frame with their part of the buffers. Objects may be added in any order. Where two objects
+/// are too close to call, the ladder finds the first; of equal objects, the one listed first is taken.
 pub(crate) struct RowBand<'a> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
@@ -101,7 +101,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws those of many spheres that are near or large, and so hide much of the rest.
+    /// Draws the near or large ones of many spheres, which hide many of the others.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
         for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
@@ -110,7 +110,7 @@ impl<'a> RowBand<'a> {
     }
 
     /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns whether any
-    /// remain.
+    /// spheres remain.
     pub(crate) fn draw_rows(&mut self) -> bool {
         let Some(from) = self.next else { return false };
         let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
@@ -144,7 +144,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Returns the steps of the decisions, and the counts of the work that was left out.
+    /// Returns the number of decisions at each step, and the counts of the work that was left out.
     pub(crate) fn counted(self) -> (Steps, Counts) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
         let mut counts = self.drawn.counts;
@@ -153,7 +153,7 @@ impl<'a> RowBand<'a> {
         (self.steps, counts)
     }
 
-    /// Returns the slices of rows of which the band consists.
+    /// Returns the slices of rows that make up the band.
     fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let Range { start, end } = self.rows;
         (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
@@ -174,8 +174,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres until all are drawn or too many pixels are in doubt; returns where to continue in that
-    /// case.
+    /// Draws spheres until all are drawn or too many pixels are in doubt; returns where to continue, or
+    /// `None` if all are drawn.
     fn draw_spans(
         &mut self,
         from: (usize, usize),
@@ -268,7 +268,7 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Adds a plane, unless the eye lies in it, as no ray hits it then.
+    /// Adds a plane, unless the eye lies in the plane: then no ray hits it.
     fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectFromOrigin, rows: Range<usize>) {
         let ObjectFromOrigin::Plane(seen) = seen_by_eye else {
             return;
@@ -366,7 +366,7 @@ fn draw<S: Simd>(
     None
 }
 
-/// The part of some rows that lies in a slice.
+/// Returns the part of some rows that lies in a slice.
 fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
     rows.start.max(slice.start)..rows.end.min(slice.end)
 }

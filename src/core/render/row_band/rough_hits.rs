@@ -1,5 +1,5 @@
-//! Decides pixels in doubt in `f64`. The hit of the sphere that a pixel shows is kept, so that each further
-//! sphere costs one comparison.
+//! Pixels in doubt that are decided in `f64`. The hit of the sphere that a pixel shows is cached, so
+//! that each further sphere costs one comparison.
 
 use std::cmp::Ordering;
 
@@ -13,16 +13,18 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// A sphere's first hit with a pixel's ray, in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoughHit {
-    /// The sphere.
+    /// Index of the sphere.
     pub(crate) object: u32,
-    /// `t` for the current direction, in units of `2^scale`, and its relative error.
+    /// `t` for the current direction, in units of `2^scale`.
     pub(crate) t: f64,
+    /// The relative error of `t`.
     pub(crate) share: f64,
     scale: i32,
     /// The side of the sphere that the eye is on.
     side: Ordering,
-    /// The hit less the sphere's centre, in the same units, and its error as a length.
+    /// The vector from the sphere's centre to the hit, in units of `2^scale`.
     from_center: Vector<f64>,
+    /// The error of `from_center`, as a length.
     off: f64,
     /// At most half the chord's length.
     half_chord: f64,
@@ -36,7 +38,7 @@ pub(crate) enum Rough {
     Doubt,
 }
 
-/// Lengths at which nothing below overflows or underflows.
+/// Lengths with which no computation here overflows or underflows.
 const LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
 
 impl Rough {
@@ -81,7 +83,7 @@ impl Rough {
 }
 
 impl RoughHit {
-    /// No hit known.
+    /// The value for a pixel without a known hit.
     pub(crate) const NONE: RoughHit = RoughHit {
         object: NO_OBJECT,
         t: 0.0,
@@ -93,12 +95,12 @@ impl RoughHit {
         half_chord: 0.0,
     };
 
-    /// Returns `t` for the ray itself, whose direction is shorter by this factor.
+    /// Returns `t` for the ray itself, whose direction is shorter by the factor `stretch`.
     pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
         ldexp(self.t * stretch, self.scale - scale)
     }
 
-    /// Compares the `t` of two hits of one ray; `None` in doubt.
+    /// Compares the `t` of two hits of one ray; returns `None` if in doubt.
     pub(crate) fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
         // Both t are between 1e-60 and 1e60.
         let k = self.scale - other.scale;
