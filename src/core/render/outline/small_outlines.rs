@@ -53,9 +53,9 @@ pub(crate) struct SmallOutlines {
     /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
     /// go up the ladder.
     pub(crate) thin: Halves,
-    /// A whole number that no covered row lies before.
+    /// A whole number, at most the first covered row.
     pub(crate) first_row: Singles,
-    /// A whole number that no covered row lies after.
+    /// A whole number, at least the last covered row.
     pub(crate) last_row: Singles,
     pub(crate) slope: Halves,
     pub(crate) row_slope: Halves,

@@ -1,4 +1,4 @@
-//! Spheres drawn row by row: where a row begins and ends, and `t` between, in `f32`.
+//! Spheres drawn row by row: where a row begins and ends, and `t` in between, in `f32`.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -10,7 +10,7 @@ use crate::render::rows::span::{SpanLanes, SpanRow};
 pub(crate) mod small_spheres;
 pub(crate) mod span;
 
-/// The buffers of a row, and the whole column numbers of its pixels.
+/// The buffers of a row, and the column numbers of its pixels as whole numbers.
 pub(crate) struct RowBuffers<'a> {
     pub(crate) columns: &'a [f32],
     pub(crate) t: &'a mut [f32],
@@ -19,8 +19,8 @@ pub(crate) struct RowBuffers<'a> {
     pub(crate) is_written: &'a mut [bool],
 }
 
-/// Two `t` that are closer than this share of them may be in the wrong order for their rounding:
-/// each is off by an ulp at most.
+/// Relative difference below which rounding may have put two `t` in the wrong order: each `t` is off by
+/// an ulp at most.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
 /// The blocks of a band that have been written. A block is written for the first time without being read;
@@ -30,7 +30,7 @@ pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 /// are cleared at the start.
 pub(crate) struct WrittenBlocks {
     is_written: Vec<bool>,
-    /// Number of blocks of a row.
+    /// Number of blocks in a row.
     per_row: usize,
 }
 
@@ -55,7 +55,7 @@ impl WrittenBlocks {
         WrittenBlocks { is_written: vec![false; rows * per_row], per_row }
     }
 
-    /// The blocks of a row of the band.
+    /// Returns the flags of the blocks of a row of the band.
     #[inline(always)]
     pub(crate) fn row(&mut self, row: usize) -> &mut [bool] {
         &mut self.is_written[row * self.per_row..(row + 1) * self.per_row]
@@ -100,7 +100,7 @@ pub(crate) fn clear<S: Simd>(simd: S, t: &mut [f32], object: &mut [u32]) {
     object.fill(NO_OBJECT);
 }
 
-/// The numbers that the vectors of one row share.
+/// The values that the vectors of one row share.
 struct Drawing<S: Simd> {
     simd: S,
     below: S::f32s,
@@ -114,14 +114,14 @@ struct Drawing<S: Simd> {
 }
 
 impl<S: Simd> Drawing<S> {
-    /// `t` of some columns.
+    /// Computes `t` of some columns.
     #[inline(always)]
     fn find<const CORRECTS_ROOT: bool>(&self, columns: S::f32s, lanes: &SpanLanes<S>) -> S::f32s {
         if CORRECTS_ROOT { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
     }
 
-    /// Draws one vector, which starts at a column counted from the row's first one; returns the lanes in
-    /// doubt.
+    /// Draws one vector, which starts at a column counted from the row's first one; returns a mask of
+    /// the lanes in doubt.
     #[inline(always)]
     fn draw<const CORRECTS_ROOT: bool>(
         &self,
@@ -138,7 +138,7 @@ impl<S: Simd> Drawing<S> {
         let found = self.find::<CORRECTS_ROOT>(columns, lanes);
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
-        // This does not select what is stored: that would become a masked store, which is slow on many
+        // Selecting the stored value itself would become a masked store, which is slow on many
         // processors.
         let nearest = is_nearer.select(found, self.none).min(known);
         nearest.store_slice(t);
@@ -195,7 +195,7 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
         own: S::u32s::splat(simd, index),
     };
     let mut in_doubt = drawing.none.simd_lt(drawing.none);
-    // Where blocks have been written or not, vectors are whole blocks.
+    // If some blocks may be unwritten, vectors are whole blocks.
     let mut at = if buffers.is_written.is_empty() { from } else { from - from % n };
     for is_written in buffers.is_written.iter_mut().take(to / n + 1).skip(from / n) {
         let vector = at..at + n;
@@ -210,7 +210,7 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
         }
         at += n;
     }
-    // Where whole vectors may begin.
+    // The columns at which whole vectors may begin.
     let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
     let mut vector = 0;
     while at < whole {
@@ -242,16 +242,16 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
     in_doubt.any_true()
 }
 
-/// Maximum number of vectors of a row that have a bound of their own.
+/// Maximum number of vectors of a row that have their own bounds.
 const MOST: usize = 256;
 
 /// Lower bounds of `t` in each vector of a row.
 ///
-/// `b + S` is concave along a row: its largest value between two columns is at one of them, or at its
-/// peak, if that lies between. Columns count from the row's first one on, so that the rounding errors are
-/// some `2^-21`; the bounds leave 1e-5 for them.
+/// `b + S` is concave along a row: its largest value between two columns is at one of the columns or, if
+/// the peak lies between them, at the peak. Columns count from the row's first one, so that the rounding
+/// errors are about `2^-21`; the bounds allow 1e-5 for them.
 pub(crate) struct VectorBounds {
-    /// Bounds at the first column of each vector, and at that of the next.
+    /// For each vector, a bound at its first column and a bound at the first column of the next.
     at_columns: [f32; MOST + MOST_SINGLE_LANES],
     count: usize,
 }
@@ -260,7 +260,7 @@ impl VectorBounds {
     pub(crate) const NONE: VectorBounds =
         VectorBounds { at_columns: [0.0; MOST + MOST_SINGLE_LANES], count: 0 };
 
-    /// Finds the bounds of `count` columns, which follow one another without a gap from the first one on.
+    /// Finds the bounds of `count` neighbouring columns, from the first one on.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(
         &mut self,
@@ -288,7 +288,7 @@ impl VectorBounds {
             bound.store_slice(bounds);
             at += step;
         }
-        // The peak, where the slope of S is that of -b.
+        // The peak, where the slope of S is the negative of b's slope.
         let (length, pivot) = (row.last - row.first, row.pivot - row.first);
         let middle = 0.5 * (length + (row.right - row.left));
         let half = 0.5 * (length + (row.left + row.right));
@@ -308,7 +308,7 @@ impl VectorBounds {
         self.count = 0;
     }
 
-    /// The bound of a vector, if it has one.
+    /// Returns the bound of a vector; `None` if it has none.
     #[inline(always)]
     pub(crate) fn get(&self, vector: usize) -> Option<f32> {
         (vector < self.count).then(|| self.at_columns[vector].min(self.at_columns[vector + 1]))
@@ -321,8 +321,8 @@ mod tests {
 
     use super::*;
 
-    /// Asserts that no column of a row has a smaller t than its vector's bound, where
-    /// `b = b_first + b_column m`, m columns from the first one.
+    /// Asserts that no column of a row has a smaller t than its vector's bound, for `b = b_first +
+    /// b_column m`, with m columns from the first one.
     fn assert_bounds(first: f32, last: f32, [left, right, b_first, b_column]: [f32; 4]) {
         let level = Level::new();
         let n = dispatch!(level, simd => lanes(simd));

@@ -11,20 +11,22 @@ use crate::render::outline::{MARGIN, MOST_SINGLE_LANES};
 use crate::render::rows::TIE;
 use crate::render::rows::span::{Doubt, SpanTarget};
 
-/// Pixels drawn at once.
+/// Number of pixels drawn at once.
 const PIXELS: usize = 8;
 
-/// Maximum number of rows that are found before they are drawn: bits of a number.
+/// Maximum number of rows that are found before they are drawn: the number of bits in a mask.
 const RUNS: usize = 64;
 
-/// The rows that the spheres of a vector have in the target. Where neither rows nor columns have a gap,
-/// steps go from the first row of each sphere on, else from the first of all.
+/// The rows that the spheres of a vector have in the target. If neither rows nor columns have a gap,
+/// each sphere's steps start at its own first row; otherwise all start at the first row of any sphere.
 struct OwnRows {
-    /// The first and the last, as numbers.
+    /// Number of the first row.
     first: Singles,
+    /// Number of the last row.
     last: Singles,
-    /// The row of the target from which on steps are counted, and its first pixel.
+    /// The row of the target at which steps start.
     row: [i32; MOST_SINGLE_LANES],
+    /// First pixel of the row at which steps start.
     offset: [i32; MOST_SINGLE_LANES],
     /// Number of steps.
     steps: usize,
@@ -35,40 +37,43 @@ struct RowStep<S: Simd> {
     number: S::f32s,
     /// First pixel of the row in the target.
     offset: S::i32s,
-    /// Spheres that have this row.
+    /// Lanes whose spheres have this row.
     is_here: <S::f32s as SimdBase<S>>::Mask,
 }
 
-/// Rows of small spheres: those of the first row of each, lane by lane, then those of the second, and so
-/// on. Columns count from the first one that the sphere covers, wherever the raster ends.
+/// Rows of small spheres: the first row of each sphere, lane by lane, then the second row of each, and
+/// so on. Columns count from the first one that the sphere covers, even beyond the raster.
 pub(crate) struct Runs {
-    /// The first column, as a number of the image's.
+    /// The first column, as a column number of the image.
     first: [f32; RUNS],
-    /// The first and the last column that lie in the raster.
+    /// The first column that lies in the raster.
     from: [f32; RUNS],
+    /// The last column that lies in the raster.
     to: [f32; RUNS],
-    /// The last column.
+    /// The last column that the sphere covers.
     last: [f32; RUNS],
-    /// Distances of the first and the last column from the outline's two ends.
+    /// Distance of the first column from the outline's left end.
     left: [f32; RUNS],
+    /// Distance of the last column from the outline's right end.
     right: [f32; RUNS],
-    /// e without S at the first column, see [`Runs::t`].
+    /// e without S, at the first column; see [`Runs::t`].
     moved: [f32; RUNS],
-    /// The first pixel in the target, and the number of pixels.
+    /// The first pixel in the target.
     offset: [i32; RUNS],
+    /// The number of pixels.
     count: [i32; RUNS],
     /// Spheres, by lane, with rows of the raster in which a pixel is in doubt.
     pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
-/// Rows of some spheres, one of each: those drawn and those in doubt.
+/// Masks of the spheres whose row was found: drawn, or in doubt.
 struct FoundRows {
     is_drawn: u64,
     is_doubtful: u64,
 }
 
-/// Draws those spheres of a vector whose bits are set and which have a row in the target. Rows in doubt
-/// are left to be drawn, see [`Runs::doubtful`].
+/// Draws the spheres of a vector whose bits are set and that have a row in the target. Rows in doubt are
+/// not drawn, but listed in [`Runs::doubtful`].
 #[inline(always)]
 pub(crate) fn draw_small<S: Simd>(
     simd: S,
@@ -144,14 +149,14 @@ impl OwnRows {
         own
     }
 
-    /// Number of rows of a sphere, where neither rows nor columns have a gap.
+    /// Returns the number of rows of a sphere, if neither rows nor columns have a gap.
     #[inline(always)]
     fn count(&self, lane: usize) -> usize {
-        // By way of i32, which processors convert to in one instruction.
+        // Converts by way of i32, which takes processors one instruction.
         (self.last[lane] - self.first[lane]) as i32 as usize + 1
     }
 
-    /// Counts steps from the first row of the target that any of these spheres has.
+    /// Makes all steps start at the first row of the target that any of these spheres has.
     #[cold]
     #[inline(never)]
     fn begin_at_first_of_all(&mut self, small: u64, target: &mut SpanTarget) {
@@ -196,7 +201,7 @@ struct SmallRowEnds<S: Simd> {
     last: S::f64s,
     left: S::f64s,
     right: S::f64s,
-    /// e without S at the first column.
+    /// e without S, at the first column.
     moved: S::f64s,
     is_thick: <S::f64s as SimdBase<S>>::Mask,
 }
@@ -235,7 +240,7 @@ impl Runs {
         }
     }
 
-    /// Finds the row of each sphere for this step, counted from its first row in the target.
+    /// Finds each sphere's row for this step, counted from the sphere's first row in the target.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,
@@ -283,8 +288,8 @@ impl Runs {
         }
     }
 
-    /// `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first one on,
-    /// see [`SmallOutlines`].
+    /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first
+    /// one on; see [`SmallOutlines`].
     ///
     /// With `u = 2^-24`, let R be the most that `inverse S` can be, V the most that the rest of e can be in
     /// either of its two terms and their sum, and v the change of e along half a row. Each factor of `S^2`
@@ -364,7 +369,7 @@ impl Runs {
     }
 }
 
-/// Pixels of one row of a sphere.
+/// Some pixels of one row of a sphere.
 struct Pixels<S: Simd> {
     simd: S,
     found: f32x8<S>,
@@ -380,7 +385,7 @@ impl<S: Simd> Pixels<S> {
         let Pixels { simd, found, is_inside, index } = *self;
         let known = f32x8::from_slice(simd, t);
         let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
-        // This does not select what is stored: that would become a masked store, which is slow on many
+        // Selecting the stored value itself would become a masked store, which is slow on many
         // processors.
         is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
         let objects = u32x8::from_slice(simd, object);
@@ -391,7 +396,8 @@ impl<S: Simd> Pixels<S> {
     }
 }
 
-/// [`Pixels::take_over`] for the last pixels of the buffers, where they end within a vector.
+/// Does what [`Pixels::take_over`] does for the last pixels of the buffers, where the buffers end within
+/// a vector.
 #[cold]
 #[inline(never)]
 fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut [u32]) -> u64 {
@@ -406,8 +412,8 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
     doubtful
 }
 
-/// Leaves the pixels whose bits are set, counted from a position, to the ladder, because they are too close
-/// to the known hit. The ladder counts them. Returns their number.
+/// Leaves the pixels whose bits are set, counted from a position, to the ladder, because they are too
+/// close to the known hit. The ladder counts these pixels. Returns their number.
 #[cold]
 #[inline(never)]
 fn note_ties(

@@ -1,4 +1,4 @@
-//! Spheres drawn row by row: which columns each row covers, decided once with a margin, and `t`
+//! Spheres drawn row by row: the columns that each row covers, decided once with a margin, and `t`
 //! inside them.
 
 use std::ops::Range;
@@ -19,15 +19,15 @@ use crate::scene::sphere::Sphere;
 pub(crate) struct Span {
     pub(crate) index: u32,
     pub(crate) outline: Outline,
-    /// The numerator of t, in two parts.
+    /// The numerator of `t`, in two parts.
     numerator: [f32; 2],
-    /// Change of b from one column to the next, in two parts; where the root is corrected, the first part
+    /// Change of b from one column to the next, in two parts. If the root is corrected, the first part
     /// has 12 bits.
     b_column: [f32; 2],
 }
 
-/// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
-/// `t` is known, whether it is nearer than another.
+/// A pixel that a sphere's row could not decide: whether the sphere covers it at all or, if its `t` is
+/// known, whether the sphere is nearer than another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Doubt {
     pub(crate) index: u32,
@@ -56,14 +56,14 @@ impl Span {
     }
 }
 
-/// The nearest number of 12 bits.
+/// Rounds to the nearest number of 12 bits.
 #[inline(always)]
 fn rounded_to_12_bits(x: f32) -> f32 {
     let shifted = x * 4097.0;
     shifted - (shifted - x)
 }
 
-/// A number as a sum of two `f32`.
+/// Splits a number into a sum of two `f32`.
 #[inline(always)]
 fn two_parts(x: f64) -> [f32; 2] {
     let high = x as f32;
@@ -79,8 +79,8 @@ pub(crate) struct SpanTarget<'a> {
     /// The pixels that have been written; `None` if all pixels were cleared at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
-    /// True if spheres overlap so much that it pays to test each vector of a row for being hidden. Rows and
-    /// columns must have no gaps, as the bounds would not hold there.
+    /// True if spheres overlap so much that it pays to test each vector of a row for being hidden. Rows
+    /// and columns must have no gaps, as the bounds would not hold otherwise.
     pub(crate) has_vector_bounds: bool,
     /// The bounds of the current row, if it has any.
     pub(crate) bounds: VectorBounds,
@@ -113,8 +113,8 @@ impl SpanTarget<'_> {
         self.doubts.extend(columns.map(doubt));
     }
 
-    /// Returns whether the sphere equals the one that the pixel shows. If it does, the pixel shows the one
-    /// that is listed first, and is not in doubt.
+    /// Returns whether the sphere equals the sphere that the pixel shows. If so, the pixel shows
+    /// whichever is listed first, and is not in doubt.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
         let known = self.object[offset];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
@@ -124,7 +124,7 @@ impl SpanTarget<'_> {
         is_same
     }
 
-    /// Returns whether the pixels in doubt are so many that they should be decided before more is drawn.
+    /// Returns whether so many pixels are in doubt that they should be decided before drawing continues.
     pub(crate) fn is_full(&self) -> bool {
         const FULL: usize = 1 << 16;
         self.doubts.len() >= FULL
@@ -132,7 +132,7 @@ impl SpanTarget<'_> {
 }
 
 impl Span {
-    /// Returns the rows of the raster that lie both in the target and in the sphere's outline.
+    /// Returns the rows of the raster that lie in the target and in the sphere's outline.
     #[inline(always)]
     pub(crate) fn rows_in(&self, target: &SpanTarget) -> Range<usize> {
         let own = self.rows(target.axes);
@@ -225,7 +225,7 @@ impl Span {
         let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         for at in (from..=to).step_by(S::f32s::LEN) {
-            // A function that is not inlined does not have the level's instructions by itself.
+            // A function that is not inlined does not get the level's instructions automatically.
             let found = simd.vectorize(
                 #[inline(always)]
                 || {
@@ -249,7 +249,7 @@ impl Span {
         }
     }
 
-    /// Draws the pixels of a row that are beyond doubt, and adds the others to the doubts.
+    /// Draws the pixels of a row that are not in doubt, and adds the others to the doubts.
     #[cold]
     #[inline(never)]
     pub(crate) fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
@@ -301,10 +301,10 @@ impl Span {
     }
 }
 
-/// Lanes of `f32`, as many as two vectors of `f64` narrow to.
+/// Lanes of `f32`, as many as two vectors of `f64` can be narrowed to.
 type Singles = [f32; 2 * MOST_LANES];
 
-/// A vector of rows.
+/// A vector of rows of one sphere.
 pub(crate) struct SpanRows {
     first: Singles,
     last: Singles,
@@ -314,12 +314,13 @@ pub(crate) struct SpanRows {
     pivot: Singles,
     offset: Singles,
     nearest: Singles,
-    /// First and last column of the raster, as numbers.
+    /// First column of each row in the raster, as a number.
     from: [f64; MOST_LANES],
+    /// Last column of each row in the raster, as a number.
     to: [f64; MOST_LANES],
-    /// Rows that are beyond doubt and have a column of the raster.
+    /// Mask of the rows that are not in doubt and have a column of the raster.
     pub(crate) is_drawn: u64,
-    /// Rows in which a pixel is in doubt.
+    /// Mask of the rows in which a pixel is in doubt.
     pub(crate) is_doubtful: u64,
 }
 
@@ -385,7 +386,7 @@ impl SpanRows {
         }
     }
 
-    /// One row.
+    /// Returns one of the rows.
     #[inline(always)]
     pub(crate) fn row(&self, lane: usize) -> SpanRow {
         SpanRow {
@@ -400,24 +401,26 @@ impl SpanRows {
         }
     }
 
-    /// A row's first and last column in the raster.
+    /// Returns a row's first and last column in the raster.
     #[inline(always)]
     pub(crate) fn columns(&self, lane: usize) -> (usize, usize) {
-        // By way of i32, which processors convert to in one instruction.
+        // Converts by way of i32, which takes processors one instruction.
         (self.from[lane] as i32 as usize, self.to[lane] as i32 as usize)
     }
 }
 
-/// A vector of rows, each with `w^2` and the column of its middle known; see
+/// The ends of a vector of rows, found from `w^2` and the column of each row's middle; see
 /// [`Outlines`](crate::render::outline::Outlines).
 pub(crate) struct RowEnds<S: Simd> {
-    /// The outline's two ends.
+    /// The outline's left end.
     pub(crate) start: S::f64s,
+    /// The outline's right end.
     pub(crate) end: S::f64s,
-    /// First and last column that lie between the ends by a margin.
+    /// First column that lies between the ends by a margin.
     pub(crate) first: S::f64s,
+    /// Last column that lies between the ends by a margin.
     pub(crate) last: S::f64s,
-    /// Rows in which no column lies within the margin of an end, and that are not thin.
+    /// Rows that are not thin and have no column within the margin of an end.
     pub(crate) is_sure: <S::f64s as SimdBase<S>>::Mask,
 }
 
@@ -436,28 +439,29 @@ impl<S: Simd> RowEnds<S> {
     }
 }
 
-/// The numbers that a row's pixels share. Column numbers are whole, so that differences of them are
-/// exact.
+/// The values that a row's pixels share. Column numbers are whole, so that their differences are exact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanRow {
-    /// First and last column that the sphere covers, wherever the image ends.
+    /// First column that the sphere covers, even beyond the image.
     pub(crate) first: f32,
+    /// Last column that the sphere covers, even beyond the image.
     pub(crate) last: f32,
-    /// Distance from the outline's two ends to them, in columns.
+    /// Distance from the outline's left end to the first column, in columns.
     pub(crate) left: f32,
+    /// Distance from the last column to the outline's right end, in columns.
     pub(crate) right: f32,
     /// b at the pivot, in two parts.
     pub(crate) b: [f32; 2],
-    /// The column at which b is given: the middle, or, where the root is corrected, the end at which b is
+    /// The column at which b is given: the middle or, if the root is corrected, the end at which b is
     /// larger.
     pub(crate) pivot: f32,
-    /// `left right`, where the root is corrected.
+    /// `left right`, if the root is corrected.
     pub(crate) offset: f32,
-    /// Lower bound of the t of all hits.
+    /// Lower bound of `t` of all hits.
     pub(crate) nearest: f32,
 }
 
-/// The lanes' version of a [`Span`] and a [`SpanRow`].
+/// The values of a [`Span`] and a [`SpanRow`], copied to all lanes.
 #[derive(Clone, Copy)]
 pub(crate) struct SpanLanes<S: Simd> {
     first: SingleLanes<S>,
@@ -488,8 +492,8 @@ impl<S: Simd> SpanLanes<S> {
         }
     }
 
-    /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose S is
-    /// small compared with b.
+    /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp: for a
+    /// sphere whose S is small compared with b.
     ///
     /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
     /// and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3
@@ -516,8 +520,8 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// `t` as [`SpanLanes::narrow`] has it, for a sphere whose S is not small compared with b: with whole
-    /// numbers m and n of columns from the first and to the last pixel,
+    /// Computes `t` as [`SpanLanes::narrow`] does, for a sphere whose S is not small compared with b.
+    /// With whole numbers m and n of columns from the first and to the last pixel,
     ///
     /// ```text
     /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
@@ -544,7 +548,7 @@ impl<S: Simd> SpanLanes<S> {
         let root = square.sqrt();
         let root_residual = square.residual(root, root) + square_rest;
 
-        // Exact: 12 bits by 12.
+        // Exact: the product of two 12-bit numbers.
         let from_pivot = columns - self.pivot;
         let moved = from_pivot * self.b_column[0];
         let b = self.b[0] + moved;

@@ -17,13 +17,14 @@ use crate::render::shade::painter::Painter;
 use crate::render::shade::shade_rows::{AMBIENT, FROM_EYE, Toner};
 use crate::scene::Scene;
 
-/// Rows that one thread shades at a time.
+/// Number of rows that one thread shades at a time.
 const ROWS: usize = 16;
 
-/// The colours of a frame with `t` and object, row by row, in the pixel form that `to_pixel` makes;
-/// rows in parallel. [`trace_painted`](crate::trace_painted) makes them while it traces.
+/// Returns the colours of a frame that has `t` and object, row by row, in the pixel form that `to_pixel`
+/// makes. Rows are shaded in parallel. [`trace_painted`](crate::trace_painted) makes the same colours
+/// while it traces.
 ///
-/// `color_of` gives each object's own colour. The frame must be one of the scene.
+/// `color_of` gives each object's own colour. The frame must have been traced from the scene.
 pub fn shade<T: Depth, P: Clone + Send + Sync>(
     frame: &Frame<T>,
     scene: &Scene,
@@ -34,7 +35,7 @@ pub fn shade<T: Depth, P: Clone + Send + Sync>(
     shade_at_level(Level::new(), frame, scene, &Paint { shade, color_of, to_pixel })
 }
 
-/// [`shade`] with the instructions of a given SIMD level, all of which give the same bits.
+/// Does what [`shade`] does with the instructions of a given SIMD level. All levels give the same bits.
 pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     level: Level,
     frame: &Frame<T>,
@@ -46,7 +47,7 @@ pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     pixels
 }
 
-/// Paints a frame that has object and, where the shading needs it, `t`.
+/// Paints a frame that has objects and, if the shading needs it, `t`.
 pub(crate) fn paint_frame<T: Depth, P: Send>(
     level: Level,
     frame: &Frame<T>,
@@ -75,23 +76,23 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
     });
 }
 
-/// Colours of single hits, for rays outside a frame, as [`shade`](fn@shade) gives them.
+/// Colours single hits, for rays outside a frame, as [`shade`](fn@shade) does.
 pub struct HitShader<'a>(Toner<'a>);
 
 impl<'a> HitShader<'a> {
-    /// The shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
+    /// Makes the shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows as white.
     pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
         HitShader(Toner::new(scene, shade, nearest))
     }
 
-    /// The colour of the ray's first hit, which is this object at this `t`; `own` is the object's
-    /// colour.
+    /// Returns the colour of the ray's first hit, which is on this object at this `t`; `own` is the
+    /// object's colour.
     pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
         self.0.color(self.0.tones(ray, object, t, own))
     }
 }
 
-/// A colour lit from the eye, as [`Shade::Lambert`] has it; `cosine` is `|n.d| / |d|`.
+/// Returns a colour lit from the eye, as in [`Shade::Lambert`]; `cosine` is `|n.d| / |d|`.
 pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
     let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
     color.map(|byte| srgb.byte_of((light * srgb.linear_of(byte) + 0.5) as u32))

@@ -1,8 +1,8 @@
-//! Outward normals of hits, in `f64`, for one ray or several side by side, without `t` where it can be:
-//! as exact as colours need.
+//! Outward normals of hits, in `f64`, for one ray or several side by side, computed without `t` where
+//! possible: as exact as colours need.
 //!
 //! The vector code has no closures: the compiler does not always inline a closure's body into the loop
-//! around it, and then it costs ten times as much.
+//! around it, and the loop then costs ten times as much.
 
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ pub(crate) struct Normals<'a> {
     of_planes: Vec<DVec3>,
 }
 
-/// An object, as its normals need it.
+/// An object, with the data that its normals need.
 pub(crate) enum Surface<'a> {
     Sphere(&'a Sphere),
     /// A plane's unit normal.
@@ -34,7 +34,7 @@ impl<'a> Normals<'a> {
         Normals { spheres: scene.spheres(), of_planes }
     }
 
-    /// The object, if the scene has it.
+    /// Returns the object; `None` if the scene does not have it.
     #[inline(always)]
     pub(crate) fn surface(&self, object: u32) -> Option<Surface<'a>> {
         let index = object as usize;
@@ -46,7 +46,7 @@ impl<'a> Normals<'a> {
 }
 
 impl Surface<'_> {
-    /// The outward unit normal where the ray first hits the object, at `t`.
+    /// Returns the outward unit normal where the ray first hits the object, at `t`.
     pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
         let sphere = match self {
             Surface::Plane(normal) => return *normal,
@@ -64,7 +64,7 @@ impl Surface<'_> {
         }
     }
 
-    /// `|n.d| / |d|` of that normal n.
+    /// Returns `|n.d| / |d|` for the outward normal n where the ray first hits the object.
     pub(crate) fn cosine(&self, ray: &Ray) -> f64 {
         let d = ray.direction;
         match self {
@@ -84,8 +84,8 @@ impl Surface<'_> {
     }
 }
 
-/// The normal at the ray's first hit, from exact decisions; against the ray where rounding the ray's
-/// direction has moved it past the sphere.
+/// Returns the normal at the ray's first hit, from exact decisions. If rounding the ray's direction has
+/// moved it past the sphere, the normal points against the ray.
 #[cold]
 fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
     let Ok(exact) = ExactRay::from_ray(ray) else { return DVec3::ZERO };
@@ -96,29 +96,28 @@ fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
     }
 }
 
-/// Number of radii of distance up to which `p + t d - center` keeps a normal's digits within 1e-6
-/// even from a `t` in `f32`.
+/// Distance, in radii, up to which `p + t d - center` gives a normal within 1e-6, even from a `t` in
+/// `f32`.
 const NEAR: f64 = 8.0;
 
-/// Number of radii of distance up to which the ray's point nearest to the centre keeps a normal's
-/// digits within 1e-6.
+/// Distance, in radii, up to which the ray's point nearest to the centre gives a normal within 1e-6.
 const FAR: f64 = 1e6;
 
-/// A `t` that has its digits in `f32` too.
+/// The range of `t` that keeps its digits in `f32`, too.
 pub(crate) const PLAIN_T: std::ops::Range<f64> = 1e-37..1e38;
 
-/// The eye and a sphere, of measures that need no scaling.
+/// The eye and a sphere, with sizes that need no scaling.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
-    /// The way from the centre to the eye.
+    /// The vector from the centre to the eye.
     pub(crate) q: DVec3,
     pub(crate) radius: f64,
-    /// True if the normal is kept by `q + t d`.
+    /// True if `q + t d` is accurate enough for the normal.
     pub(crate) is_near: bool,
 }
 
 impl Ball {
-    /// `None` where the sphere is too far for its size, or of extreme measures.
+    /// Returns `None` if the sphere is too far away for its size, or has extreme sizes.
     #[inline(always)]
     pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> Option<Ball> {
         let (q, radius) = (eye - sphere.center, sphere.radius);
@@ -144,24 +143,25 @@ fn over<L: Lane>(a: [L; 3], b: L) -> [L; 3] {
     [a[0] / b, a[1] / b, a[2] / b]
 }
 
-/// `|n.d| / |d|` where the ray of direction d meets the sphere of radius r whose centre is at -q:
-/// `sqrt(1 - |q x d|^2 / (d.d r^2))`, at both roots; 0 where rounding has moved the ray past it.
+/// Returns `|n.d| / |d|` where the ray of direction d meets the sphere of radius r whose centre is at
+/// -q: `sqrt(1 - |q x d|^2 / (d.d r^2))`, at either root; 0 if rounding has moved the ray past the
+/// sphere.
 ///
-/// The error of the square is a few roundings times `(|q| / r)^2`, that of q itself left aside.
+/// The error of the square is a few roundings times `(|q| / r)^2`, not counting the error of q itself.
 #[inline(always)]
 pub(crate) fn sphere_cosine<L: Lane>(q: [L; 3], r_squared: L, d: [L; 3], one: L) -> L {
     let across = cross(q, d);
     (one - dot(across, across) / (dot(d, d) * r_squared)).not_negative().sqrt()
 }
 
-/// `|n.d| / |d|` of a plane's unit normal n.
+/// Returns `|n.d| / |d|` for a plane's unit normal n.
 #[inline(always)]
 pub(crate) fn plane_cosine<L: Lane>(n: [L; 3], d: [L; 3]) -> L {
     let along = dot(n, d);
     (along * along / dot(d, d)).sqrt()
 }
 
-/// The outward unit normal at `q + t d`, of a sphere nearby.
+/// Returns the outward unit normal at `q + t d`, of a nearby sphere.
 #[inline(always)]
 pub(crate) fn near_normal<L: Lane>(q: [L; 3], d: [L; 3], t: L) -> [L; 3] {
     let offset = [q[0] + t * d[0], q[1] + t * d[1], q[2] + t * d[2]];
@@ -169,9 +169,9 @@ pub(crate) fn near_normal<L: Lane>(q: [L; 3], d: [L; 3], t: L) -> [L; 3] {
     over(offset, length)
 }
 
-/// The outward unit normal at the nearer root, of a sphere that is seen from outside, far away: from
-/// the ray's point nearest to the centre and half the chord,
-/// `n = (m - sqrt(r^2 - |m|^2) d / |d|) / r` with `m = d x (q x d) / d.d`.
+/// Returns the outward unit normal at the nearer root, of a distant sphere that is seen from outside,
+/// computed from the ray's point nearest to the centre and half the chord: `n = (m - sqrt(r^2 - |m|^2) d
+/// / |d|) / r` with `m = d x (q x d) / d.d`.
 #[inline(always)]
 pub(crate) fn far_normal<L: Lane>(q: [L; 3], r: L, d: [L; 3]) -> [L; 3] {
     let length_squared = dot(d, d);

@@ -1,14 +1,15 @@
-//! Colours, how hits become them, and tables of the sRGB transfer curve (IEC 61966-2-1).
+//! Colours, the ways in which hits become colours, and tables of the sRGB transfer curve (IEC
+//! 61966-2-1).
 
 use std::sync::LazyLock;
 
-/// sRGB bytes.
+/// A colour as sRGB bytes: red, green, blue.
 pub type Rgb = [u8; 3];
 
 /// The colour of a pixel whose ray hits nothing.
 pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 
-/// A way to make a colour of a hit.
+/// A way to make a colour from a hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -16,19 +17,19 @@ pub enum Shade {
     /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
     #[default]
     Lambert,
-    /// The outward normal's x, y, z, from -1..1 to red, green, blue 0..255.
+    /// The outward normal: its x, y, z from -1..1 become red, green, blue 0..255.
     Normal,
-    /// Grey, `t_min / t` of the frame: the nearest hit is white.
+    /// Grey, `t_min / t` with the frame's smallest `t`: the nearest hit is white.
     T,
-    /// The object's colour, flat.
+    /// The object's own colour, unlit.
     Object,
 }
 
 impl Shade {
-    /// All of them.
+    /// All ways to make a colour.
     pub const ALL: [Shade; 4] = [Shade::Lambert, Shade::Normal, Shade::T, Shade::Object];
 
-    /// `lambert`, `normal`, `t`, `object`.
+    /// Returns `lambert`, `normal`, `t` or `object`.
     pub fn name(self) -> &'static str {
         match self {
             Shade::Lambert => "lambert",
@@ -44,33 +45,34 @@ impl Shade {
     }
 }
 
-/// A way to make pixels of hits.
+/// A way to make pixels from hits.
 #[derive(Clone, Copy, Debug)]
 pub struct Paint<C, F> {
-    /// A way to make a colour of a hit.
+    /// The way to make a colour from a hit.
     pub shade: Shade,
-    /// `Fn(u32) -> Rgb`: each object's own colour.
+    /// A function `Fn(u32) -> Rgb` that gives each object's own colour.
     pub color_of: C,
-    /// `Fn(Rgb) -> P`: the form that pixels have.
+    /// A function `Fn(Rgb) -> P` that converts a colour to the form of pixels.
     pub to_pixel: F,
 }
 
-/// The curve both ways.
+/// The sRGB curve in the two directions, as tables.
 pub(crate) struct Srgb {
     /// Byte to linear light, in [parts](PARTS).
     linear: [f32; 256],
-    /// The curve from parts to the byte nearest in linear light. Where the curve is steepest, at 0,
-    /// a byte has 20 parts.
+    /// Linear light in parts to the byte nearest in linear light. Where the curve is steepest, at 0, a
+    /// byte has 20 parts.
     bytes: Vec<u8>,
 }
 
-/// Full light. A power of two, so that light in parts has the digits of light in parts of 1.
+/// Full light, in parts. It is a power of two, so that light in parts has the same digits as light from
+/// 0 to 1.
 pub(crate) const PARTS: usize = 1 << 16;
 
 static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
 
 impl Srgb {
-    /// The only one.
+    /// Returns the only instance.
     pub(crate) fn get() -> &'static Srgb {
         &SRGB
     }
@@ -86,13 +88,13 @@ impl Srgb {
         Srgb { linear: linear.map(|light| light * PARTS as f32), bytes }
     }
 
-    /// The byte's light, in parts.
+    /// Returns the byte's light, in parts.
     #[inline(always)]
     pub(crate) fn linear_of(&self, byte: u8) -> f32 {
         self.linear[usize::from(byte)]
     }
 
-    /// The byte of so much light, in parts; at most full light.
+    /// Returns the byte of this much light, in parts; at most full light.
     #[inline(always)]
     pub(crate) fn byte_of(&self, linear: u32) -> u8 {
         self.bytes[(linear as usize).min(PARTS)]

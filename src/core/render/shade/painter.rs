@@ -1,4 +1,4 @@
-//! Rows of hits as rows of pixels.
+//! Rows of hits converted to rows of pixels.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};
 use crate::scene::Scene;
 
-/// The parts that all pixels of a picture share.
+/// The values that all pixels of a picture share.
 pub(crate) struct Painter<'a, C, F> {
     level: Level,
     paint: &'a Paint<C, F>,
@@ -27,7 +27,7 @@ impl<'a, C, F> Painter<'a, C, F>
 where
     C: Fn(u32) -> Rgb + Sync,
 {
-    /// `nearest` is the `t` that [`Shade::T`] shows white.
+    /// Makes a painter; `nearest` is the `t` that [`Shade::T`] shows as white.
     pub(crate) fn new(
         level: Level,
         paint: &'a Paint<C, F>,
@@ -51,8 +51,8 @@ where
         Painter { level, paint, toner, camera, raster, columns, is_plain }
     }
 
-    /// Paints some rows of the raster from their hits. Only shadings that [need `t`](Shade::needs_t) read
-    /// it.
+    /// Paints some rows of the raster from their hits. Only shadings that [need `t`](Shade::needs_t)
+    /// read `t`.
     pub(crate) fn rows<T: Depth, P>(
         &self,
         rows: Range<usize>,
@@ -85,7 +85,7 @@ where
         }
     }
 
-    /// Returns the runs of a row, from left to right.
+    /// Finds the runs of a row, from left to right.
     fn find_runs(&self, object: &[u32], runs: &mut Vec<Run>) {
         runs.clear();
         let mut start = 0;
@@ -125,14 +125,14 @@ where
 
 /// Returns the number of pixels at the start of a row that show the same object.
 fn run_length(object: &[u32], same: u32) -> usize {
-    // Without a branch in it, the comparison of a chunk is a few vector instructions.
+    // Without a branch, comparing a chunk takes a few vector instructions.
     let is_same = |chunk: &&[u32]| chunk.iter().fold(true, |all, o| all & (*o == same));
     let whole = 32 * object.chunks_exact(32).take_while(is_same).count();
     whole + object[whole..].iter().take_while(|o| **o == same).count()
 }
 
-/// Returns whether the squares of all directions' lengths are far from 0 and infinity: none is
-/// shorter than the distance, and none longer than three sides of the viewport's box.
+/// Returns whether the squared lengths of all directions are far from 0 and infinity: no direction is
+/// shorter than the distance, and none is longer than three sides of the viewport's box.
 fn has_plain_rays(camera: &ResolvedCamera) -> bool {
     let viewport = camera.viewport();
     let longest = viewport.width + viewport.height + viewport.distance;

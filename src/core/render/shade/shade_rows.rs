@@ -1,5 +1,5 @@
-//! Tones, the three numbers from which a pixel's colour is made, for a single pixel or for a run in
-//! vectors.
+//! Tones: the three numbers from which a pixel's colour is made, for a single pixel or, in vectors, for
+//! a run.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -15,26 +15,27 @@ use crate::render::shade::paint::{PARTS, Srgb};
 use crate::render::shade::paint::{Rgb, Shade};
 use crate::scene::Scene;
 
-/// Number of pixels that rows are padded by: as many as the widest vector of `f32` has.
+/// Number of pixels by which rows are padded: the number of `f32` lanes in the widest vector.
 pub(crate) const PADDING: usize = 16;
 
-/// The share of ambient light, and the share of light that comes from the eye.
+/// The fraction of light that is ambient.
 pub(crate) const AMBIENT: f64 = 0.15;
+/// The fraction of light that comes from the eye.
 pub(crate) const FROM_EYE: f64 = 0.85;
 
-/// Three numbers a pixel: light in parts for [`Shade::Lambert`], bytes for all others.
+/// Three numbers per pixel: light in parts for [`Shade::Lambert`], bytes for all other shadings.
 pub(crate) type Tones = [u32; 3];
 
-/// The way that hits become tones, and tones colours.
+/// The conversion of hits to tones, and of tones to colours.
 pub(crate) struct Toner<'a> {
     pub(crate) shade: Shade,
-    /// The `t` that [`Shade::T`] shows white.
+    /// The `t` that [`Shade::T`] shows as white.
     pub(crate) nearest: f64,
     normals: Normals<'a>,
     srgb: &'static Srgb,
 }
 
-/// Neighbouring pixels of one row that show one object.
+/// Neighbouring pixels of one row that show the same object.
 pub(crate) struct Run {
     pub(crate) start: usize,
     pub(crate) end: usize,
@@ -77,7 +78,7 @@ impl<'a> Toner<'a> {
         }
     }
 
-    /// The tones of one ray's first hit. Lambert and object need no `t`.
+    /// Returns the tones of one ray's first hit. Lambert and object do not use `t`.
     pub(crate) fn tones(&self, ray: &Ray, object: u32, t: f64, color: Rgb) -> Tones {
         let Some(surface) = self.normals.surface(object) else { return [0; 3] };
         match self.shade {
@@ -94,7 +95,7 @@ impl<'a> Toner<'a> {
         }
     }
 
-    /// The tones of all runs of a row, whose `t` is padded too where the shading needs it.
+    /// Computes the tones of all runs of a row. If the shading needs `t`, its buffer is padded, too.
     pub(crate) fn row(
         &self,
         level: Level,
@@ -222,12 +223,12 @@ impl<'a> Toner<'a> {
     }
 }
 
-/// Rounds to the nearest byte; `x` is not negative.
+/// Rounds to the nearest byte; `x` must not be negative.
 fn byte(x: f32) -> u32 {
     u32::from((x + 0.5) as u8)
 }
 
-/// Rounds many to the nearest byte, between 0 and 255.
+/// Rounds many numbers to the nearest bytes, between 0 and 255.
 #[inline(always)]
 fn bytes<S: Simd>(simd: S, x: S::f32s) -> S::u32s {
     let most = S::f32s::splat(simd, 255.0);
@@ -239,7 +240,7 @@ fn splat3<S: Simd>(simd: S, v: DVec3) -> [Lanes<S>; 3] {
     [Lanes::splat(simd, v.x), Lanes::splat(simd, v.y), Lanes::splat(simd, v.z)]
 }
 
-/// The directions of a vector's worth of rays.
+/// Returns the directions of one vector of rays.
 #[inline(always)]
 fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     let end = start + S::f64s::LEN;
@@ -251,9 +252,9 @@ fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     ]
 }
 
-/// A lit surface, in vectors; no closure, see [`surface`](crate::render::shade::surface).
+/// A lit surface, in vectors, without closures; see [`surface`](crate::render::shade::surface).
 trait Lit<S: Simd> {
-    /// `|n.d| / |d|`
+    /// Returns `|n.d| / |d|`.
     fn cosine(&self, d: [Lanes<S>; 3]) -> Lanes<S>;
 }
 
@@ -283,7 +284,8 @@ impl<S: Simd> Lit<S> for LitSphere<S> {
 
 /// A curved surface, in vectors.
 trait Curved<S: Simd> {
-    /// The normals where the rays of these directions, in the row's columns from `start` on, hit.
+    /// Returns the normals at the hits of rays with these directions, in the row's columns from `start`
+    /// on.
     fn normal(&self, simd: S, start: usize, d: [Lanes<S>; 3]) -> [Lanes<S>; 3];
 }
 
@@ -312,7 +314,7 @@ impl<S: Simd> Curved<S> for FarSphere<S> {
     }
 }
 
-/// Computes the tones of lit pixels. Those past the end of the run are overwritten by the next run.
+/// Computes the tones of lit pixels. Tones past the end of the run are overwritten by the next run.
 #[inline(always)]
 fn light_of_run<S: Simd>(
     simd: S,
@@ -337,7 +339,7 @@ fn light_of_run<S: Simd>(
     }
 }
 
-/// Computes the tones of normals. Those past the end of the run are overwritten by the next run.
+/// Computes the tones of normals. Tones past the end of the run are overwritten by the next run.
 #[inline(always)]
 fn normals_of_run<S: Simd>(
     simd: S,
