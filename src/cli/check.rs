@@ -17,7 +17,8 @@ use super::console::{CommandError, is_standard, named, read, scene_fault, to_jso
 use super::load::{apart, files_of, load, once, pose};
 use crate::cli::arguments::CheckArguments;
 
-/// An unreadable input, including the scene, gives no grade: the student is not to blame for it.
+/// Runs `pinhole check`. An unreadable input, such as the scene, gives no grade, because the
+/// student is not to blame.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
     let text = if arguments.json {
@@ -124,7 +125,7 @@ fn text(graded: &Graded) -> String {
     text
 }
 
-/// The fields of the contract, followed by more detailed ones.
+/// The JSON output: the documented fields first, then more detailed ones.
 #[derive(Serialize)]
 struct Check {
     kind: &'static str,
@@ -136,9 +137,9 @@ struct Check {
     advice: String,
     /// Other sets of mistakes that give the same answers.
     alternatives: Vec<Vec<&'static str>>,
-    /// Shading that a picture is taken to have.
+    /// The shading that the graded picture is assumed to have; `None` for other answers.
     shade: Option<&'static str>,
-    /// The pixels without an answer, if each counts as wrong.
+    /// Number of pixels without an answer, if each of them counts as wrong.
     unanswered: usize,
 }
 
@@ -165,9 +166,9 @@ impl Check {
     }
 }
 
-/// Returns the position, the given and the right answer, and the distance between them: `null` if a hit and a
-/// miss, or hits of different objects, are confused. A miss is `"miss"`; there is no right answer if the pixel
-/// does not exist.
+/// Returns the position, the given answer, the right answer, and the distance between the answers:
+/// `null` if a hit and a miss, or hits of different objects, are confused. A miss is `"miss"`. If
+/// the pixel does not exist, the right answer is missing.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let given = match &graded.answers {

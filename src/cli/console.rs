@@ -33,7 +33,7 @@ pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
 /// Prints the help or the version.
 ///
 /// # Errors
-/// Returns an error if it cannot be written.
+/// Returns an error if standard output cannot be written.
 pub fn print(asked: &clap::Error) -> Result<(), CommandError> {
     told(asked.print().and_then(|()| io::stdout().flush()))
 }
@@ -71,18 +71,18 @@ pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), Comma
     }
 }
 
-/// The reason why a command did not do what it was asked to.
+/// The reason why a command failed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CommandError {
     /// The input is at fault: exit status 1.
     Input(String),
-    /// The arguments do not go together: exit status 2.
+    /// The arguments cannot be combined: exit status 2.
     Arguments(String),
     /// The answers were graded, and not all of them are right: exit status 1, without a message.
     Disagrees,
-    /// There is nothing to grade, or nothing to grade it by: exit status 2.
+    /// The answers or the scene cannot be read: exit status 2.
     Unreadable(String),
-    /// Nobody reads standard output any more. Nothing is wrong.
+    /// The reader of standard output is gone. This is not a failure.
     ReaderGone,
 }
 
@@ -117,7 +117,8 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     if let Err(error) = result {
         let styles = Styles::styled();
         let (style, error) = (styles.get_error(), error.to_string());
-        // In the style of clap's errors. If standard error is closed too, the status has to suffice.
+        // In the style of clap's errors. If standard error is closed too, only the exit status
+        // reports the error.
         let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", legible(&error));
     }
     ExitCode::from(status)

@@ -20,13 +20,15 @@ use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 use crate::view::derive::{Deriver, ViewSizes};
 
-/// The default sizes of the world view, the lab of lines and the derivation, in dots. The derivation's height
-/// depends on its lines.
+/// The default size of the world view, in dots.
 const WORLD: [u32; 2] = [1920, 1080];
+/// The default size of the lab of lines, in dots.
 const LINES: [u32; 2] = [1280, 960];
+/// The default size of the derivation, in dots; its height depends on its lines.
 const DERIVATION: [u32; 2] = [1600, 1600];
-/// The derivation's width, and the lab's smaller side, in points.
+/// The width of the derivation, in points.
 const DERIVATION_POINTS: f32 = 800.0;
+/// The shorter side of the lab of lines, in points.
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
@@ -67,7 +69,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     }
 }
 
-/// Writes what plays, by the window's recorder.
+/// Writes the animation with the window's recorder.
 fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));
     if !matches!(arguments.view, FigureSubject::World | FigureSubject::Camera) {
@@ -110,7 +112,7 @@ fn start_of(document: &Document, session: &Session) -> Start {
     Start::new(document, session, derived.inspection.as_deref(), derived.scene.as_deref())
 }
 
-/// Refuses what would change nothing.
+/// Rejects options that would have no effect.
 fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), CommandError> {
     let FigureArguments { view, output, width, height, transparent, .. } = arguments;
     let refused = |problem: String| Err(CommandError::Arguments(problem));
@@ -153,8 +155,8 @@ fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, Comm
     Ok(Order { subject, size, scale, style, transparent })
 }
 
-/// Returns the session with which the document is drawn: that of a new window, but without a ray unless one is
-/// requested.
+/// Returns the session with which the document is drawn: the session of a new window, but without a
+/// ray unless a ray is requested.
 fn session_of(
     arguments: &FigureArguments,
     document: &Document,

@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
 }
 
 impl Readout<'_> {
-    /// `sphere` or `plane`.
+    /// Returns the object's kind: `sphere` or `plane`.
     fn kind_of(&self, object: u32) -> &'static str {
         if (object as usize) < self.document.sphere_count() { "sphere" } else { "plane" }
     }
@@ -163,8 +163,8 @@ impl Readout<'_> {
     }
 }
 
-/// Returns a number. If the number is beyond the range of `f64`, and the largest one may stand for it, the text
-/// says so.
+/// Returns a number as text. The text says so if the number may be beyond the range of `f64` and
+/// only represented by the largest `f64`.
 fn told(x: f64) -> String {
     match x {
         f64::MAX.. => "beyond f64".to_owned(),
@@ -187,9 +187,9 @@ fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
     table.iter().map(line).collect()
 }
 
-/// Numbers read back to the same `f64`. One beyond its range, such as the distance between two
-/// points at its ends, is `null`: JSON has no infinity. The conditioning never is, as the core caps
-/// it at the largest `f64`.
+/// The JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such
+/// as the distance between two points at opposite ends of the range, is `null`, because JSON has no
+/// infinity. The conditioning is never `null`, because the core caps it at the largest `f64`.
 #[derive(Serialize)]
 struct Inspect<'a> {
     camera: CameraJson,
@@ -259,7 +259,8 @@ impl Readout<'_> {
     }
 }
 
-/// Readers expect no negative zero.
+/// Returns the vector with every negative zero replaced by zero, because readers do not expect a
+/// negative zero.
 fn plain(v: DVec3) -> DVec3 {
     v + DVec3::ZERO
 }

@@ -21,7 +21,7 @@ pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
     Ok(SceneSource::from_argument(scene)?.load()?)
 }
 
-/// Returns the files that a scene is read from: its own, and that of its spheres.
+/// Returns the files from which a scene is read: the scene file, and the CSV file of its spheres.
 pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
     let source = SceneSource::from_argument(scene).ok();
     let file = source.and_then(|source| source.scene_file().map(Path::to_owned));
@@ -39,7 +39,8 @@ pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandErro
     Ok(())
 }
 
-/// Rejects outputs that would overwrite an input. Outputs come with the option that names them.
+/// Rejects outputs that would overwrite an input. Each output is paired with the option that names
+/// it.
 pub(super) fn apart<'a>(
     inputs: &[PathBuf],
     outputs: impl IntoIterator<Item = (&'a str, &'a Path)>,
@@ -78,7 +79,7 @@ pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, 
     })
 }
 
-/// Returns the requested ray; without one, that through the viewport's centre.
+/// Returns the requested ray; by default, the ray through the viewport's centre.
 pub(super) fn selection_of(
     camera: &ResolvedCamera,
     pixel: Option<Pixel>,
@@ -135,7 +136,7 @@ pub(super) fn size(
     })
 }
 
-/// Returns the other side of a picture, in pixels.
+/// Returns the missing side of a picture, in pixels, from the given side and a ratio.
 pub(super) fn follow(pixels: u32, ratio: f64) -> u32 {
     (f64::from(pixels) * ratio).round().max(1.0) as u32
 }

@@ -1,7 +1,8 @@
 //! The headless commands, mostly one in each file. None of them touches a display or a graphics driver.
 //!
-//! `pinhole scenes` and `pinhole completions` are here, `export` and `import` in `other_programs`. They share `load`
-//! (the scene and its ray), `console` (standard streams and errors) and `progress`.
+//! `pinhole scenes` and `pinhole completions` are here, `export` and `import` in `other_programs`.
+//! The commands share `load` (the scene and its ray), `console` (standard streams and errors) and
+//! `progress`.
 
 pub mod arguments;
 mod check;
@@ -27,7 +28,7 @@ use crate::cli::arguments::{Command, ScenesArguments, Shell};
 /// Runs a command.
 ///
 /// # Errors
-/// Returns the reason if it could not be done.
+/// Returns the reason if the command fails.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
         Command::Scenes(arguments) => list_scenes(arguments),
@@ -56,7 +57,7 @@ fn complete(shell: Shell) -> Result<(), CommandError> {
     to_stdout(|out| out.write_all(script.as_bytes()))
 }
 
-/// The list of `pinhole scenes --json`.
+/// The JSON output of `pinhole scenes --json`.
 #[derive(Serialize)]
 struct SceneList {
     scenes: Vec<Listed>,
@@ -68,7 +69,7 @@ struct Listed {
     summary: String,
 }
 
-/// `pinhole scenes`: lists the built-in scenes, one in each line.
+/// `pinhole scenes`: lists the built-in scenes, one per line.
 fn list_scenes(arguments: &ScenesArguments) -> Result<(), CommandError> {
     let scenes = BuiltinScene::all();
     if arguments.json {

@@ -1,4 +1,4 @@
-//! Progress of long work, for those who watch.
+//! Shows the progress of long work on a terminal.
 
 use std::io::{self, IsTerminal, Write as _};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -7,14 +7,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// A line on standard error that appears if that is a terminal and the work takes longer than [`PATIENCE`].
+/// A progress line on standard error. The line appears if standard error is a terminal and the work
+/// takes longer than [`PATIENCE`].
 pub(super) struct Progress {
     work: Arc<ProgressState>,
-    /// The thread that writes the line in intervals, until the other end of the channel is dropped.
+    /// The thread that rewrites the line at intervals, until the other end of the channel is
+    /// dropped.
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// Time without a sign of progress.
+/// Time after which the progress line appears.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Time from one line to the next.
@@ -43,12 +45,13 @@ impl Progress {
         *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
     }
 
-    /// Adds finished units.
+    /// Adds `count` finished units.
     pub(super) fn add(&self, count: usize) {
         self.work.done.fetch_add(count, Ordering::Relaxed);
     }
 
-    /// The work may report nothing for a long time, so another thread watches the clock.
+    /// Starts another thread that watches the clock, because the work may report nothing for a long
+    /// time.
     fn new(what: &'static str, all: Option<usize>) -> Progress {
         let what = Mutex::new((what, all));
         let work =
@@ -87,7 +90,7 @@ impl ProgressState {
     }
 }
 
-/// A time as `7 s` or `2 min 5 s`.
+/// Formats a time as `7 s` or `2 min 5 s`.
 fn in_words(time: Duration) -> String {
     match time.as_secs() {
         seconds @ 0..60 => format!("{seconds} s"),
@@ -95,7 +98,7 @@ fn in_words(time: Duration) -> String {
     }
 }
 
-/// Writes over the line that was there before.
+/// Writes a line over the previous one.
 fn write_line(line: &str) {
     let mut out = io::stderr().lock();
     // If standard error is closed, nobody can be told.

@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let progress = if arguments.overlay || arguments.view == FigureSubject::World {
         Progress::during("drawing")
     } else {
-        // Each row is traced, and for the other file its certificates are computed.
+        // Each row is traced, and for the OpenEXR file, its certificates are computed.
         let passes = 1 + usize::from(options.aov);
         Progress::counting("row", passes * image.height() as usize)
     };
@@ -91,12 +91,12 @@ pub struct RenderOptions {
     pub size: ImageSize,
     /// The view: the world or the camera.
     pub view: FigureSubject,
-    /// Draws the basis, the viewport and the rays over it.
+    /// True if the basis, the viewport and the rays are drawn over the picture.
     pub overlay: bool,
     /// The shading: how a hit becomes a colour.
     pub shade: Shade,
-    /// Computes the hits of the camera's rays, with normals and certificates, even if the picture does not need
-    /// them.
+    /// True if the hits of the camera's rays are computed, with normals and certificates, even if
+    /// the picture does not need them.
     pub aov: bool,
 }
 
@@ -105,16 +105,16 @@ pub struct RenderOptions {
 pub struct Rendering {
     /// Opaque sRGB pixels with alpha 255, row by row from the top.
     pub pixels: Vec<[u8; 4]>,
-    /// Hits of the camera's rays, pixel by pixel, if they were requested or needed anyway.
+    /// Hits of the camera's rays, pixel by pixel; `None` if they were neither requested nor needed.
     pub frame: Option<Frame<f32>>,
-    /// The certificate of each pixel, if requested.
+    /// The certificate of each pixel; empty unless requested.
     pub certificates: Vec<Certificate>,
 }
 
 /// Draws a view of the document with the size `options.size`. `done` is called with the number of finished
 /// rows.
 ///
-/// If the size differs from the document's image, the camera view is that of a camera with this number of
+/// If the size differs from the document's image, the camera view uses a camera with `options.size`
 /// pixels; the world view keeps the camera's pixels and draws them on its viewport.
 ///
 /// # Errors
@@ -155,7 +155,7 @@ pub fn render_view(
     Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
 }
 
-/// Draws the view as the window does, with labels. No ray is selected, so none is drawn.
+/// Draws the view as the window does, with labels. No ray is drawn, because none is selected.
 fn with_overlay(
     document: &Document,
     scene: &Scene,

@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     deliver(arguments, &measured(runs(arguments)?))
 }
 
-/// Checks the arguments before minutes of work.
+/// Checks the arguments, before the measurements take minutes.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     let refused = |problem: String| Err(CommandError::Arguments(problem));
     if arguments.plot.as_deref().is_some_and(is_standard) {
@@ -47,7 +47,7 @@ fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     files(arguments).try_for_each(|(_, path)| Ok(atomic::check(path)?))
 }
 
-/// Returns the files to write, with the options that name them.
+/// Returns the files to write, each with the option that names it.
 fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, &Path)> {
     let files = [("--json", json_file(arguments)), ("--plot", arguments.plot.as_deref())];
     files.into_iter().filter_map(|(name, path)| Some((name, path?)))
@@ -84,8 +84,8 @@ fn measured(mut runs: Vec<Measurement>) -> Report {
     all
 }
 
-/// Writes the requested files, and the table or the JSON to standard output. All of it is complete in memory
-/// before the first file is written.
+/// Writes the requested files, and the table or the JSON to standard output. All outputs are
+/// complete in memory before the first file is written.
 fn deliver(arguments: &ReportArguments, report: &Report) -> Result<(), CommandError> {
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut text = table::to_table(report);
@@ -132,7 +132,7 @@ fn json_file(arguments: &ReportArguments) -> Option<&Path> {
     arguments.json.as_deref().filter(|path| !is_standard(path))
 }
 
-/// Returns true if a path is more likely an input than an output.
+/// Returns true if a path is more likely to be an input than an output.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     ends_as_one || path.to_str().is_some_and(|name| BuiltinScene::find(name).is_some())

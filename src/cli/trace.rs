@@ -19,7 +19,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     once(&arguments.scene, ("--rays", &arguments.rays))?;
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
-    // All rays are read before the first is traced, so that an invalid row leaves no partial output.
+    // All rays are read before the first is traced, to avoid partial output if a row is invalid.
     let (path, bytes) = read(&arguments.rays, limits::TABLE)?;
     let rays = csv::rays(path, &bytes)?;
     let mut inputs = files_of(&arguments.scene, &document);
@@ -49,8 +49,8 @@ fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()
     Ok(())
 }
 
-/// Writes numbers in the shortest form that reads back to the same `f64`. All cells of a miss are empty, and so
-/// is that of a number beyond `f64`.
+/// Writes numbers in the shortest form that reads back to the same `f64`. All cells of a miss are
+/// empty, and so is the cell of a number beyond the range of `f64`.
 fn write_hit(out: &mut dyn Write, hit: Option<Root>) -> io::Result<()> {
     let Some(Root { object, t, point: p, normal: n }) = hit else {
         return writeln!(out, ",,,,,,,");

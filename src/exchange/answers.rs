@@ -31,7 +31,7 @@ const X: usize = 3;
 const Z: usize = 5;
 const OBJECT: usize = 6;
 
-/// The required columns that are missing from the first line.
+/// Returns the required columns that are missing from the first line.
 pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
     let names = header(bytes);
     asked
@@ -41,7 +41,8 @@ pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
         .collect()
 }
 
-/// Returns the kind of answers in a file, judged by its first bytes; `None` if it contains none.
+/// Returns the kind of answers in a file, judging by its first bytes; `None` if the file contains
+/// no answers.
 pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     if png::is_png(bytes) {
         return Some(AnswerKind::Picture);
@@ -59,15 +60,15 @@ pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     }
 }
 
-/// Returns true if a dropped file should be treated as answers: it contains some, or is a table, but not of
-/// spheres.
+/// Returns true if a dropped file should be treated as answers: the file contains answers, or is a
+/// table of something other than spheres.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
     let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
     let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
     kind_of(bytes).is_some() || is_table && !is_of_spheres()
 }
 
-/// The names in the first line.
+/// Returns the column names in the first line.
 fn header(bytes: &[u8]) -> Vec<String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let line = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).find(|line| !line.is_empty());
@@ -76,8 +77,9 @@ fn header(bytes: &[u8]) -> Vec<String> {
     line.split(',').map(name).collect()
 }
 
-/// Reads the answers from a file's content; `path` is used in messages. `image` is the image size of the scene
-/// they are about, and `count_from` the first number of their rows and columns, 0 or 1.
+/// Reads the answers from a file's content; `path` is used in messages. `image` is the image size
+/// of the scene to which the answers belong. `count_from` is the first number of rows and columns,
+/// 0 or 1.
 ///
 /// # Errors
 /// Returns the first row at fault with its line, column and value, or an error if the file holds no
@@ -216,7 +218,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
     Ok(Answers::Hits(hits))
 }
 
-/// The description of a valid cell of a hit, for messages.
+/// Describes a valid cell of a hit, for messages.
 const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
@@ -228,7 +230,8 @@ fn stands_for_a_miss(cell: &[u8]) -> bool {
     !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
 }
 
-/// Returns the number in a cell; `inf`, `nan` and C's `-nan(ind)` are numbers too.
+/// Returns the number in a cell, including `inf`, `nan` and C's `-nan(ind)`; `None` if the cell
+/// contains no number.
 fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
     let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
     text.trim_end_matches("(ind)").parse().ok()
@@ -267,9 +270,10 @@ fn relative(vector: WrittenVector) -> WrittenVector {
     Written { rounding: vector.rounding.min(most), ..vector }
 }
 
-/// Half a unit in the last digit that was written. A number with fewer than six digits counts as one with six,
-/// because `%g` and C++ streams omit trailing zeros, unless it was written with six decimals. The result is at
-/// most [`ROUNDING_SHARE`] of the number; near 0, six decimals are enough.
+/// Returns half a unit in the last written digit. A number with fewer than six digits counts as one
+/// with six, because `%g` and C++ streams omit trailing zeros, unless it was written with six
+/// decimals. The result is at most [`ROUNDING_SHARE`] of the number; near 0, six decimals are
+/// enough.
 fn rounding_of(text: &str, value: f64) -> f64 {
     const DIGITS: usize = 6;
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -289,7 +293,7 @@ fn rounding_of(text: &str, value: f64) -> f64 {
     }
 }
 
-/// The pixels that have an answer so far. Each must be in the image, and occur once.
+/// The pixels that have an answer so far. Each pixel must be in the image and occur only once.
 struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
@@ -297,7 +301,8 @@ struct AnsweredPixels {
     seen: Vec<u64>,
     /// True once a row or column 0 was read.
     has_zero: bool,
-    /// The first row or column equal to H or W, which is outside the image unless all count from 1.
+    /// The first row or column equal to H or W, which is outside the image unless all rows and
+    /// columns count from 1.
     beyond: Option<FileError>,
 }
 
@@ -354,7 +359,7 @@ impl AnsweredPixels {
         row.error(column, &right)
     }
 
-    /// Checks that all that was read fits together.
+    /// Checks that all rows and columns that were read are consistent.
     fn finish(self) -> Result<(), FileError> {
         match self.beyond {
             Some(error) if self.has_zero => Err(error),

@@ -1,7 +1,7 @@
 //! Writes files so that a crash, a signal or a full disk leaves the old ones intact.
 //!
-//! A file is written under a temporary name and then renamed. This run's temporary files are removed when it ends;
-//! those left by runs that were killed are removed later.
+//! A file is written under a temporary name and then renamed. This run's temporary files are
+//! removed when it ends; files left by killed runs are removed later.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata, Permissions};
@@ -34,14 +34,14 @@ pub fn write(
 }
 
 ///
-/// Several files that are written together: each as a whole, and all of them or none. If it is dropped before
-/// it is finished, nothing is written.
+/// Several files that are written together: each as a whole, and all of them or none. If the batch
+/// is dropped before it is finished, nothing is written.
 ///
 /// If the program is killed, or power fails, while the files are being renamed, the first ones may be new and
 /// the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
-    /// Files that are complete but for their names.
+    /// Files that are complete except for their final names.
     files: Vec<Complete>,
     /// Contents for devices and pipes, which cannot be replaced.
     through: Vec<(PathBuf, File)>,
@@ -57,7 +57,7 @@ struct Complete {
 }
 
 impl Batch {
-    /// Writes a file's content; the file gets its name when all files are finished.
+    /// Writes a file's content. The file gets its final name when the batch is finished.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -92,10 +92,11 @@ impl Batch {
         Ok(())
     }
 
-    /// Gives all files their names.
+    /// Gives all files their final names.
     ///
     /// # Errors
-    /// Returns an error if one cannot get its name; then all are as they were before.
+    /// Returns an error if a file cannot get its final name; then all files are as they were
+    /// before.
     pub fn finish(self) -> Result<(), FileError> {
         for (target, buffer) in self.through {
             write_through(&target, buffer)
@@ -109,7 +110,7 @@ impl Batch {
     }
 }
 
-/// Renames the files, or undoes the renames if one fails. Signals wait until it is done.
+/// Renames the files, or undoes the renames if one fails. Signals are deferred until then.
 fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
     // The names are removed from the list once it is unlocked.
@@ -134,7 +135,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Restores the old file. If the system has no hard links, the new one stays.
+/// Restores the old file. If the system has no hard links, the new file stays.
 fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
     // The reason why this is done is told already.
     match old {
@@ -177,7 +178,7 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-/// A file that is written bit by bit, and replaces the old one as a whole.
+/// A file that is written in parts, and then replaces an old file as a whole.
 #[derive(Debug)]
 pub struct Draft {
     new: Temporary,
@@ -185,10 +186,11 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Creates one in the folder of the file that it will replace. If it is dropped, nothing is written.
+    /// Creates a draft in the folder of the file that it will replace. If the draft is dropped,
+    /// nothing is written.
     ///
     /// # Errors
-    /// Returns an error if nothing can be written there.
+    /// Returns an error if nothing can be written in the folder.
     pub fn create(path: &Path) -> Result<Draft, FileError> {
         let new = target_of(path).and_then(|(target, _)| Temporary::in_folder(folder_of(&target)));
         let new = new.map_err(|error| FileError::unwritable(path, &error))?;
@@ -207,7 +209,7 @@ impl Draft {
             .map_err(|error| FileError::unwritable(&self.path, &error))
     }
 
-    /// Renames it to the final name.
+    /// Renames the draft to its final name.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -220,7 +222,7 @@ impl Draft {
     }
 }
 
-/// Writes to a device or pipe, in which nothing can be sought or replaced.
+/// Writes to a device or pipe, which supports neither seeking nor replacement.
 fn write_through(target: &Path, mut content: File) -> io::Result<()> {
     content.rewind()?;
     let mut device = File::options().write(true).open(target)?;
@@ -243,8 +245,8 @@ fn follow_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Returns true if both paths refer to the same file, also through links, and also if it does not exist yet.
-/// Devices and pipes never count as the same file.
+/// Returns true if the two paths refer to the same file, also through links, and also if the file
+/// does not exist yet. Devices and pipes never count as the same file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     identity(a).is_some_and(|a| identity(b) == Some(a))
 }
@@ -274,10 +276,11 @@ fn identity(path: &Path) -> Option<Identity> {
     }
 }
 
-/// The prefix and suffix of their names, and the number of letters and digits between: nobody chooses such a
-/// name.
+/// The prefix of the names of temporary files. Nobody would choose such a name.
 const PREFIX: &str = ".pinhole-";
+/// The suffix of the names of temporary files.
 const SUFFIX: &str = ".tmp";
+/// The number of random letters and digits between the prefix and the suffix.
 const RANDOM: usize = 12;
 
 /// Age at which a temporary file is considered abandoned: no run will finish it.
@@ -291,7 +294,7 @@ pub(crate) struct Temporary {
 }
 
 impl Temporary {
-    /// Makes one in this folder.
+    /// Creates a temporary file in a folder.
     pub(crate) fn in_folder(folder: &Path) -> io::Result<Temporary> {
         clear_abandoned(folder);
         let mut builder = builder();
@@ -312,10 +315,11 @@ pub(crate) fn sync(folder: &Path) {
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 
-/// The temporary files of this run.
+/// The paths of this run's temporary files.
 static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Locks the list. No file is created, renamed or removed while the lock is held.
+/// Locks the list of temporary files. No temporary file is created, renamed or removed while the
+/// lock is held.
 pub(crate) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -384,7 +388,7 @@ fn default_permissions() -> Option<Permissions> {
     None
 }
 
-/// The folder that a file lies in.
+/// Returns the folder that contains a file.
 pub(crate) fn folder_of(target: &Path) -> &Path {
     match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,

@@ -1,7 +1,7 @@
 //! Code for the current camera: in each language a short function from a pixel to its view ray, with this
 //! camera's numbers and the lecture's names, to show on a slide or to run.
 //!
-//! All contain the same few lines:
+//! All these programs contain the same few lines:
 //!
 //! ```text
 //! u = width  * ((j + 0.5) / columns - 0.5)
@@ -9,9 +9,10 @@
 //! origin = eye        direction = u*U + v*V - distance*W
 //! ```
 //!
-//! with row i and column j from 0, row 0 at the top. Capital U, V, W are the basis vectors, as in the lecture's
-//! formula; columns and rows are the image's W and H, which would be confused with them. A language is a
-//! [`Format`] in [`LANGUAGES`] without conventions of its own: it uses the lecture's.
+//! with row i and column j from 0, row 0 at the top. Capital U, V, W are the basis vectors, as in
+//! the lecture's formula; columns and rows are the image's W and H, which could be confused with
+//! the vectors. A language is a [`Format`] in [`LANGUAGES`] without conventions of its own; the
+//! lecture's conventions apply.
 
 use std::ops::RangeInclusive;
 
@@ -243,7 +244,8 @@ console.log(ray(0, 0));
 /// The range in which `f32` has its full precision, with a margin.
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
-/// Inserts a camera's numbers into a program, in the fewest decimals that read back to the same `f64`.
+/// Inserts a camera's numbers into a program, with the fewest decimals that read back to the same
+/// `f64`.
 fn in_double(subject: &ExportScene, program: &str) -> Result<String, Unsupported> {
     Ok(filled(subject, program, |x| point(n(x))))
 }
@@ -251,7 +253,7 @@ fn in_double(subject: &ExportScene, program: &str) -> Result<String, Unsupported
 /// Like [`in_double`], for GLSL, which calculates in `f32`.
 ///
 /// # Errors
-/// Returns an error if a number is out of its range.
+/// Returns an error if a number is outside the range of `f32`.
 fn in_single(subject: &ExportScene, program: &str) -> Result<String, Unsupported> {
     let camera = subject.resolve();
     let viewport = camera.viewport();

@@ -65,10 +65,10 @@ pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
     Ok(rays)
 }
 
-/// What a direction of zero should be.
+/// The error message for a direction of zero.
 pub(crate) const NO_DIRECTION: &str = "the direction (dx, dy, dz) is zero: it must point somewhere";
 
-/// A CSV file in memory, with its header understood.
+/// A CSV file in memory, with a parsed header.
 pub(crate) struct CsvTable<'a> {
     file: &'a Path,
     bytes: &'a [u8],
@@ -86,7 +86,8 @@ pub(crate) struct CsvRow<'t, 'a> {
 }
 
 impl<'a> CsvTable<'a> {
-    /// Reads the header: `required` columns, then optional ones, in any order and case. `names` contains both.
+    /// Reads the header: `required` columns, then optional ones, in any order and case. `names`
+    /// contains all of them, the required columns first.
     pub(crate) fn new(
         file: &'a Path,
         bytes: &'a [u8],
@@ -180,8 +181,9 @@ impl<'a> CsvTable<'a> {
     }
 }
 
-/// Finds the place where a table stops having rows, and the reason: a quote that is not closed, or too much
-/// text without a line break. A reader would keep all the rest in memory.
+/// Finds the place where a table can no longer be split into rows, and the reason: a quote that is
+/// not closed, or too much text without a line break. A CSV reader would load all remaining bytes
+/// into memory.
 fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     let (mut row, mut quote, mut passed) = (0, None, 0);
     let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
@@ -203,8 +205,8 @@ fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     quote.map(unclosed)
 }
 
-/// Returns the problem with a first line that has none of the column names. The line is not quoted: a scene may
-/// refer to any file as its table.
+/// Returns the problem with a first line that has none of the column names. The message does not
+/// quote the line, because a scene may refer to any file as its table.
 fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String> {
     let is_known = |cell: &[u8]| {
         let cell = String::from_utf8_lossy(plain(cell));
@@ -227,14 +229,15 @@ fn unclosed(quote: usize) -> (usize, String) {
     (quote, "this quote is not closed: a second one must end its cell".to_owned())
 }
 
-/// The message about a table with other separators.
+/// Returns the message about a table with other separators.
 pub(crate) fn separated_by(separators: &str) -> String {
     format!(
         "the first line has {separators}: commas must stand between cells, and a point in a number"
     )
 }
 
-/// Returns a cell without surrounding blanks, and without quotes that were kept because of a blank before them.
+/// Returns a cell without surrounding blanks, and without quotes that the reader kept because a
+/// blank precedes them.
 fn plain(cell: &[u8]) -> &[u8] {
     let cell = cell.trim_ascii();
     let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
@@ -248,7 +251,7 @@ impl CsvRow<'_, '_> {
         plain(field.and_then(|field| self.record.get(field)).unwrap_or_default())
     }
 
-    /// The finite number in a column.
+    /// Returns the finite number in a column.
     pub(crate) fn number(&self, column: usize) -> Result<f64, FileError> {
         let text = std::str::from_utf8(self.cell(column)).unwrap_or_default();
         match text.parse::<f64>() {
@@ -258,12 +261,12 @@ impl CsvRow<'_, '_> {
         }
     }
 
-    /// The vector in three columns from this one on.
+    /// Returns the vector in three consecutive columns, starting with `first`.
     fn vector(&self, first: usize) -> Result<DVec3, FileError> {
         Ok(DVec3::new(self.number(first)?, self.number(first + 1)?, self.number(first + 2)?))
     }
 
-    /// Returns the text in a column; `None` if it is empty.
+    /// Returns the text in a column; `None` if the cell is empty.
     pub(crate) fn text(&self, column: usize) -> Result<Option<&str>, FileError> {
         match std::str::from_utf8(self.cell(column)) {
             Ok("") => Ok(None),

@@ -6,14 +6,14 @@ use std::sync::Arc;
 
 use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
 
-/// A scene file's contents: one camera and the objects it looks at.
+/// The contents of a scene file: a camera and the objects in front of it.
 ///
-/// Objects are counted from 0: the spheres, then those of the CSV file, then the planes.
+/// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// The author's note: the comment at the beginning of the scene's file, without the `#`s.
     pub note: String,
-    /// The edited camera.
+    /// The camera.
     pub camera: Camera,
     /// The `[[sphere]]`s.
     pub spheres: SharedList<Item<Sphere>>,
@@ -29,7 +29,7 @@ pub struct Document {
 pub struct SharedList<T>(Arc<Vec<T>>);
 
 impl<T> SharedList<T> {
-    /// Returns true if both share one list, which is stronger than equality.
+    /// Returns true if the two values share one list in memory, which is stronger than equality.
     pub fn is_same(&self, other: &SharedList<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -85,15 +85,15 @@ impl<T: Clone> DerefMut for SharedList<T> {
 /// An object with its name and colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item<S> {
-    /// Its name, if it has one.
+    /// The object's name, if any.
     pub name: Option<String>,
-    /// Its own colour; without one it has its kind's [`default_color`].
+    /// The object's own colour; if `None`, the object has its kind's [`default_color`].
     pub color: Option<Rgb>,
     /// The sphere or plane.
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, which clones of the document share. They are not edited.
+/// Many spheres from a CSV file, shared by clones of the document. These spheres cannot be edited.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
     /// The path in the scene file, relative to the scene file.
@@ -130,13 +130,13 @@ const PALETTE: [Rgb; 6] = [
     [0x00, 0x72, 0xb2],
 ];
 
-/// Returns the colour of the sphere or plane with this index among its kind, if it has no colour of its own.
+/// Returns the default colour of the sphere or plane with this index among its kind.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]
 }
 
 impl Default for Document {
-    /// The canonical camera and nothing to see.
+    /// Returns a document with the canonical camera and no objects.
     fn default() -> Self {
         Document {
             note: String::new(),
@@ -149,12 +149,13 @@ impl Default for Document {
 }
 
 impl Document {
-    /// The CSV file's spheres; none without one.
+    /// Returns the CSV file's spheres; empty without a CSV file.
     fn csv_items(&self) -> &[Item<Sphere>] {
         self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
     }
 
-    /// Returns the number of spheres, including those of the CSV file. This is the index of the first plane.
+    /// Returns the number of spheres, including those of the CSV file. The number is also the index
+    /// of the first plane.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len() + self.csv_items().len()
     }
@@ -173,7 +174,7 @@ impl Document {
         }
     }
 
-    /// Returns the objects without names and colours, after checking them.
+    /// Checks the objects, and returns them without names and colours.
     ///
     /// # Errors
     /// Returns the first invalid object.
@@ -182,14 +183,14 @@ impl Document {
         Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
     }
 
-    /// Returns the name of the object with this index, if it has one.
+    /// Returns the name of the object with this index; `None` if the object has no name.
     pub fn name_of(&self, index: u32) -> Option<&str> {
         self.look_of(index).0
     }
 
-    /// The colour of the object with this index.
+    /// Returns the colour of the object with this index.
     pub fn color_of(&self, index: u32) -> Rgb {
-        // Planes are counted separately, so that a new sphere does not change their colours.
+        // Planes are counted separately, to keep their colours when a sphere is added.
         let k = index as usize;
         let k = k.checked_sub(self.sphere_count()).unwrap_or(k);
         self.look_of(index).1.unwrap_or_else(|| default_color(k))

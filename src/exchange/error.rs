@@ -3,26 +3,26 @@
 use std::path::Path;
 use std::{fmt, io};
 
-/// A file that cannot be read or written, and why.
+/// An error of a file that cannot be read or written.
 ///
-/// Printed as `room.toml:12:10: sphere[3].radius is -1.0: it must be greater than 0`: file, line,
-/// column, then field, value, and what would be right.
+/// The error is printed as `room.toml:12:10: sphere[3].radius is -1.0: it must be greater than 0`:
+/// file, line, column, then field, value, and the rule for valid values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
     /// The file, as the user gave it.
     pub file: String,
-    /// Place in the file; `None` for the file as a whole.
+    /// Location in the file; `None` if the error is about the whole file.
     pub location: Option<Location>,
-    /// The invalid field, its value, and what would be valid.
+    /// The invalid field, its value, and the rule for valid values.
     pub problem: String,
 }
 
 /// A location in a text: line and column, both counted from 1; columns count characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Location {
-    /// The line.
+    /// The line, counted from 1.
     pub line: usize,
-    /// The character in the line.
+    /// The character in the line, counted from 1.
     pub column: usize,
 }
 
@@ -30,7 +30,7 @@ impl Location {
     /// The beginning of a text.
     pub(crate) const START: Location = Location { line: 1, column: 1 };
 
-    /// The position of a byte of the text.
+    /// Returns the location of a byte in the text.
     pub fn of_byte(text: &[u8], byte: usize) -> Location {
         let before = &text[..byte.min(text.len())];
         let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |newline| newline + 1);
@@ -49,7 +49,7 @@ impl FileError {
         FileError { file: path.display().to_string(), location: None, problem }
     }
 
-    /// About a position in the file.
+    /// Creates an error about a location in the file.
     pub(crate) fn at(path: &Path, location: Location, problem: impl Into<String>) -> FileError {
         FileError { location: Some(location), ..FileError::of_file(path, problem) }
     }
@@ -65,7 +65,7 @@ impl FileError {
     }
 }
 
-/// Returns the system's message without the error number, which helps nobody.
+/// Returns the system's message without the error number, which does not help users.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or_default().to_lowercase()
@@ -96,9 +96,9 @@ pub(crate) fn one_line(text: &str) -> String {
     }
 }
 
-/// Returns true for characters that a terminal or a window would interpret instead of showing: control
-/// characters, the marks that change the direction of writing (Unicode Standard Annex 9), with which a text can
-/// imitate another one, and noncharacters, which XML does not allow.
+/// Returns true for characters that a terminal or a window would interpret instead of showing:
+/// control characters; marks that change the direction of writing (Unicode Standard Annex 9), which
+/// can make one text look like another; and noncharacters, which XML does not allow.
 pub fn is_hidden(c: char) -> bool {
     let is_of_direction = matches!(
         c,
@@ -142,7 +142,8 @@ pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
     near.into_iter().map(|(_, name)| name).collect()
 }
 
-/// A third of the letters may be wrong.
+/// Returns the maximum distance at which `word` counts as a mistyped `name`: a third of the letters
+/// may be wrong.
 fn tolerance(word: &str, name: &str) -> usize {
     word.chars().count().max(name.chars().count()) / 3
 }

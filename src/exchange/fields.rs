@@ -9,7 +9,7 @@ use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 use crate::error::{nearest, one_line};
 use crate::{FileError, Location};
 
-/// The text to read, and its path for messages.
+/// The text of a TOML file, and its path for messages.
 pub struct TomlSource<'a> {
     /// Text of the file.
     pub text: &'a str,
@@ -48,7 +48,7 @@ impl TomlSource<'_> {
 }
 
 impl<'a> Section<'a> {
-    /// The file itself.
+    /// Returns the section for the file itself, whose name is empty.
     pub fn root(source: &'a TomlSource<'a>, table: &'a dyn TableLike) -> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
@@ -59,7 +59,8 @@ impl<'a> Section<'a> {
         if self.name.is_empty() { key } else { format!("{}.{key}", self.name) }
     }
 
-    /// Returns an error for the first field that is not `known`; `top` are the fields of the file itself.
+    /// Returns an error for the first field that is not `known`; `top` lists the fields of the file
+    /// itself.
     pub fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
         let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
             return Ok(());
@@ -76,7 +77,7 @@ impl<'a> Section<'a> {
         Err(self.source.error(&span, format!("{} is unknown: {hint}", self.path_of(key))))
     }
 
-    /// A field, if it is there.
+    /// Returns a field; `None` if the table does not contain it.
     pub fn get(&self, key: &str) -> Option<TomlField<'a>> {
         let item = self.table.get(key)?;
         let entry = match item {
@@ -96,14 +97,15 @@ impl<'a> Section<'a> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
-    /// Returns the error for a key that is missing in this table.
+    /// Returns the error for a key that is missing in the table.
     pub fn missing(&self, what: &str, such_as: &str) -> FileError {
         self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
     }
 }
 
 impl<'a> TomlField<'a> {
-    /// `camera.eye[2] is nan: ` and what would be right.
+    /// Returns an error such as `camera.eye[2] is nan: ` followed by `right`, the rule for valid
+    /// values.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
             FieldItem::Value(_) => one_line(&self.source.text[self.span.clone()]),
@@ -113,17 +115,17 @@ impl<'a> TomlField<'a> {
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
 
-    /// Returns an error about this field, whose message states the value itself.
+    /// Returns an error about the field, for a message that already states the value.
     pub fn fault(&self, problem: impl std::fmt::Display) -> FileError {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
 
-    /// Returns the error about a field that must not be there.
+    /// Returns the error about a field that must not be present.
     pub fn refuse(&self, why: &str) -> FileError {
         self.source.error(&self.span, format!("{} is there {why}", self.name))
     }
 
-    /// A finite number; an integer will do.
+    /// Returns the value as a finite number; an integer is accepted.
     pub fn number(&self) -> Result<f64, FileError> {
         match self.item {
             FieldItem::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
@@ -135,13 +137,13 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// A finite number greater than 0.
+    /// Returns the value as a finite number greater than 0.
     pub fn positive(&self) -> Result<f64, FileError> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.error("it must be greater than 0")) }
     }
 
-    /// An integer as it stands.
+    /// Returns the value if it is an integer; otherwise `None`.
     pub fn integer(&self) -> Option<i64> {
         match self.item {
             FieldItem::Value(value) => value.as_integer(),
@@ -156,7 +158,7 @@ impl<'a> TomlField<'a> {
         })
     }
 
-    /// Yes or no.
+    /// Returns the value as a boolean.
     pub fn boolean(&self) -> Result<bool, FileError> {
         match self.item {
             FieldItem::Value(Value::Boolean(value)) => Ok(*value.value()),
@@ -164,7 +166,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Three finite numbers.
+    /// Returns the value as a vector of three finite numbers.
     pub fn vector(&self) -> Result<DVec3, FileError> {
         self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
     }
@@ -180,7 +182,7 @@ impl<'a> TomlField<'a> {
         Ok(numbers)
     }
 
-    /// Returns the elements of a list of values; `None` if this is not a list.
+    /// Returns the elements of a list of values; `None` if the value is not a list.
     pub fn elements(&self) -> Option<Vec<TomlField<'a>>> {
         let FieldItem::Value(Value::Array(array)) = self.item else { return None };
         Some(array.iter().enumerate().map(|(k, value)| self.element(k, value)).collect())
@@ -195,7 +197,7 @@ impl<'a> TomlField<'a> {
         TomlField { source: self.source, name: format!("{}[{k}]", self.name), item, span }
     }
 
-    /// A string.
+    /// Returns the value as a string.
     pub fn text(&self) -> Result<&'a str, FileError> {
         match self.item {
             FieldItem::Value(Value::String(text)) => Ok(text.value()),
@@ -203,7 +205,8 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns one of these names; the error suggests the nearest.
+    /// Returns the value, which must be one of the `known` names; the error suggests the nearest
+    /// name.
     pub fn one_of(&self, known: &[&'static str]) -> Result<&'static str, FileError> {
         let choices = || format!("it must be one of {}", known.join(", "));
         let text = self.text().map_err(|_| self.error(&choices()))?;
@@ -216,7 +219,7 @@ impl<'a> TomlField<'a> {
         })
     }
 
-    /// One table.
+    /// Returns the value as a table.
     pub fn section(&self) -> Result<Section<'a>, FileError> {
         match self.item {
             FieldItem::Table(table) => {
@@ -227,7 +230,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// A list of tables.
+    /// Returns the value as a list of tables.
     pub fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
         self.sections_named(|k| format!("{}[{k}]", self.name))
     }
@@ -235,7 +238,7 @@ impl<'a> TomlField<'a> {
     /// Returns the tables of a list; errors count them from 1.
     ///
     /// # Errors
-    /// Returns an error if the value is no array of tables.
+    /// Returns an error if the value is not an array of tables.
     pub fn sections_from_one(&self) -> Result<Vec<Section<'a>>, FileError> {
         self.sections_named(|k| format!("{} {}", self.name, k + 1))
     }

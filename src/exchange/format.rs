@@ -1,5 +1,5 @@
-//! The parts of every format: its name and writer, its conventions where they differ from ours, and its text, in
-//! which numbers with the opposite sign are marked.
+//! The parts of every format: its name, its writer, its conventions where they differ from
+//! Pinhole's, and its text, in which numbers with the opposite sign are marked.
 
 use std::fmt;
 use std::ops::Range;
@@ -22,11 +22,11 @@ pub struct Format {
     pub name: &'static str,
     /// Name on the screen.
     pub label: &'static str,
-    /// Name in a word or two.
+    /// Short name, of one or two words.
     pub short: &'static str,
-    /// Proposed name of its file.
+    /// Proposed file name.
     pub file: &'static str,
-    /// Its conventions; `None` for code, which has the lecture's.
+    /// The format's conventions; `None` for code, which uses the lecture's conventions.
     pub conventions: Option<Conventions>,
     pub(crate) write: fn(&ExportScene, &mut Vec<String>) -> Result<String, Unsupported>,
 }
@@ -43,9 +43,9 @@ pub struct Exported {
 /// A text from another program, and its path for messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Input<'a> {
-    /// The file as the user gave it.
+    /// The path of the file, as the user gave it.
     pub path: &'a Path,
-    /// Its contents.
+    /// The contents of the file.
     pub text: &'a str,
 }
 
@@ -59,7 +59,7 @@ pub struct Imported {
 }
 
 impl Format {
-    /// Returns the ending of its files, without the dot.
+    /// Returns the file name extension of the format, without the dot.
     pub fn ending(&self) -> &'static str {
         self.file.rsplit('.').next().unwrap_or_default()
     }
@@ -67,7 +67,7 @@ impl Format {
     /// Writes the camera, and the objects if requested, in this format.
     ///
     /// # Errors
-    /// Returns the first quantity that the format cannot express, as one that is not finite.
+    /// Returns the first quantity that the format cannot express, such as one that is not finite.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         let mut notes = Vec::new();
         let marked = (self.write)(subject, &mut notes)?;
@@ -84,7 +84,7 @@ impl Format {
 }
 
 impl Input<'_> {
-    /// An error at a byte of the text.
+    /// Creates an error at a byte of the text.
     pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
         FileError::at(self.path, Location::of_byte(self.text.as_bytes(), at), problem)
     }
@@ -93,11 +93,11 @@ impl Input<'_> {
 /// Direction of an axis of a format's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Its letter with its sign: `u`, `−w`.
+    /// The axis's letter with its sign: `u`, `−w`.
     pub name: &'static str,
     /// The direction in words: `right`, `up`, `backwards`, and their opposites.
     pub meaning: &'static str,
-    /// Its vector, in coordinates (u, v, w).
+    /// The axis's vector, in coordinates (u, v, w).
     pub direction: DVec3,
 }
 
@@ -121,21 +121,21 @@ pub enum PixelConvention {
 /// A format's conventions.
 #[derive(Debug)]
 pub struct Conventions {
-    /// Directions of its camera's x, y and z.
+    /// Directions of the x, y and z axes of the format's camera.
     pub axes: [Axis; 3],
-    /// Numbers that the camera is given by.
+    /// The numbers that specify the camera.
     pub given_by: &'static str,
-    /// Places of its pixels.
+    /// The format's convention for pixels.
     pub pixels: PixelConvention,
-    /// Measure of the field of view.
+    /// The quantity that specifies the field of view.
     pub view: &'static str,
-    /// Its number for a camera.
+    /// Returns the numbers that describe the field of view of a camera.
     pub(crate) field: fn(&ExportScene) -> String,
-    /// Counterpart of the viewport's distance.
+    /// The format's counterpart of the viewport's distance.
     pub distance: &'static str,
-    /// Shapes of pixels that it can have.
+    /// The pixel shapes that the format allows.
     pub shape: &'static str,
-    /// Precision that it computes in.
+    /// The precision in which the other program computes.
     pub lengths: &'static str,
 }
 
@@ -148,17 +148,17 @@ impl Axis {
     pub const MINUS_V: Axis = Axis { name: "−v", meaning: "down", direction: DVec3::NEG_Y };
     pub const MINUS_W: Axis = Axis { name: "−w", meaning: "forwards", direction: DVec3::NEG_Z };
 
-    /// Returns true for the opposites of u, v and w.
+    /// Returns true if the axis is the opposite of u, v or w.
     pub fn is_flipped(self) -> bool {
         self.direction.element_sum() < 0.0
     }
 }
 
 impl Conventions {
-    /// The axes of a camera here.
+    /// The axes of a camera in Pinhole.
     pub const OURS: [Axis; 3] = [Axis::U, Axis::V, Axis::W];
 
-    /// Returns true where its camera's axes are right-handed.
+    /// Returns true if the axes of the format's camera are right-handed.
     pub fn is_right_handed(&self) -> bool {
         let [x, y, z] = self.axes.map(|axis| axis.direction);
         x.cross(y).dot(z) > 0.0
@@ -170,30 +170,30 @@ impl Conventions {
     }
 }
 
-/// A text, and the parts whose sign is the opposite of ours.
+/// A text, and the parts whose sign is the opposite of Pinhole's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// The text.
     pub text: String,
-    /// Bytes of the text, in order.
+    /// Byte ranges of the parts with the opposite sign, in order.
     pub flipped: Vec<Range<usize>>,
 }
 
-/// Marks around a flipped part while the text is being written: characters of the private use area, which occur
-/// in no number.
+/// Marks around a flipped part while the text is being written: characters of the private use area,
+/// which never occur in a number.
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
 
 /// Placeholder for a number that is not finite, which no format allows.
 const BEYOND: char = '\u{e002}';
 
-/// Formats a number with the fewest digits that read back to it.
+/// Formats a number with the fewest digits that read back to the same number.
 pub(crate) fn n(x: f64) -> String {
     if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
 }
 
 impl Text {
-    /// The text whose numbers may be marked by [`flipped`].
+    /// Creates a text from a string in which numbers may be marked by [`flipped`].
     pub(crate) fn from_marked(marked: &str) -> Text {
         let mut made = Text::default();
         let mut from = 0;
@@ -208,13 +208,13 @@ impl Text {
     }
 }
 
-/// A number whose sign is turned.
+/// Formats a number with the opposite sign, and marks it.
 pub(crate) fn flipped(x: f64) -> String {
     format!("{OPEN}{}{CLOSE}", n(x))
 }
 
-/// Returns an external text, such as a name, without characters that would end a line, are hidden, or serve as
-/// marks here.
+/// Returns an external text, such as a name, without characters that would end a line, are hidden,
+/// or serve as marks in this module.
 pub(crate) fn sanitized(text: &str) -> String {
     text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
 }
@@ -230,12 +230,12 @@ pub(crate) fn real(x: f64) -> String {
     point(n(x))
 }
 
-/// Adds a point to the text of a number without one and without an exponent.
+/// Adds a point to the text of a number that has neither a point nor an exponent.
 pub(crate) fn point(number: String) -> String {
     if number.contains(['.', 'e']) { number } else { number + ".0" }
 }
 
-/// `1, 2, 3`
+/// Formats a vector as `1, 2, 3`.
 pub(crate) fn commas(v: DVec3) -> String {
     commas_of(v, n)
 }
@@ -245,17 +245,18 @@ pub(crate) fn commas_of(v: DVec3, number: impl Fn(f64) -> String) -> String {
     v.to_array().map(number).join(", ")
 }
 
-/// `1 2 3`
+/// Formats a vector as `1 2 3`.
 pub(crate) fn spaces(v: DVec3) -> String {
     v.to_array().map(n).join(" ")
 }
 
-/// The three rows of a matrix, by its columns.
+/// Formats the three rows of a matrix that is given by its columns.
 pub(crate) fn rows(columns: [DVec3; 4], between: &str) -> [String; 3] {
     [0, 1, 2].map(|k| columns.map(|column| n(column[k])).join(between))
 }
 
-/// Converts a colour to linear light (with the sRGB curve of IEC 61966-2-1), with six digits.
+/// Converts a colour to linear light (with the sRGB curve of IEC 61966-2-1), and formats it with
+/// six digits.
 pub(crate) fn light(color: Rgb, between: &str) -> String {
     let parts = color.map(|byte| {
         let s = f64::from(byte) / 255.0;
@@ -277,33 +278,33 @@ impl fmt::Display for Unsupported {
 
 impl std::error::Error for Unsupported {}
 
-/// Objects that go with the camera.
+/// The objects to export with the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Include {
-    /// None.
+    /// No objects.
     CameraAlone,
-    /// The objects that the format has.
+    /// The objects that the format supports.
     #[default]
     Objects,
-    /// Objects that the format has, and meshes instead of the others.
+    /// The objects that the format supports, and meshes in place of other objects.
     Meshes,
 }
 
-/// A scene that is exported.
+/// A scene to export.
 #[derive(Clone, Debug)]
 pub struct ExportScene<'a> {
     /// The scene.
     pub document: &'a Document,
-    /// Objects that go with the camera.
+    /// The objects to export with the camera.
     pub include: Include,
-    /// The spheres, where objects are asked for.
+    /// The spheres; empty unless objects are requested.
     pub(crate) spheres: Vec<ExportObject<Sphere>>,
-    /// The planes, where objects are asked for.
+    /// The planes; empty unless objects are requested.
     pub(crate) planes: Vec<ExportObject<Plane>>,
     resolved: ResolvedCamera,
 }
 
-/// A sphere or plane with its looks.
+/// A sphere or plane with its title and colour.
 #[derive(Clone, Debug)]
 pub(crate) struct ExportObject<S> {
     pub(crate) shape: S,
@@ -318,7 +319,7 @@ impl<'a> ExportScene<'a> {
     /// Creates the scene from a document whose camera has a basis.
     ///
     /// # Errors
-    /// Returns the fault of the camera, or of an object that is asked for.
+    /// Returns an error if the camera, or a requested object, is invalid.
     pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, Unsupported> {
         let resolved = document.camera.resolve().map_err(|error| Unsupported(error.to_string()))?;
         let scene = match include {
@@ -330,7 +331,7 @@ impl<'a> ExportScene<'a> {
         Ok(ExportScene { document, include, spheres, planes, resolved })
     }
 
-    /// The camera with its basis.
+    /// Returns the camera with its basis.
     pub fn resolve(&self) -> &ResolvedCamera {
         &self.resolved
     }
@@ -343,7 +344,7 @@ impl<'a> ExportScene<'a> {
         self.resolved.viewport()
     }
 
-    /// W and H.
+    /// Returns the image size, W and H.
     pub(crate) fn size(&self) -> [u32; 2] {
         [self.resolved.image().width(), self.resolved.image().height()]
     }
@@ -352,12 +353,12 @@ impl<'a> ExportScene<'a> {
         Intrinsics::from_viewport(self.viewport(), self.resolved.image())
     }
 
-    /// The vertical field of view in degrees.
+    /// Returns the vertical field of view in degrees.
     pub(crate) fn vertical_degrees(&self) -> f64 {
         self.viewport().vertical_fov().to_degrees()
     }
 
-    /// Eye, at and up.
+    /// Returns the points eye and at, and the vector up.
     pub(crate) fn look_at(&self) -> Result<[DVec3; 3], Unsupported> {
         let camera = self.camera().given_by(OrientationKind::At);
         match camera.map(|camera| (camera.eye, camera.orientation)) {
@@ -370,7 +371,8 @@ impl<'a> ExportScene<'a> {
         }
     }
 
-    /// Returns a pixel's width divided by its height in the world; exactly 1 if it differs only by rounding.
+    /// Returns a pixel's width divided by its height in the world; exactly 1 if the ratio differs
+    /// from 1 only by rounding.
     pub(crate) fn pixel_shape(&self) -> f64 {
         let [width, height] = self.size().map(f64::from);
         let viewport = self.viewport();
@@ -378,7 +380,7 @@ impl<'a> ExportScene<'a> {
         if (shape - 1.0).abs() <= SQUARE { 1.0 } else { shape }
     }
 
-    /// Refuses pixels that are not square.
+    /// Returns an error if the pixels are not square.
     pub(crate) fn square_pixels(&self, program: &str) -> Result<(), Unsupported> {
         let shape = self.pixel_shape();
         if shape == 1.0 {
@@ -395,7 +397,7 @@ impl<'a> ExportScene<'a> {
         )))
     }
 
-    /// Returns the note about objects that a format cannot contain, if there are any.
+    /// Returns the note about objects that a format cannot contain; `None` if there are none.
     pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
         let is_empty = self.spheres.is_empty() && self.planes.is_empty();
         (!is_empty).then(|| format!("objects are left out: {why}"))
