@@ -7,17 +7,18 @@
 //! margin, and every pixel inside is a hit.
 //!
 //! - [`plan`]: which objects the rows can see, and how each is drawn. Spheres behind the eye or outside
-//! the view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
+//!   the view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
 //! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
 //!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
 //!     ([`polynomial`]): they hide much of the rest;
-//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; of few,
-//!     each vector of pixels is written once where no others overlap ([`rows::draw_row`]); of many, those
-//!     that are small compared with their distance are drawn together ([`rows::small_spheres`]), and those
-//!     that nearer ones hide are skipped ([`bvh::occlusion`], [`rows::vector_bounds`]);
+//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; if
+//!     few, each vector of pixels is written once where no others overlap ([`rows::draw_row`]); if many,
+//!     the spheres that are small compared with their distance are drawn together
+//!     ([`rows::small_spheres`]), and the spheres that nearer ones hide are skipped
+//!     ([`bvh::occlusion`], [`rows::vector_bounds`]);
 //!   - spheres that cannot be drawn by outlines, and the planes, by polynomials again.
 //! - Each step has an error bound. A pixel within the bound is *in doubt*, and goes up the ladder by
-//! itself ([`row_band::fallback`]): the object that comes first is the same as in exact arithmetic.
+//!   itself ([`row_band::fallback`]): the object that comes first is the same as in exact arithmetic.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
 //!
 //! A doubt costs some 50 to 150 ns for each pixel and sphere where `f64` decides, as it does for nearly

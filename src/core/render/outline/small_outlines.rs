@@ -23,17 +23,18 @@ const MOST_SIZE: f32 = 4_194_304.0;
 /// Factor that turns the result of a few rounded `f32` operations into an upper bound.
 const UP: f32 = 1.0 + 1e-5;
 
-/// Outlines of small spheres, as [`Outlines`](crate::render::outline::Outlines) have them: on row
-/// `middle_row + row + j` the columns within w of `middle + shear j`, and there, `S^2 = w^2 - (c - middle - shear j)^2`.
-/// At column c the first hit is at
+/// Outlines of small spheres, in the form of [`Outlines`](crate::render::outline::Outlines): on row
+/// `middle_row + row + j`, a sphere covers the columns within w of `middle + shear j`. On these columns,
+/// `S^2 = w^2 - (c - middle - shear j)^2`, and at column c the first hit is at
 ///
 /// ```text
 /// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
 /// ```
 ///
-/// with `(middle_row + row, column)` the centre in the picture, and Q what t would be there if S were 0. Derivation:
-/// with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z` at the centre and linear in row and
-/// column, and the root is `sqrt h s S`; all divided by `|q|^2 / Z`:
+/// where `(middle_row + row, column)` is the centre in the picture, and Q is the `t` that the centre
+/// would have if S were 0. Derivation: with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z`
+/// at the centre and linear in row and column, and the root is `sqrt h s S`; all divided by
+/// `|q|^2 / Z`:
 ///
 /// ```text
 /// Q = Z (1 - r^2 / |q|^2) / distance      slope = s X Z / |q|^2      inverse = s sqrt h Z / |q|^2
@@ -276,7 +277,7 @@ impl SmallOutlines {
 }
 
 impl SmallOutlines {
-    /// Finds the lanes whose spheres have rows among the given rows of the raster.
+    /// Finds the spheres with a row between the first and the last of these rows of the raster.
     #[inline(always)]
     pub(crate) fn rows_meet<S: Simd>(&self, simd: S, axes: &RasterAxes, rows: Range<usize>) -> u64 {
         let load = |x: &Singles| S::f32s::from_slice(simd, &x[..S::f32s::LEN]);
