@@ -1,8 +1,8 @@
 //! The [methods](crate::methods) chosen at run time: single rays, whole pictures, and loops for a
 //! caller that measures their time.
 //!
-//! The loops are compiled for each SIMD level and vectorized by the compiler. No product is fused with
-//! a sum but where a formula says so: every level gives the same bits.
+//! The loops are compiled for each SIMD level and vectorized by the compiler. Products and sums are
+//! fused only where a formula says so: every level gives the same bits.
 
 use std::sync::{Arc, OnceLock};
 
@@ -26,31 +26,31 @@ use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::render::{retrace, trace_as};
 use crate::scene::Scene;
 
-/// The first hit of a ray, by some method.
+/// The first hit of a ray, by one of the methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MethodHit {
     /// The object's index in the scene.
     pub object: u32,
-    /// Place on the ray, in units of the direction's length, widened to `f64`.
+    /// Position on the ray, in units of the direction's length, widened to `f64`.
     pub t: f64,
-    /// The outward normal as the method gives it, `(p + t d - center) / radius` of a sphere, and of
-    /// the length that rounding leaves it.
+    /// The outward normal as the method gives it: `(p + t d - center) / radius` for a sphere, with
+    /// whatever length rounding leaves.
     pub normal: DVec3,
 }
 
-/// The first hits of a raster's pixels, row by row, see [`trace_by`].
+/// The first hits of a raster's pixels, row by row, from [`trace_by`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Traced {
-    /// `t` of the first hit, widened to `f64`; infinite where there is none.
+    /// `t` of each pixel's first hit, widened to `f64`; infinite if there is none.
     pub t: Vec<f64>,
-    /// Index of the object hit, or [`NO_OBJECT`].
+    /// Index of the object that each pixel hits first, or [`NO_OBJECT`].
     pub object: Vec<u32>,
 }
 
-/// Evaluates an expression with the type of a method chosen at run time: `$known` stands for it. The
-/// ladder has expressions of its own, one for each precision of `t`.
+/// Evaluates an expression with the type of a method chosen at run time, for which `$known` stands. The
+/// ladder has its own expressions, one for each precision of `t`.
 macro_rules! with_method {
     (
         $method:expr,
@@ -89,7 +89,7 @@ macro_rules! with_type {
     }};
 }
 
-/// A hit of rounded numbers, with its normal.
+/// Returns a hit in rounded numbers, with its normal.
 fn hit_of_rounded<R: Real>(
     scene: &RoundedScene<R>,
     ray: &RoundedRay<R>,
@@ -102,9 +102,9 @@ fn hit_of_rounded<R: Real>(
     Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
 }
 
-/// Traces the first hit of every pixel of the raster by a method, rows in parallel: each direction
-/// `u*U + v*V - distance*W` in the method's own precision, from the camera's basis rounded to it,
-/// against every object.
+/// Traces the first hit of every pixel of the raster by a method, rows in parallel. Each direction
+/// `u*U + v*V - distance*W` is computed in the method's own precision, from the camera's basis rounded
+/// to that precision, and is intersected with every object.
 pub fn trace_by(method: Method, scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
     with_method!(
         method,
@@ -137,29 +137,30 @@ fn trace_by_known<M: Intersect>(scene: &Scene, camera: &ResolvedCamera, raster: 
     traced
 }
 
-/// A raster traced by one method in one thread, for a caller that measures the time, and single pixels of
-/// it, for closer inspection.
+/// A raster traced by one method in one thread, for a caller that measures the time. Single pixels can
+/// be read for closer inspection.
 ///
-/// The ladder does not keep to one thread: it is [`retrace`], in the current thread pool.
+/// The ladder is an exception: it is [`retrace`], which runs in the current thread pool.
 pub trait FrameKernel: Send + Sync {
-    /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
-    /// memory of its own.
+    /// Traces the whole raster again, from the scene as given to the last pixel's t and object. The
+    /// kernel owns the memory of the result.
     fn trace(&mut self);
 
-    /// The first hit of the raster's `row`th row and `column`th column, the same as in the trace.
+    /// Returns the first hit at the raster's `row`th row and `column`th column, the same as in the
+    /// trace; `None` for a miss.
     ///
     /// # Panics
-    /// Outside the raster.
+    /// Panics if the row or column is outside the raster.
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit>;
 
-    /// Number of decisions that each step of the ladder made in the last trace, and of `t` that each
-    /// found; the ladder alone has steps.
+    /// Returns the number of decisions that each step of the ladder made in the last trace, and of `t`
+    /// that each step computed; `None` for any method but the ladder.
     fn steps(&self) -> Option<[Steps; 2]> {
         None
     }
 }
 
-/// A method's [`FrameKernel`].
+/// Makes a method's [`FrameKernel`].
 pub fn frame_kernel(
     method: Method,
     scene: &Arc<Scene>,
@@ -249,24 +250,25 @@ impl<M: Intersect> FrameKernel for KnownFrame<M> {
     }
 }
 
-/// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that measures
+/// Rays, each with its own scene, intersected by one method in one thread, for a caller that measures
 /// the time.
 pub trait RayKernel: Send + Sync {
-    /// Finds every ray's first hit again, into memory of its own.
+    /// Finds every ray's first hit again. The kernel owns the memory of the result.
     fn intersect(&mut self);
 
-    /// Returns what [`RayKernel::intersect`] found for a ray; nothing before that.
+    /// Returns the hit that [`RayKernel::intersect`] found for a ray; `None` for a miss or before the
+    /// first call.
     fn hit(&self, index: usize) -> Option<MethodHit>;
 
-    /// Number of decisions that each step of the ladder made the last time, and of `t` that each
-    /// found; the ladder alone has steps.
+    /// Returns the number of decisions that each step of the ladder made in the last call, and of `t`
+    /// that each step computed; `None` for any method but the ladder.
     fn steps(&self) -> Option<[Steps; 2]> {
         None
     }
 }
 
-/// A method's [`RayKernel`]; none of [`Method::LadderF32`], which traces frames alone. Scenes and rays
-/// are rounded to the method's precision here, before anything is timed.
+/// Makes a method's [`RayKernel`]; `None` for [`Method::LadderF32`], which traces only frames. Scenes
+/// and rays are rounded to the method's precision here, before anything is timed.
 pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Option<Box<dyn RayKernel>> {
     let kernel: Box<dyn RayKernel> = with_method!(
         method,

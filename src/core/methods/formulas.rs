@@ -7,7 +7,7 @@
 //! a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 //! ```
 //!
-//! They agree in real arithmetic. They differ in what rounding leaves of D.
+//! The formulas agree in real arithmetic. They differ in what rounding leaves of D.
 
 use std::marker::PhantomData;
 
@@ -15,18 +15,18 @@ use crate::methods::number::{Fused, Real, RoundedPlane, RoundedSphere, Vector};
 
 /// A way to intersect rays with a sphere.
 ///
-/// The value holds what all rays of one origin share of the sphere; [`Intersect::first_hit`] is then
-/// asked for each direction. Everything is inlined, and written without branches, so that a loop over
-/// directions can be vectorized.
+/// A value holds the terms that all rays of one origin share for the sphere; [`Intersect::first_hit`] is
+/// then called for each direction. Everything is inlined and written without branches, so that a loop
+/// over directions can be vectorized.
 pub(crate) trait Intersect: Send + Sync + 'static {
     /// The precision of every operation and of the answer.
     type Real: Real;
 
-    /// Computes what the rays from `origin` share of the sphere.
+    /// Computes the terms of the sphere that the rays from `origin` share.
     fn new(sphere: &RoundedSphere<Self::Real>, origin: Vector<Self::Real>) -> Self;
 
-    /// The smallest t > 0 at which the method finds the sphere. Any other value means no hit: infinite,
-    /// NaN, zero or negative; see [`is_hit`].
+    /// Returns the smallest t > 0 at which the method finds the sphere. Any other value means no hit:
+    /// infinite, NaN, zero or negative; see [`is_hit`].
     fn first_hit(&self, direction: Vector<Self::Real>) -> Self::Real;
 }
 
@@ -54,7 +54,7 @@ impl<R: Real> Shared<R> {
     }
 }
 
-/// Returns the smallest of two roots that is a hit; either may be the smaller one, or NaN.
+/// Returns the smaller of two roots that is a hit; the roots may be in either order, or NaN.
 #[inline(always)]
 fn first_of<R: Real>(s: R, t: R) -> R {
     let s = if s > R::ZERO { s } else { R::INFINITY };
@@ -87,7 +87,7 @@ impl<R: Real> Intersect for Textbook<R> {
 
 /// A way to compute `D = b^2 - a c`.
 pub(crate) trait Discriminant<R: Real>: Send + Sync + 'static {
-    /// D from `a`, `b`, `c`, `oc`, the direction and the radius.
+    /// Computes D from `a`, `b`, `c`, `oc`, the direction and the radius.
     fn discriminant(quadratic: &DiscriminantTerms<R>) -> R;
 }
 
@@ -107,7 +107,8 @@ pub(crate) struct DiscriminantTerms<R> {
     pub(crate) radius: R,
 }
 
-/// Both roots by q, see [`Formula::HalfB`](crate::methods::Formula::HalfB); `D` says how D is computed.
+/// Computes the roots by q, see [`Formula::HalfB`](crate::methods::Formula::HalfB); the type `D` says
+/// how D is computed.
 pub(crate) struct ByQ<R, D> {
     shared: Shared<R>,
     discriminant: PhantomData<fn() -> D>,
@@ -132,7 +133,7 @@ impl<R: Real, D: Discriminant<R>> Intersect for ByQ<R, D> {
     }
 }
 
-/// `b^2 - a c` as it stands: the D of [`Formula::HalfB`](crate::methods::Formula::HalfB).
+/// Computes D as `b^2 - a c`, as in [`Formula::HalfB`](crate::methods::Formula::HalfB).
 pub(crate) struct Plain;
 
 impl<R: Real> Discriminant<R> for Plain {
@@ -142,7 +143,7 @@ impl<R: Real> Discriminant<R> for Plain {
     }
 }
 
-/// The D of [`Formula::Kahan`](crate::methods::Formula::Kahan).
+/// Computes D as in [`Formula::Kahan`](crate::methods::Formula::Kahan).
 pub(crate) struct Kahan;
 
 impl<R: Fused> Discriminant<R> for Kahan {
@@ -154,7 +155,7 @@ impl<R: Fused> Discriminant<R> for Kahan {
     }
 }
 
-/// The D of [`Formula::Perpendicular`](crate::methods::Formula::Perpendicular).
+/// Computes D as in [`Formula::Perpendicular`](crate::methods::Formula::Perpendicular).
 pub(crate) struct Perpendicular;
 
 impl<R: Real> Discriminant<R> for Perpendicular {
@@ -167,7 +168,7 @@ impl<R: Real> Discriminant<R> for Perpendicular {
     }
 }
 
-/// The D of [`Formula::Lagrange`](crate::methods::Formula::Lagrange).
+/// Computes D as in [`Formula::Lagrange`](crate::methods::Formula::Lagrange).
 pub(crate) struct Lagrange;
 
 impl<R: Real> Discriminant<R> for Lagrange {
@@ -233,24 +234,24 @@ impl<R: Real> Intersect for Recentred<R> {
     }
 }
 
-/// A plane by the textbook: `t = n.(q - p) / n.d`, which all methods but the ladder use.
+/// The textbook's plane intersection, `t = n.(q - p) / n.d`, which all methods but the ladder use.
 ///
 /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2, section 2.2.
 ///
-/// Fails where n.d loses its digits, because the ray is nearly parallel to the plane.
+/// The formula fails where n.d loses its digits, because the ray is nearly parallel to the plane.
 pub(crate) struct PlaneByTextbook<R> {
     normal: Vector<R>,
     offset: R,
 }
 
 impl<R: Real> PlaneByTextbook<R> {
-    /// Computes what the rays from `origin` share of the plane.
+    /// Computes the terms of the plane that the rays from `origin` share.
     #[inline(always)]
     pub(crate) fn new(plane: &RoundedPlane<R>, origin: Vector<R>) -> Self {
         PlaneByTextbook { normal: plane.normal, offset: plane.normal.dot(plane.point - origin) }
     }
 
-    /// Returns `t` as [`Intersect::first_hit`] does.
+    /// Returns `t`, by the same convention as [`Intersect::first_hit`].
     #[inline(always)]
     pub(crate) fn first_hit(&self, direction: Vector<R>) -> R {
         self.offset / self.normal.dot(direction)

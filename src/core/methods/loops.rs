@@ -1,4 +1,4 @@
-//! Whole frames and lists of rays by one [method](crate::methods), each loop compiled for it alone.
+//! Whole frames and lists of rays by a [method](crate::methods), each loop compiled for one method.
 //!
 //! These pictures show the errors of a method, so every pixel's ray is intersected with every object: no
 //! bounds are computed, and nothing is left out.
@@ -9,13 +9,13 @@ use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedScene, Round
 use crate::render::frame::{NO_OBJECT, Raster};
 use crate::scene::Scene;
 
-/// The view rays of a raster in a method's precision: direction `u*U + (v*V - distance*W)`, every
-/// operation rounded to it, and the camera's basis, viewport and eye rounded to it first.
+/// The view rays of a raster in a method's precision. The camera's basis, viewport and eye are rounded
+/// to the precision first, and so is every operation of a direction `u*U + (v*V - distance*W)`.
 pub(crate) struct ViewRays<R> {
     pub(crate) origin: Vector<R>,
-    /// `u*U` of each column, coordinate by coordinate.
+    /// The term `u*U` of each column, coordinate by coordinate.
     column_terms: [Vec<R>; 3],
-    /// `v*V - distance*W` of each row.
+    /// The term `v*V - distance*W` of each row.
     row_terms: Vec<Vector<R>>,
 }
 
@@ -50,7 +50,7 @@ impl<R: Real> ViewRays<R> {
         }
     }
 
-    /// The ray of the raster's `row`th row and `column`th column.
+    /// Returns the ray of the raster's `row`th row and `column`th column.
     pub(crate) fn ray(&self, row: usize, column: usize) -> RoundedRay<R> {
         let [x, y, z] = &self.column_terms;
         let part = Vector { x: x[column], y: y[column], z: z[column] };
@@ -58,7 +58,7 @@ impl<R: Real> ViewRays<R> {
     }
 }
 
-/// The parts that all rows of a frame share.
+/// The data that all rows of a frame share.
 pub(crate) struct FrameBy<M: Intersect> {
     pub(crate) rays: ViewRays<M::Real>,
     spheres: Vec<M>,
@@ -73,8 +73,8 @@ pub(crate) struct Row<R> {
 }
 
 impl<R: Real> Row<R> {
-    /// Intersects every pixel's ray with one object. Objects come in ascending order, so that requiring a
-    /// nearer hit keeps the first of equals; NaN is nearer than nothing.
+    /// Intersects every pixel's ray with one object. Objects come in ascending order, so an object wins
+    /// only if its hit is strictly nearer, and the first of equals is kept; NaN is never nearer.
     #[inline(always)]
     fn ask(&mut self, object: u32, first_hit: impl Fn(Vector<R>) -> R) {
         let [x, y, z] = &self.directions;
@@ -131,7 +131,7 @@ impl<M: Intersect> FrameBy<M> {
     }
 }
 
-/// The first hit of a rounded ray among rounded objects.
+/// Returns the first hit of a rounded ray among rounded objects, or `None` if there is none.
 #[inline(always)]
 pub(crate) fn first_hit<M: Intersect>(
     scene: &RoundedScene<M::Real>,

@@ -1,9 +1,9 @@
-//! The known ways to intersect rays with spheres, side by side: named, sourced, each in `f32` and `f64`.
-//! They serve comparison and teaching; pictures are made by [`Method::Ladder`] unless the caller chooses
-//! another method to show its errors.
+//! The known ways to intersect rays with spheres, for comparison and teaching: each is named and
+//! sourced, and can be computed in `f32` and `f64`. Pictures are made by [`Method::Ladder`] unless the
+//! caller chooses another method to show its errors.
 //!
-//! [`Formula`] has each formula with its source and where it fails; [`Method`] is the choice among
-//! them and the ladder at run time. The loops over pixels and rays are compiled for each of them.
+//! [`Formula`] has each formula with its source; [`Method`] is the choice, at run time, between the
+//! ladder and the formulas. The loops over pixels and rays are compiled for each method.
 //!
 //! ```
 //! use pinhole_core::methods::{Method, ray_kernel};
@@ -40,8 +40,8 @@ mod number;
 /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 /// ```
 ///
-/// They agree in real arithmetic. They differ in what rounding leaves of D; where each fails,
-/// [`Method::about`] says. A plane is met by the textbook's `t = n.(q - p) / n.d` in all of them
+/// The formulas agree in real arithmetic. They differ in what rounding leaves of D; [`Method::about`]
+/// says where each formula fails. For planes, all of them use the textbook's `t = n.(q - p) / n.d`
 /// (Glassner, section 2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
@@ -50,8 +50,8 @@ pub enum Formula {
     /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
     /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
     Textbook,
-    /// Half the linear coefficient, and the roots `q / a` and `c / q` with
-    /// `q = -(b + sign(b) sqrt D)`, in which nothing cancels but what is in `D = b^2 - a c`.
+    /// Half-b: the quadratic with half the linear coefficient, and the roots `q / a` and `c / q` with
+    /// `q = -(b + sign(b) sqrt D)`. Nothing cancels except in `D = b^2 - a c`.
     ///
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
@@ -89,7 +89,7 @@ pub enum Formula {
     Lagrange,
 }
 
-/// The precision that every operation is rounded to.
+/// The precision to which a method rounds every operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Precision {
     /// 24 binary digits.
@@ -103,21 +103,21 @@ pub enum Precision {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "String", into = "&'static str"))]
 pub enum Method {
-    /// The steps that this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
+    /// The steps by which this crate decides: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).
     Ladder,
-    /// The same steps with `t` in `f32`, as pictures are made: [`trace_as::<f32>`](crate::trace_as). It
-    /// traces whole frames, not single rays.
+    /// The ladder with `t` in `f32`, as pictures are made: [`trace_as::<f32>`](crate::trace_as). This
+    /// method traces whole frames, not single rays.
     LadderF32,
-    /// [`Formula::HalfB`] in double-double, rounded at the end: no filter, no exact step.
+    /// [`Formula::HalfB`] in double-double, rounded at the end, with no filter and no exact step.
     DoubleDouble,
-    /// A known formula, every operation in one precision, no error bound.
+    /// A known formula, every operation in one precision, with no error bound.
     Known(Formula, Precision),
 }
 
 impl Method {
-    /// All methods for any ray: the ladder, double-double, then the known formulas, from the plainest
-    /// on, `f32` first.
+    /// All methods for single rays: the ladder, double-double, then the known formulas, beginning with
+    /// the plainest, `f32` before `f64`.
     pub const ALL: &'static [Method] = {
         use Formula::*;
         use Precision::*;
@@ -141,22 +141,22 @@ impl Method {
         ]
     };
 
-    /// All methods for whole frames: [`Method::LadderF32`], then [`Method::ALL`].
+    /// Returns all methods for whole frames: [`Method::LadderF32`], then [`Method::ALL`].
     pub fn of_frames() -> impl Iterator<Item = Method> {
         std::iter::once(Method::LadderF32).chain(Method::ALL.iter().copied())
     }
 
-    /// The name in commands, files and tables.
+    /// Returns the method's name in commands, files and tables.
     pub fn name(self) -> &'static str {
         self.facts()[0]
     }
 
-    /// The method of this name.
+    /// Returns the method of this name, or `None` if there is none.
     pub fn from_name(name: &str) -> Option<Method> {
         Method::of_frames().find(|method| method.name() == name)
     }
 
-    /// The precision of the answer, in whose ulps its error is counted.
+    /// Returns the precision of the answer, in whose ulps its error is measured.
     pub fn precision(self) -> Precision {
         match self {
             Method::Known(_, precision) => precision,
@@ -165,7 +165,7 @@ impl Method {
         }
     }
 
-    /// Book or paper, in one line.
+    /// Returns the book or paper that the method is from, in one line.
     pub fn source(self) -> &'static str {
         self.facts()[1]
     }
@@ -175,7 +175,7 @@ impl Method {
         self.facts()[2]
     }
 
-    /// Name, source, and what it does and where it fails.
+    /// Returns the name, the source, and a description of the method and where it fails.
     fn facts(self) -> [&'static str; 3] {
         match self {
             Method::Ladder => [
@@ -220,7 +220,8 @@ impl TryFrom<String> for Method {
 }
 
 impl Formula {
-    /// Names in `f32` and in `f64`, source, and what it does and where it fails.
+    /// Returns the names in `f32` and in `f64`, the source, and a description of the formula and where
+    /// it fails.
     fn facts(self) -> ([&'static str; 2], &'static str, &'static str) {
         match self {
             Formula::Textbook => (

@@ -1,4 +1,4 @@
-//! The numbers that the [methods](crate::methods) compute in, and vectors of them.
+//! The kinds of numbers in which the [methods](crate::methods) compute, and vectors of such numbers.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 
-/// A floating-point number that a method computes in. Every operation rounds to it.
+/// A floating-point number in which a method computes. Every operation rounds to this precision.
 pub(crate) trait Real:
     Copy
     + PartialOrd
@@ -25,22 +25,22 @@ pub(crate) trait Real:
     + 'static
 {
     const ZERO: Self;
-    /// The `t` of no hit yet, beyond every number.
+    /// The `t` that stands for no hit, greater than every number.
     const INFINITY: Self;
 
-    /// The nearest number of this precision.
+    /// Returns the nearest number of this precision.
     fn from_f64(x: f64) -> Self;
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// The square root, NaN of a negative number.
+    /// Returns the square root, NaN for a negative number.
     fn sqrt(self) -> Self;
-    /// `|self|` with the sign of `sign`.
+    /// Returns `|self|` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
 }
 
 /// A number with a fused multiply-add.
 pub(crate) trait Fused: Real {
-    /// `self * factor + term`, rounded once.
+    /// Returns `self * factor + term`, rounded once.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 }
 
@@ -109,7 +109,7 @@ impl Real for DoubleDouble {
     }
 }
 
-/// Compares by value; nothing compares with NaN.
+/// Compares by value; NaN is not comparable.
 impl PartialOrd for DoubleDouble {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
@@ -139,13 +139,13 @@ pub(crate) struct Vector<R> {
 }
 
 impl<R: Real> Vector<R> {
-    /// The nearest vector of this precision.
+    /// Returns the nearest vector of this precision.
     #[inline(always)]
     pub(crate) fn rounded(v: DVec3) -> Self {
         Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
     }
 
-    /// The nearest vector of `f64`.
+    /// Returns the nearest vector of `f64`.
     pub(crate) fn to_f64(self) -> DVec3 {
         DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }
@@ -212,7 +212,7 @@ impl<R: Real> RoundedRay<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RoundedSphere<R> {
     pub(crate) center: Vector<R>,
-    /// The radius; one too small for the precision is 0.
+    /// The radius; 0 if it is too small for the precision.
     pub(crate) radius: R,
 }
 
@@ -223,7 +223,7 @@ pub(crate) struct RoundedPlane<R> {
     pub(crate) normal: Vector<R>,
 }
 
-/// A [`Scene`] rounded to a method's precision, objects counted as there.
+/// A [`Scene`] rounded to a method's precision; objects are counted as in the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RoundedScene<R> {
     pub(crate) spheres: Vec<RoundedSphere<R>>,
@@ -237,8 +237,8 @@ impl<R: Real> RoundedSphere<R> {
         RoundedSphere { center: Vector::rounded(center), radius: R::from_f64(radius) }
     }
 
-    /// The outward unit normal where the ray meets the sphere at t, as courses have it:
-    /// `(p + t d - center) / radius`.
+    /// Returns the outward unit normal where the ray meets the sphere at t, by the formula taught in
+    /// courses: `(p + t d - center) / radius`.
     pub(crate) fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
         let point = ray.origin + ray.direction.times(t);
         (point - self.center).divided_by(self.radius)
@@ -251,7 +251,7 @@ impl<R: Real> RoundedPlane<R> {
         RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
     }
 
-    /// The unit normal, `n / |n|`.
+    /// Returns the unit normal, `n / |n|`.
     pub(crate) fn unit_normal(&self) -> Vector<R> {
         self.normal.divided_by(self.normal.dot(self.normal).sqrt())
     }

@@ -1,12 +1,12 @@
-//! How surely a ray's first hit is decided: which step of the ladder it took, and with how many bits
-//! to spare.
+//! The certainty with which a ray's first hit is decided: the step of the ladder that was needed, and
+//! the margin in bits.
 //!
-//! Every decision is the sign of a number that is known within a bound. What a pixel shows rests on
-//! one statement for each object: the first one *is hit*, each other one is *not hit before it*. A
-//! statement may need several decisions, and is as sure as the least sure of them; it may follow in
-//! several ways, and is as sure as the surest of those. So a sphere is hit if it is met and ahead of
-//! the eye, and is not hit first if the line misses it, or it is behind the eye, or its root comes
-//! later. All of a pixel is as sure as its least sure statement.
+//! Every decision is the sign of a number that is known within a bound. A pixel's answer rests on one
+//! statement for each object: the first object *is hit*, and each other object is *not hit before it*. A
+//! statement that needs several decisions is as certain as the least certain of them; a statement that
+//! follows in several ways is as certain as the most certain of them. A sphere is hit if the line meets
+//! it and it is ahead of the eye; it is not hit first if the line misses it, or it is behind the eye, or
+//! its root comes later. A pixel's answer is as certain as its least certain statement.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -48,10 +48,10 @@ use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 pub struct Certificate {
     /// The highest step that a decision needed.
     pub step: Step,
-    /// The least margin of the decisions made at that step, in bits: 0 at [`Step::Exact`], and no
-    /// more than [`Certificate::MOST`].
+    /// The least margin of the decisions made at that step, in bits: 0 at [`Step::Exact`], and at most
+    /// [`Certificate::MOST`].
     pub margin: f64,
-    /// The decision that has this margin; `None` where that is [`Certificate::MOST`].
+    /// The decision with the least margin; `None` if the margin is [`Certificate::MOST`].
     pub hardest: Option<Hardest>,
 }
 
@@ -63,7 +63,7 @@ pub struct Hardest {
     pub question: Question,
     /// The object that the question is about.
     pub object: u32,
-    /// The bound of the error, as a share, in the unit of [`Question`]; of [`Step::Exact`], that of
+    /// The relative error bound, in the unit of [`Question`]; at [`Step::Exact`], the bound of
     /// double-double, which did not suffice.
     pub bound: f64,
 }
@@ -81,8 +81,8 @@ pub enum Question {
     /// Whether a sphere's centre is ahead: `q.d / (|q| |d|)`; or whether the ray looks along a
     /// plane's normal or against it: `n.d / (|n| |d|)`.
     Ahead,
-    /// Whether the object is hit after the one that is first: the difference of both t, as a share
-    /// of their sum.
+    /// Whether the object is hit after the first one: the difference of the two `t`, divided by their
+    /// sum.
     Order,
 }
 
@@ -95,14 +95,15 @@ struct Bounded {
 }
 
 impl Certificate {
-    /// The largest margin reported, in bits; also the margin where there is nothing to decide. The error
-    /// could be ten trillion times as large, and no decision would change.
+    /// The largest margin reported, in bits; also the margin where there is nothing to decide. An error
+    /// ten trillion times as large would change no decision.
     pub const MOST: f64 = 44.0;
 
     const SURE: Certificate =
         Certificate { step: Step::F64, margin: Certificate::MOST, hardest: None };
 
-    /// Returns the decision that a value makes, if the value is beyond its bound.
+    /// Returns the certificate of a decision by a value's sign, or `None` if the value is within its
+    /// error bound.
     fn decided(step: Step, object: u32, bounded: &Bounded) -> Option<Certificate> {
         let Bounded { question, value, bound, unit } = *bounded;
         (value.abs() > bound).then(|| {
@@ -115,14 +116,14 @@ impl Certificate {
         })
     }
 
-    /// Returns a decision that only integers could make.
+    /// Returns the certificate of a decision that only integers could make.
     fn exact(question: Question, object: u32, bound: f64) -> Certificate {
         let hardest = Some(Hardest { question, object, bound });
         Certificate { step: Step::Exact, margin: 0.0, hardest }
     }
 
-    /// Compares how sure two certificates are: a lower step is surer and, at the same step, a larger
-    /// margin.
+    /// Compares the certainty of two certificates: a lower step is more certain and, at the same step, a
+    /// larger margin.
     fn compare(&self, other: &Certificate) -> Ordering {
         self.step.cmp(&other.step).then(other.margin.total_cmp(&self.margin))
     }
@@ -138,16 +139,17 @@ impl Certificate {
     }
 }
 
-/// Returns the strongest of the certificates that are known.
+/// Returns the strongest of the certificates that are known, or `None` if none is.
 fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate> {
     ways.into_iter().flatten().reduce(Certificate::or)
 }
 
-/// Returns how near a line must come to a sphere whose margin may be less than this many bits, as a share
-/// `s` of the sphere's distance.
+/// Pairs `(s, bits)`: a line that passes a sphere at more than `s` times the sphere's distance misses it
+/// with a margin of at least that many bits.
 ///
-/// With m the distance of the line from the centre, `m - r > 2 s |q|` of one that is passed by
-/// farther than that. Then `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`; and D's bound is below
+/// With m the distance of the line from the centre, `m - r > 2 s |q|` for a sphere passed at a greater
+/// distance. Then `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`; and D's bound is below
+/// `26 u |d|^2 |q| m` in either form, where d is known to little more than u.
 /// `26 u |d|^2 |q| m` in either form, where d is known to little more than u.
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
@@ -215,7 +217,7 @@ fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     found
 }
 
-/// Returns the certainty that this hit is the first one among these spheres and all planes.
+/// Returns the certainty that a hit is the first one among the given spheres and all planes.
 pub(crate) fn certificate_among(
     objects: &ObjectsFromOrigin,
     ray: &ExactRay,
@@ -240,8 +242,8 @@ pub(crate) fn certificate_among(
     all
 }
 
-/// Returns whether `f64` alone decides that the ray misses the sphere, with at least this certainty. This
-/// settles most spheres for most rays, at a tenth of the cost of the rest.
+/// Returns whether `f64` alone decides that the ray misses the sphere, with at least the certainty
+/// `than`. The test settles most spheres for most rays, at a tenth of the cost of the others.
 fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     let Some(parts) = SphereFromOrigin::rough_terms(sphere, ray.origin()) else { return false };
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } =
@@ -302,7 +304,7 @@ fn is_not_first(
     }
 }
 
-/// Certifies this for a sphere whose hit may surely be later.
+/// Certifies that a sphere is not hit before the ray's first hit, if its hit may surely be later.
 fn sphere_is_not_first(
     hit: &Hit,
     sphere: &SphereFromOrigin,
@@ -410,8 +412,8 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     Certificate::decided(Step::F64, hit.index, &bounded).filter(|_| t > first_t)
 }
 
-/// `t` in `f64` and how far it may be off, as a share. Where the line only may meet a sphere, both
-/// roots are near `b / a` if they are there at all:
+/// Returns `t` in `f64` and its relative error; `None` where it is out of range. If the line may or may
+/// not meet a sphere, the roots, if they exist, are near `b / a`:
 ///
 /// ```text
 /// |t - b / a| <= sqrt(D + bound of D) / a
@@ -432,7 +434,7 @@ fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
 }
 
-/// Certifies the order of two hits that `f64` cannot decide.
+/// Certifies the order of two hits where `f64` cannot decide it.
 fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
     let Some(first) = first else { return Certificate::SURE };
     let (t, first_t) = (hit.object.t(ray, hit.root), first.object.t(ray, first.root));

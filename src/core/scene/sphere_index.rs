@@ -12,10 +12,10 @@ use rayon::prelude::*;
 use crate::exact::scale::exponent;
 use crate::scene::sphere::Sphere;
 
-/// The id of a slot that holds no sphere of its own.
+/// The id of an empty slot.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
-/// Spheres side by side, as many as a vector has lanes: x, y and z of the centres, and the radii.
+/// A column view of spheres for SIMD: x, y and z of the centres, and the radii.
 pub(crate) type SphereSlots<'a> = [&'a [f64]; 4];
 
 fn columns_of(sphere: &Sphere) -> [f64; 4] {
@@ -26,25 +26,25 @@ fn columns_of(sphere: &Sphere) -> [f64; 4] {
 /// box around it.
 ///
 /// Spheres of one block, and of one group, have radii of the same power of 4 and lie together, until
-/// [one is replaced](SphereIndex::replace). Slots of a block that no sphere is left for repeat the
-/// block's first one; their id is [`NO_SPHERE`], and block and group do not count them.
+/// [one is replaced](SphereIndex::replace). Empty slots at the end of a block repeat the block's first
+/// sphere; their id is [`NO_SPHERE`], and the bounds of block and group do not count them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SphereIndex {
     /// x, y and z of the centres and the radii, slot by slot.
     pub(crate) columns: [Vec<f64>; 4],
-    /// The sphere of the scene in the slot; [`NO_SPHERE`] where the slot only fills up.
+    /// The scene's index of the sphere in each slot; [`NO_SPHERE`] for an empty slot.
     pub(crate) ids: Vec<u32>,
     /// The slot of each sphere of the scene.
     slot_of: Vec<u32>,
     pub(crate) blocks: Vec<Bound>,
     pub(crate) groups: Vec<Bound>,
-    /// The first block of each group; at the end, the number of blocks.
+    /// The first block of each group, followed by the number of blocks.
     first_block: Vec<u32>,
 }
 
 impl SphereIndex {
-    /// The index of these spheres, each of which passes [`Sphere::check`]: O(n log n), two halves of
-    /// the spheres at a time. The same for any number of threads.
+    /// Makes the index of spheres, each of which passes [`Sphere::check`], in O(n log n), two halves of
+    /// the spheres at a time. The result is the same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
         let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
@@ -77,7 +77,7 @@ impl SphereIndex {
         index
     }
 
-    /// Puts another sphere in place of one, wherever it lies: O([`BLOCK`] + [`GROUP`]).
+    /// Replaces a sphere by another one anywhere in space, in O([`BLOCK`] + [`GROUP`]).
     pub(crate) fn replace(&mut self, index: u32, sphere: &Sphere) {
         let slot = self.slot_of[index as usize] as usize;
         self.put(slot, sphere);
@@ -93,30 +93,30 @@ impl SphereIndex {
         self.groups[group] = self.bound_of_group(group);
     }
 
-    /// The blocks of a group.
+    /// Returns the range of a group's blocks.
     pub(crate) fn blocks_of(&self, group: usize) -> Range<usize> {
         self.first_block[group] as usize..self.first_block[group + 1] as usize
     }
 
-    /// The spheres of some slots.
+    /// Returns the spheres of some slots.
     pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
         let [x, y, z, radius] = &self.columns;
         [&x[slots.clone()], &y[slots.clone()], &z[slots.clone()], &radius[slots]]
     }
 
-    /// One slot's sphere.
+    /// Returns one slot's sphere.
     pub(crate) fn sphere(&self, slot: usize) -> Sphere {
         let [x, y, z, radius] = self.columns.each_ref().map(|column| column[slot]);
         Sphere { center: DVec3::new(x, y, z), radius }
     }
 
-    /// The slots of a block.
+    /// Returns the range of a block's slots.
     pub(crate) fn slots_of(block: usize) -> Range<usize> {
         block * BLOCK..(block + 1) * BLOCK
     }
 
-    /// Returns the spheres for which `may` is true of their group, their block and themselves, each given
-    /// by the middle and the half extents of its box, in ascending order.
+    /// Returns the spheres for which `may` is true of the sphere, its block and its group, in ascending
+    /// order. `may` is given the centre and the half extents of a box.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
         let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
@@ -165,11 +165,12 @@ impl SphereIndex {
     }
 }
 
-/// A box with bounds of the spheres inside.
+/// A box around spheres, with totals of the spheres inside.
 ///
-/// On each axis the box is `middle - half ..= middle + half`, in real numbers and rounded alike: what
-/// is inside lies between the two whichever way they are computed. A half extent is infinite where
-/// it is beyond the range of `f64`; nothing else is but the sum of squares, and nothing is NaN.
+/// On each axis the box is `middle - half ..= middle + half`, in real numbers and in rounded ones:
+/// whatever is inside lies between the ends whichever way the ends are computed. A half extent is
+/// infinite where it is beyond the range of `f64`. Apart from half extents only the sum of squares may
+/// be infinite, and nothing is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bound {
     pub(crate) middle: [f64; 3],
@@ -187,14 +188,14 @@ impl Bound {
     pub(crate) const EMPTY: Bound =
         Bound { middle: [0.0; 3], half: [0.0; 3], area: 0.0, radius: 0.0, count: 0 };
 
-    /// The box of a sphere, not rounded outward: for [`Bound::around`].
+    /// Returns the box of a sphere, not rounded outward: for [`Bound::around`].
     pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
         let Sphere { center, radius } = *sphere;
         let (middle, half) = (center.to_array(), [radius; 3]);
         Bound { middle, half, area: radius * radius, radius, count: 1 }
     }
 
-    /// The box around all of these.
+    /// Returns the box around boxes.
     pub(crate) fn around(boxes: impl Iterator<Item = Bound>) -> Bound {
         let mut all = Bound::EMPTY;
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
@@ -218,18 +219,18 @@ impl Bound {
     }
 }
 
-/// `(middle, half)` with `middle - half <= low` and `high <= middle + half`.
+/// Returns `(middle, half)` with `middle - half <= low` and `high <= middle + half`.
 fn middle_and_half((low, high): (f64, f64)) -> (f64, f64) {
     // Halved before the sum, which then cannot overflow.
     let middle = 0.5 * low.max(f64::MIN) + 0.5 * high.min(f64::MAX);
     (middle, (high - middle).max(middle - low).next_up())
 }
 
-/// Number of spheres from which there is an index over them: for fewer, examining each is as fast.
+/// Least number of spheres that get an index: fewer are examined one by one as fast.
 pub(crate) const INDEX_FROM: usize = 256;
 
-/// Checked spheres, with an index that is made when first needed and kept. The index adds no information to
-/// the spheres.
+/// Checked spheres, with an index that is made when first needed and kept. The index is derived from the
+/// spheres alone.
 #[derive(Clone, Default)]
 pub(crate) struct Spheres {
     list: Vec<Sphere>,
@@ -245,7 +246,7 @@ impl Spheres {
         &self.list
     }
 
-    /// The index; `None` of fewer than [`INDEX_FROM`].
+    /// Returns the index, or `None` if there are fewer than [`INDEX_FROM`] spheres.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         if self.list.len() < INDEX_FROM {
             return None;
@@ -258,7 +259,7 @@ impl Spheres {
         self.index.get()
     }
 
-    /// Puts a checked sphere in place of another one.
+    /// Replaces a sphere by another checked one.
     pub(crate) fn replace(&mut self, index: u32, sphere: Sphere) {
         self.list[index as usize] = sphere;
         if let Some(known) = self.index.get_mut() {
@@ -279,31 +280,31 @@ impl fmt::Debug for Spheres {
     }
 }
 
-/// Slots in a block.
+/// Number of slots in a block.
 pub(crate) const BLOCK: usize = 16;
 
-/// Blocks in a group at most.
+/// Maximum number of blocks in a group.
 pub(crate) const GROUP: usize = 64;
 
-/// A sphere's centre and number, which is all that is moved while ordering.
+/// A sphere's centre and index: the data moved while ordering.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
     pub(crate) center: [f64; 3],
     pub(crate) id: u32,
 }
 
-/// Number of spheres from which on the two halves of a split may be ordered by two threads.
+/// Number of spheres from which the two halves of a split may be ordered by two threads.
 const SHARED_FROM: usize = 8192;
 
-/// Classes that radii from 2^-1074 to 2^1024 fall into.
+/// Number of size classes, for radii from 2^-1074 to 2^1024.
 const CLASSES: usize = (1074 + 1024) / 2;
 
-/// A radius's size class: the power of 4 that it has reached.
+/// Returns a radius's size class: the largest power of 4 not above the radius.
 fn class_of(radius: f64) -> usize {
     ((exponent(radius) + 1074) / 2) as usize
 }
 
-/// All spheres in the order of the index, and the ranges of the size classes.
+/// Returns all spheres in the order of the index, and the ranges of the size classes.
 ///
 /// Within a class, halves by the median along the longest axis of the centres; each cut lies at a
 /// whole number of groups, within a group at a whole number of blocks, so that only the last block
@@ -354,12 +355,12 @@ fn split(keys: &mut [Key]) {
     }
 }
 
-/// Brings the `middle` smallest of an axis to the front.
+/// Moves the `middle` smallest keys along an axis to the front.
 fn select<const AXIS: usize>(keys: &mut [Key], middle: usize) {
     keys.select_nth_unstable_by(middle, |a, b| a.center[AXIS].total_cmp(&b.center[AXIS]));
 }
 
-/// The axis along which the centres are spread the widest.
+/// Returns the axis along which the centres are spread the widest.
 fn longest_axis(keys: &[Key]) -> usize {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for key in keys {

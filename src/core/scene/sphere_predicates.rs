@@ -26,7 +26,7 @@ pub(crate) enum RootSide {
 }
 
 impl RootSide {
-    /// The sign of the square root in `t = (b -+ sqrt D) / a`.
+    /// Returns the sign of the square root in `t = (b -+ sqrt D) / a`.
     fn sign(self) -> Ordering {
         match self {
             RootSide::Near => Ordering::Less,
@@ -35,18 +35,18 @@ impl RootSide {
     }
 }
 
-/// The numbers that the rays of one origin share of a sphere; lengths in units of `2^scale`.
+/// The numbers of a sphere that all rays of one origin share; lengths are in units of `2^scale`.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereFromOrigin {
     sphere: Sphere,
     pub(crate) fine: SphereTerms<DoubleDouble>,
     pub(crate) rough: SphereTerms<f64>,
-    /// c in units of `2^(2 scale)`, where [`PointPower::tiny`] has it.
+    /// c in units of `2^(2 scale)`; `Some` if [`PointPower::tiny`] is.
     tiny_c: Option<Precise>,
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
-    /// The step that decided it.
+    /// The step that decided the side.
     pub(crate) side_step: Step,
 }
 
@@ -84,7 +84,8 @@ impl SphereFromOrigin {
         SphereFromOrigin { sphere: *sphere, fine, rough, tiny_c: c.tiny, scale, side, side_step }
     }
 
-    /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
+    /// Returns the terms in `f64` of a sphere that is seen from well outside, at ordinary lengths;
+    /// `None` for any other sphere.
     pub(crate) fn rough_terms(sphere: &Sphere, origin: DVec3) -> Option<SphereTerms<f64>> {
         let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
@@ -104,7 +105,7 @@ impl SphereFromOrigin {
     /// Returns whether `f64` alone decides that the ray misses the sphere, or hits it after `nearest`. This
     /// settles most spheres of a scene for most rays, at a tenth of the cost of the rest.
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
-        /// `t` that is off by less is compared as it is.
+        /// Maximum relative error of a `t` that may be compared with `nearest`.
         const SHARE: f64 = 1e-6;
         let Some(parts) = SphereFromOrigin::rough_terms(sphere, ray.origin()) else {
             return false;
@@ -119,8 +120,8 @@ impl SphereFromOrigin {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// The sign of D: `Less` where the ray's line misses the sphere, `Equal` where it touches it,
-    /// `Greater` where it crosses it.
+    /// Returns the sign of D: `Less` where the ray's line misses the sphere, `Equal` where it touches
+    /// it, `Greater` where it crosses it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -139,7 +140,7 @@ impl SphereFromOrigin {
         big.meets(&big.quadratic(&self.sphere))
     }
 
-    /// Finds whether the centre lies ahead: the sign of b, of a line that meets the sphere.
+    /// Returns the sign of b, for a line that meets the sphere: whether the centre lies ahead.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
         let rough = Quadratic::new(&self.rough, &ray.rough);
@@ -156,7 +157,7 @@ impl SphereFromOrigin {
         big.is_ahead(&big.quadratic(&self.sphere))
     }
 
-    /// Finds the root that the ray hits first: the smallest `t > 0`.
+    /// Finds the root that the ray hits first: the smallest `t > 0`. Returns `None` if there is none.
     pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -173,8 +174,8 @@ impl SphereFromOrigin {
         if self.side == Ordering::Greater { RootSide::Near } else { RootSide::Far }
     }
 
-    /// `t` at a root of a chord that is there, with a relative error of at most `doubt`, and the
-    /// step that it took.
+    /// Returns `t` at a root of a line that meets the sphere, with a relative error of at most `doubt`,
+    /// and the step that computed it.
     pub(crate) fn t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> (Precise, Step) {
         if self.side == Ordering::Equal && self.is_origin(ray, root) {
             return (Precise::ZERO, Step::DoubleDouble);
@@ -186,8 +187,8 @@ impl SphereFromOrigin {
         (ray.big().t(&self.big_root(ray, root)), Step::Exact)
     }
 
-    /// `t` at a root of a chord that is there, rounded to the nearest `f64`, where double-double knows
-    /// which one that is.
+    /// Returns `t` at a root of a line that meets the sphere, rounded to the nearest `f64`; `None` if
+    /// double-double does not suffice to find which one that is.
     pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> Option<f64> {
         if self.side == Ordering::Equal {
             return None;
@@ -200,8 +201,8 @@ impl SphereFromOrigin {
         (t.rounds_surely(off) && is_normal).then_some(rounded)
     }
 
-    /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
-    /// and `2 b / a`.
+    /// Returns whether a root is the origin itself. For an origin on the sphere, the roots are 0 and
+    /// `2 b / a`.
     fn is_origin(&self, ray: &ExactRay, root: RootSide) -> bool {
         match self.ahead(ray, &mut Steps::default()) {
             Ordering::Equal => true,
@@ -210,15 +211,15 @@ impl SphereFromOrigin {
         }
     }
 
-    /// `t` in double-double, where its relative error is at most `doubt`; in units of
-    /// `2^(scale of the sphere - scale of the ray) / stretch`.
+    /// Returns `t` in double-double, in units of `2^(scale of the sphere - scale of the ray) / stretch`;
+    /// `None` where its relative error is above `doubt`.
     fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<Precise> {
         let (t, off) = self.fine_root(ray, root)?;
         (off <= doubt).then_some(t)
     }
 
-    /// `t` in double-double with its relative error, in the same units; `None` where D may be 0, or t
-    /// loses digits to its range.
+    /// Returns `t` in double-double and its relative error, in the units of
+    /// [`SphereFromOrigin::fine_t`]; `None` where D may be 0, or t loses digits to its range.
     fn fine_root(&self, ray: &ExactRay, root: RootSide) -> Option<(Precise, f64)> {
         let (quadratic, is_far) = (Quadratic::new(&self.fine, &ray.fine), root == RootSide::Far);
         let (t, off, scale) = match self.tiny_c {
@@ -236,19 +237,21 @@ impl SphereFromOrigin {
         (1e-250..1e250).contains(&t.hi.abs()).then_some((Precise::new(t, scale), off))
     }
 
-    /// `t` in `f64` with its relative error, in the same units.
+    /// Returns `t` in `f64` and its relative error, in the units of [`SphereFromOrigin::fine_t`]; `None`
+    /// where D may be 0.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
     }
 
-    /// The root in exact numbers.
+    /// Returns the root in exact numbers.
     pub(crate) fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
         let big = ray.big();
         let quadratic = big.quadratic(&self.sphere);
         big.root(quadratic, root.sign())
     }
 
-    /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
+    /// Returns the outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16
+    /// rad.
     pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
         // t d is off by this share of its length, about |q|; a radius small against that needs more.
         let reach = self.fine.distance + self.fine.radius.hi;
@@ -270,8 +273,8 @@ impl SphereFromOrigin {
         }))
     }
 
-    /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
-    /// it is exactly 0, and has its right sign.
+    /// Returns the quadratic's coefficients, rounded, in units of the ray's and the sphere's scales. D
+    /// has its exact sign; it is 0 only where it is exactly 0.
     pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
         let fine = Quadratic::new(&self.fine, &ray.fine);
         let discriminant = match self.meets(ray, &mut Steps::default()) {
@@ -282,19 +285,19 @@ impl SphereFromOrigin {
         (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
     }
 
-    /// The sphere and where it is seen from.
+    /// Returns the sphere as given.
     pub(crate) fn sphere(&self) -> &Sphere {
         &self.sphere
     }
 }
 
-/// The sign of D where it is beyond doubt.
+/// Returns the sign of D, or `None` where D's error leaves it in doubt.
 fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     let discriminant = quadratic.discriminant.near();
     (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
 }
 
-/// q and r in units of a common `2^k`, which is 1 but for extreme lengths.
+/// Returns q and r in units of a common `2^k`, and k, which is 0 except at extreme lengths.
 fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) {
     let largest = q.iter().map(|x| x.hi.abs()).fold(radius, f64::max);
     if PLAIN.contains(&largest) {
@@ -308,9 +311,9 @@ fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) 
 }
 
 impl Sphere {
-    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside, both
-    /// exactly. In squared world units; infinite where it overflows, NaN where a number is not finite
-    /// or the radius not positive.
+    /// Returns the implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside;
+    /// its sign is exact. In squared world units; infinite where it overflows, NaN where a number is not
+    /// finite or the radius not positive.
     pub fn implicit(&self, q: DVec3) -> f64 {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;
@@ -319,8 +322,8 @@ impl Sphere {
         ldexp(seen.fine.c.hi, 2 * seen.scale)
     }
 
-    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow or
-    /// underflow where the roots do not; for an invalid sphere, they are NaN.
+    /// Returns the quadratic's coefficients for display, each rounded once from more digits. They may
+    /// overflow or underflow where the roots do not; for an invalid sphere, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
             return SphereQuadratic::NONE;
@@ -340,10 +343,10 @@ impl Sphere {
     }
 }
 
-/// Share of `|q|^2 + r^2` beyond which `f64` knows c's sign: 6 roundings, and one of q itself, twice.
+/// Error of c in `f64`, relative to `|q|^2 + r^2`: 6 roundings, and one of q itself, twice.
 pub(crate) const ROUGH_SHARE: f64 = 8.0 * UNIT;
 
-/// Error of c in double-double, as a share of `|q|^2 + r^2`: r^2 is exact.
+/// Error of c in double-double, relative to `|q|^2 + r^2`; r^2 is exact.
 pub(crate) const FINE_SHARE: f64 = DoubleDouble::DOT + DoubleDouble::SUM;
 
 /// `c = |q|^2 - r^2` with its exact sign.
@@ -351,7 +354,8 @@ pub(crate) struct PointPower {
     pub(crate) value: DoubleDouble,
     /// Relative error.
     pub(crate) doubt: f64,
-    /// All digits of a value that is too small for sums and products of it to keep them.
+    /// All digits of a value so small that its sums and products would lose digits to underflow;
+    /// otherwise `None`.
     pub(crate) tiny: Option<Precise>,
     pub(crate) sign: Ordering,
     /// The step that decided the sign.
@@ -359,8 +363,9 @@ pub(crate) struct PointPower {
 }
 
 impl PointPower {
-    /// Computes it of q and r in units of `2^scale`: in double-double where that keeps its digits,
-    /// else from the exact number: close to the sphere c is all that is left of large squares.
+    /// Computes the power from q and r in units of `2^scale`: in double-double where that keeps enough
+    /// digits, otherwise from the exact number, because close to the sphere c is a small difference of
+    /// large squares.
     pub(crate) fn new(
         sphere: &Sphere,
         origin: DVec3,
@@ -368,9 +373,9 @@ impl PointPower {
         radius: f64,
         scale: i32,
     ) -> PointPower {
-        /// The share of error beyond which t would lose digits for c's sake.
+        /// The relative error of c above which t would lose digits.
         const PLENTY: f64 = 256.0 * U2;
-        /// Whatever is larger loses no digits to underflow.
+        /// The size above which no value loses digits to underflow.
         const TINY: f64 = 1e-200;
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
