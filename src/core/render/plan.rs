@@ -138,8 +138,8 @@ impl<'a> Plan<'a> {
         bands
     }
 
-    /// Returns the spheres that a slice of rows can see, without those drawn by rows and those of an
-    /// index.
+    /// Returns the spheres that a slice of rows can see, without the spheres drawn by rows
+    /// and the spheres of an index.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
         self.others.iter().flat_map(move |run| &run[slice]).copied()
     }

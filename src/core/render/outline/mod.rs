@@ -428,8 +428,8 @@ impl<'a> Extents<'a> {
         }
     }
 
-    /// Finds a rectangle that contains every pixel of the raster whose view ray can hit the sphere at `t
-    /// > 0`; returns `None` if no view ray can.
+    /// Finds a rectangle that contains every pixel of the raster whose view ray can hit the sphere at
+    /// `t > 0`; returns `None` if no view ray can.
     ///
     /// In camera coordinates the view rays tangent to the sphere's outline in the u-w plane have
     ///

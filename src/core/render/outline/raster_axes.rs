@@ -161,8 +161,8 @@ impl RasterAxes {
     }
 }
 
-/// The space in which a camera sees spheres: lengths along u, v and -w from the eye, and slopes `x = u /
-/// distance`, `y = v / distance` in whole columns and rows.
+/// The space in which a camera sees spheres: lengths along u, v and -w from the eye, and slopes
+/// `x = u / distance`, `y = v / distance` in whole columns and rows.
 ///
 /// ```text
 /// x = column_slope (column - middle_column)      y = row_slope (middle_row - row)

@@ -321,8 +321,8 @@ mod tests {
 
     use super::*;
 
-    /// Asserts that no column of a row has a smaller t than its vector's bound, for `b = b_first +
-    /// b_column m`, with m columns from the first one.
+    /// Asserts that no column of a row has a smaller t than its vector's bound, for
+    /// `b = b_first + b_column m`, with m columns from the first one.
     fn assert_bounds(first: f32, last: f32, [left, right, b_first, b_column]: [f32; 4]) {
         let level = Level::new();
         let n = dispatch!(level, simd => lanes(simd));
