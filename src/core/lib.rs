@@ -1,5 +1,5 @@
 //! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures,
-//! every decision exact. It depends on no window, file, command line or teaching.
+//! with every decision exact. The crate knows nothing of windows, files, command lines or teaching.
 //!
 //! # A picture in ten lines
 //!
@@ -86,25 +86,27 @@
 //! # The ladder
 //!
 //! Every decision (hit or miss, which of two objects is first, on which side of an object the eye is,
-//! whether there is a basis) is what exact real arithmetic gives for the `f64` inputs as given. It is
-//! made in `f64` with a bound of the error; what lies within the bound, in double-double with one;
-//! what lies within that, in integers of any length. The bounds stand, derived, where they are
-//! computed. [`Steps`] counts how far each decision had to go.
+//! whether there is a basis) is what exact real arithmetic gives for the `f64` inputs as given. A
+//! decision is first tried in `f64` with a bound of the error; if the value is within the bound, in
+//! double-double, again with a bound; and if the value is within that bound too, in integers of any
+//! length. Each bound is derived in the code where it is computed. [`Steps`] counts how many decisions
+//! each step made.
 //!
-//! - *Any ray*: a [`Ray`]'s origin and direction are meant to the bit: [`Scene::first_hit`].
-//! - *A pixel's ray*: eye, at (or view), up, viewport and image are meant to the bit, and nothing in
-//!   between is rounded, neither the basis nor (u, v) nor the direction: [`ResolvedCamera::exact_ray`]
-//!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
+//! - *Any ray*: a [`Ray`]'s origin and direction are taken as exact, to the bit: [`Scene::first_hit`].
+//! - *A pixel's ray*: eye, at (or view), up, viewport and image are taken as exact, to the bit, and
+//!   nothing in between is rounded, neither the basis nor (u, v) nor the direction:
+//!   [`ResolvedCamera::exact_ray`] and [`Scene::first_hit_of`] for one pixel, [`trace`] for all pixels.
 //!
-//! `t` is the exact one, rounded to the nearest `f64` (in frames of `f32`, within an ulp of those), a
-//! normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused with typed errors by
-//! [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
+//! `t` is the exact value, rounded to the nearest `f64` (in frames of `f32`, within an ulp of `f32`),
+//! and a normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused with typed
+//! errors by [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
 //!
 //! # By raw numbers
 //!
-//! One function answers one question about raw numbers. Rays and objects are made of anything that makes a
-//! [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself, which `.into()` makes
-//! of them. Of `f32`, `f64::from` of each number or glam's `as_dvec3` lose nothing.
+//! Each function answers one question about raw numbers. Rays and objects can be made from any type that
+//! converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself:
+//! use `.into()`. To use `f32`, convert each number by `f64::from`, or a vector by glam's `as_dvec3`,
+//! without loss.
 //!
 //! ```
 //! use pinhole_core::*;
@@ -158,8 +160,8 @@
 //!
 //! # How it is built
 //!
-//! Folders are floors, and each imports only from those above it in this table; inside `render`, the
-//! order is that of its `mod.rs`, which is the page of a frame.
+//! Folders are floors, and each imports only from folders above it in this table; inside `render`, the
+//! order is given in its `mod.rs`, which explains how a frame is made.
 //!
 //! | folder | what it knows |
 //! | --- | --- |
@@ -170,9 +172,9 @@
 //! | `methods` | the known formulas, to compare |
 //! | `steering` | moving and turning the camera by drags, wheel and keys |
 //!
-//! A sphere on its way to pixels passes
+//! A sphere becomes pixels in these steps:
 //!
-//! 1. `render::fill`, which every call for a picture comes to;
+//! 1. `render::fill`, to which every call for a picture leads;
 //! 2. `Plan::new`, and there `Classifier::classify`: `Outlines::find` gives its outline, a conic in rows
 //!    and columns, with bounds, or drops it; `Span::new` what its rows share (of many spheres,
 //!    `VisibleSpheres::new` looks at groups and blocks of them first);
@@ -192,7 +194,7 @@ mod scene;
 mod serialization;
 pub mod steering;
 
-/// The README's example is run with the others.
+/// Runs the README's example as a doc test.
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;

@@ -1,8 +1,8 @@
 //! Serialization by [serde](https://serde.rs): the feature `serde`.
 //!
 //! Fields and variants have their names in code, variants in small letters; a vector is a list of its
-//! coordinates. Values that are read pass the same checks as values made in code, and are refused with the
-//! same errors. This file holds what a derive on the type itself cannot do: the checks.
+//! coordinates. Values that are read pass the same checks as values made in code, and are refused with
+//! the same errors. This file holds the checks, which a derive on the type itself cannot make.
 
 use glam::DVec3;
 use serde::de::Error as _;
@@ -11,8 +11,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{ImageSize as Size, Orientation};
 
-/// Deserializes a type's fields, and makes the type from them by the expression, which may refuse them. The
-/// struct has the name of the crate's own type, because messages contain it.
+/// Implements deserialization: reads a type's fields, and makes the type by the given expression, which
+/// may refuse the fields. The helper struct has the name of the crate's own type, because messages
+/// contain it.
 macro_rules! checked {
     ($($name:ident { $($field:ident: $type:ty),* } => $made:expr;)*) => {$(
         #[derive(Deserialize)]
@@ -41,7 +42,7 @@ checked! {
     Ray { origin: DVec3, direction: DVec3 } => crate::Ray::new(origin, direction);
     Sphere { center: DVec3, radius: f64 } => crate::Sphere::new(center, radius);
     Plane { point: DVec3, normal: DVec3 } => crate::Plane::new(point, normal);
-    // The objects are checked together, so that the message says which one is at fault.
+    // The objects are checked together, so that the message names the invalid one.
     Scene { spheres: Vec<Sphere>, planes: Vec<Plane> } => crate::Scene::new(
         spheres.into_iter().map(|Sphere { center, radius }| crate::Sphere { center, radius }).collect(),
         planes.into_iter().map(|Plane { point, normal }| crate::Plane { point, normal }).collect(),

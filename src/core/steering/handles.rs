@@ -1,4 +1,4 @@
-//! Placing eye or at at a point of the world, and turning up along where the view comes near it.
+//! Placing eye or at at a point of the world; up turns with the view where the view comes close to up.
 
 use std::f64::consts::PI;
 
@@ -23,7 +23,7 @@ pub enum Keep {
 }
 
 impl Keep {
-    /// The other one.
+    /// Returns the other value.
     #[must_use]
     pub fn other(self) -> Keep {
         match self {
@@ -36,16 +36,16 @@ impl Keep {
 impl Camera {
     /// Returns the camera with its eye moved to a point of the world.
     ///
-    /// With [`Keep::At`] the pivot stays and the view turns the short way. If the camera is given by view,
-    /// the length of `view` becomes the distance from the eye to the pivot; a basis set by hand makes the
-    /// smallest turn that aims it at the pivot. With [`Keep::View`] the basis stays, and `at` keeps its
-    /// position relative to the eye.
+    /// With [`Keep::At`] the pivot stays and the view turns by the smallest angle. For a camera given by
+    /// view, the length of `view` becomes the distance from the eye to the pivot; a basis set by hand
+    /// makes the smallest turn that aims it at the pivot. With [`Keep::View`] the basis stays, and `at`
+    /// keeps its position relative to the eye.
     ///
-    /// For a camera without a basis only the fields are set, which may give it one.
+    /// A camera without a basis only has its fields set, which may give it a basis.
     ///
     /// # Errors
-    /// Returns an error if there is no basis afterwards (the eye is put to the pivot), or rounding
-    /// would turn it ([`SteerError::Unsteady`]).
+    /// Returns an error if there is no basis afterwards (the eye is at the pivot), or if rounding would
+    /// turn the basis ([`SteerError::Unsteady`]).
     pub fn with_eye_at(&self, point: DVec3, keep: Keep) -> Result<Steered, SteerError> {
         check_point("eye", point)?;
         let moved = Camera { eye: point, ..*self };
@@ -65,11 +65,11 @@ impl Camera {
         }
     }
 
-    /// Returns the camera aimed at a point of the world, with its eye in place. It sets `at`, or
+    /// Returns the camera aimed at a point of the world, with its eye in place. Sets `at`, or
     /// `view = point - eye` for a camera given by view; a basis set by hand makes the smallest turn that
-    /// aims it there.
+    /// aims it at the point.
     ///
-    /// For a camera without a basis only the fields are set, which may give it one.
+    /// A camera without a basis only has its fields set, which may give it a basis.
     ///
     /// # Errors
     /// Returns an error if the point is the eye, or there is no basis.
@@ -104,8 +104,8 @@ impl Camera {
         Ok(Steered { camera, up_went_along: false })
     }
 
-    /// Returns the camera after eye, at or view have been set. Up turns with the view where the view comes
-    /// near it, and otherwise stays.
+    /// Returns the camera after eye, at or view have been set. Up turns with the view where the view
+    /// comes close to up, and otherwise stays.
     fn led_to(&self, moved: Camera) -> Result<Steered, SteerError> {
         let stays = |camera: Camera| Steered { camera, up_went_along: false };
         let (aim, up) = match moved.orientation {
@@ -165,7 +165,7 @@ fn check_point(field: &'static str, value: DVec3) -> Result<(), SteerError> {
     }
 }
 
-/// Tolerance within which a camera outside the cone counts as on it, because of rounding.
+/// Tolerance within which a camera outside the cone counts as on the cone, because of rounding.
 const SLACK: f64 = 1e-9;
 
 /// The path of a view from one direction to another along the great circle between them, as the view turns
@@ -174,24 +174,24 @@ struct Way {
     from: DVec3,
     /// The great circle's axis.
     axis: DVec3,
-    /// Its length in radians.
+    /// The path's length in radians.
     turn: f64,
 }
 
 impl Way {
-    /// The way between two directions; to the opposite one it goes about v.
+    /// Makes the path between two directions; to the opposite direction it turns about v.
     fn new(from: DVec3, to: DVec3, v: DVec3) -> Way {
         let across = from.cross(to);
         let axis = if across == DVec3::ZERO { unit(v) } else { unit(across) };
         Way { from, axis, turn: angle_between(from, to) }
     }
 
-    /// A direction carried along to this place of the way, in parallel.
+    /// Returns a direction transported in parallel to a position on the path.
     fn carried(&self, direction: DVec3, arc: f64) -> DVec3 {
         Turn::about(self.axis, arc).turned(direction)
     }
 
-    /// The direction in which the view turns at the beginning.
+    /// Returns the direction in which the view turns at the beginning of the path.
     fn heading(&self) -> DVec3 {
         self.axis.cross(self.from)
     }
@@ -204,9 +204,10 @@ pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
 }
 
 /// Returns up, of length 1, and v after the view of a camera with this basis has turned to another
-/// direction, if up turns with it; `None` if up stays. `angle` is that between up and the view.
+/// direction, if up turns with the view; `None` if up stays. `angle` is the angle between up and the
+/// view.
 ///
-/// On its way the view meets up to three stretches:
+/// On its path the view passes through up to three stretches:
 ///
 /// 1. From within the cone round up (or -up): v is carried in parallel. The angle to up stays where
 ///    the view turns towards up, and grows where it turns away, as fast as it would if up stayed: with
@@ -215,10 +216,10 @@ pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
 /// 2. Outside: up stays. The view at `arc` is at the angle
 ///    `acos(a cos(arc) + b sin(arc)) = acos(A cos(arc - arc_0))` to up, which meets the cones' rims at
 ///    `arc_0 +- acos(cos(CONE) / A)`, and half a turn on.
-/// 3. From where it enters a cone: up is carried in parallel, in front of the view, to the end.
+/// 3. From where the view enters a cone: up is carried in parallel, in front of the view, to the end.
 pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3, DVec3)> {
     let way = Way::new(-basis.w, to, basis.v);
-    // Of up and -up the one that the view is nearer to; v points to the one and away from the other.
+    // Of up and -up, the one nearer to the view; v points towards one and away from the other.
     let (sign, gap) = if angle <= 0.5 * PI { (1.0, angle) } else { (-1.0, PI - angle) };
     let up_at = |v: DVec3, gap: f64, view: DVec3| sign * gap.cos() * view + gap.sin() * v;
 
@@ -237,7 +238,7 @@ pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3,
     let rest = way.turn - begun;
     let (view, heading) = (way.carried(way.from, begun), way.carried(way.heading(), begun));
     let Some(entry) = entry_into_cone(up.dot(view), up.dot(heading)).filter(|x| *x < rest) else {
-        // The part of up across the view.
+        // The part of up at right angles to the view.
         return (begun > 0.0).then(|| (up, unit(up - up.dot(to) * to)));
     };
     let view = way.carried(view, entry);
@@ -245,7 +246,8 @@ pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3,
     Some((way.carried(up, rest - entry), way.carried(v, rest - entry)))
 }
 
-/// Finds where, at `arc > 0`, a view with `up . view = a cos(arc) + b sin(arc)` first enters a cone.
+/// Finds the `arc > 0` at which a view with `up . view = a cos(arc) + b sin(arc)` first enters a cone;
+/// `None` if it enters none.
 fn entry_into_cone(a: f64, b: f64) -> Option<f64> {
     let share = CONE.cos() / a.hypot(b);
     if share >= 1.0 {

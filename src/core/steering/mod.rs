@@ -1,25 +1,26 @@
-//! Steers a camera: functions from one camera to the next for a drag, a turn of the wheel, or a key. The
-//! way in which the camera is given (by at, by view, by hand) stays.
+//! Steers a camera: functions from one camera to the next for a drag, a turn of the wheel, or a key. A
+//! camera stays given in the same way (by at, by view, by hand).
 //!
-//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u;
-//!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
-//!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag) say by how much.
+//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u, by the angles
+//!   of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
+//!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag).
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
 //! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
 //!   [`Camera::scaled_picture`] is the d-lock.
 //! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`].
-//! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged): from a position in the
-//!   observer's picture to a point of the world.
-//! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], by [`pixel_in_world`].
+//! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) returns the point of the
+//!   world for a position in the observer's picture.
+//! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], given the size [`pixel_in_world`].
 //!
-//! Every result is a camera with a basis, or a typed error with the numbers; never NaN.
+//! A steered camera always has a basis; otherwise the function returns a typed error with the numbers.
+//! No result is NaN.
 //!
 //! # At the poles
 //!
-//! Where the view is parallel to up there is no basis, and near it a small turn of the view is a large
-//! turn of v, by up to `1 / sin(angle)`. No rule takes this away altogether: a v for every view
-//! direction is a field of tangents on the sphere, and such a field jumps somewhere (H.
-//! Poincaré 1885, L. E. J. Brouwer 1912: the hairy ball). So:
+//! Where the view is parallel to up there is no basis, and close to up a small turn of the view is a
+//! large turn of v, by up to `1 / sin(angle)`. No rule can avoid such turns altogether: a v for every
+//! view direction is a field of tangents on the sphere, and such a field jumps somewhere (H. Poincaré
+//! 1885, L. E. J. Brouwer 1912: the hairy ball). Therefore:
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.
 //! - Handles, which may be dragged anywhere, push up ahead of the view: within [`CONE`] of up or -up, up
@@ -28,9 +29,10 @@
 //!   drag is a small change, from any camera; and two drags from the same camera that end close together
 //!   may give different v if the path of one touched the cone and the path of the other did not.
 //!
-//! Rounding of the result may turn the basis further by [`ROUNDING_TURN`] at most, and for cameras of
-//! everyday sizes by 1e-12; where it would be more (eye and at are much closer to each other than to the
-//! origin, up nearly parallel to the view) the answer is [`SteerError::Unsteady`].
+//! Rounding of the result may turn the basis further, by at most [`ROUNDING_TURN`], and for cameras of
+//! everyday sizes by 1e-12. Where rounding would turn the basis by more (eye and at are much closer to
+//! each other than to the origin, or up is nearly parallel to the view), the functions return
+//! [`SteerError::Unsteady`].
 
 use std::fmt;
 
@@ -50,14 +52,14 @@ mod handles;
 mod moves;
 mod pointer;
 
-/// The smallest angle between up, or -up, and the view that [`Camera::orbited`] and
-/// [`Camera::looked_round`] go to, in radians: 1 degree.
+/// The smallest angle between up, or -up, and the view to which [`Camera::orbited`] and
+/// [`Camera::looked_round`] turn, in radians: 1 degree.
 pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
 
 /// The angle to up, or to -up, within which dragging a handle also turns up, in radians: 5 degrees.
 pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// The most that rounding may turn u, v and w in addition to the intended turn, in radians.
+/// The maximum turn of u, v and w by rounding, in addition to the intended turn, in radians.
 pub const ROUNDING_TURN: f64 = 1e-6;
 
 /// A camera after the drag of a handle.
@@ -65,33 +67,33 @@ pub const ROUNDING_TURN: f64 = 1e-6;
 pub struct Steered {
     /// The camera after the drag.
     pub camera: Camera,
-    /// True if up was changed, because the view came within [`CONE`] of it.
+    /// True if up was changed, because the view came within [`CONE`] of up or -up.
     pub up_went_along: bool,
 }
 
-/// Reason why a camera cannot be steered, or a point not be dragged.
+/// Reason why a camera cannot be steered, or a point cannot be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SteerError {
     /// The camera is invalid before or after the change.
     Camera(CameraError),
-    /// A number that is NaN or infinite.
+    /// A number is NaN or infinite.
     NotFinite {
         /// The number's name: `yaw`, `pitch`, `forward`, `value`.
         field: &'static str,
-        /// The value.
+        /// The invalid number.
         value: f64,
     },
-    /// A number that is not positive and finite.
+    /// A number is not positive and finite.
     NotPositive {
         /// The number's name: `factor`, `scale`, `step`, `pixel`.
         field: &'static str,
-        /// The value.
+        /// The invalid number.
         value: f64,
     },
     /// A coordinate would be beyond the range of `f64`.
     OutOfRange,
-    /// The camera's basis is set by hand: it has no up to drag.
+    /// The camera's basis is set by hand, so there is no up to drag.
     NoUp,
     /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
     Unsteady {
@@ -102,7 +104,7 @@ pub enum SteerError {
     PastAt,
     /// The dragged point is not in front of the observer.
     NotInFront {
-        /// Its depth, 0 or negative.
+        /// The point's depth, 0 or negative.
         depth: f64,
     },
     /// The axis of a drag is zero, or the two axes of its plane are parallel.
@@ -205,8 +207,8 @@ impl Turn {
     }
 }
 
-/// Returns the nearest basis with this w: its vectors are unit and orthogonal but for one rounding of each
-/// coordinate.
+/// Returns the nearest basis with the same w: its vectors are unit and orthogonal but for one rounding
+/// of each coordinate.
 fn orthonormal(basis: &Basis) -> Basis {
     let w = unit(basis.w);
     let u = unit(basis.v.cross(w));
@@ -214,7 +216,7 @@ fn orthonormal(basis: &Basis) -> Basis {
     Basis { u: u + DVec3::ZERO, v: w.cross(u) + DVec3::ZERO, w: w + DVec3::ZERO }
 }
 
-/// Returns the camera if its basis equals `meant` but for rounding.
+/// Returns the camera if its basis equals `meant` but for rounding, or [`SteerError::Unsteady`].
 fn steady(camera: Camera, meant: &Basis) -> Result<Camera, SteerError> {
     let found = camera.basis()?;
     let turn = angle_between(found.v, meant.v).max(angle_between(found.w, meant.w));

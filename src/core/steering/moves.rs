@@ -15,21 +15,21 @@ use crate::steering::{
 };
 
 impl Camera {
-    /// Returns the camera with its eye moved along w. `forward` counts lengths of the way from the eye to
-    /// the [pivot](Camera::pivot): positive moves towards the pivot, negative away from it. The basis
-    /// stays.
+    /// Returns the camera with its eye moved along w; the basis stays. `forward` is in units of the
+    /// distance from the eye to the [pivot](Camera::pivot): positive moves towards the pivot, negative
+    /// away from the pivot.
     ///
     /// ```text
     /// by at:            eye' = at + e^(-forward) (eye - at)       at stays and is never reached
     /// by view, by hand: eye' = eye - forward |pivot - eye| w      the pivot moves along
     /// ```
     ///
-    /// A small step is the same in all three. Steps add up: moving forward by a and then by b moves by a +
-    /// b, and moving there and back returns to the start, but for rounding.
+    /// A small step is the same in all three ways. Steps add up: moving forward by a and then by b moves
+    /// by a + b, and moving forward and back returns to the start, but for rounding.
     ///
     /// # Errors
-    /// Returns an error if `forward` is not finite, there is no basis, the eye overflows or has
-    /// come so close to `at` that rounding makes them the same point or turns the view
+    /// Returns an error if `forward` is not finite, if there is no basis, if the eye overflows, or if
+    /// the eye has come so close to `at` that rounding makes the two points equal or turns the view
     /// ([`SteerError::Unsteady`]).
     pub fn dollied(&self, forward: f64) -> Result<Camera, SteerError> {
         check_finite("forward", forward)?;
@@ -138,8 +138,8 @@ impl Camera {
     /// the pitch was stopped.
     ///
     /// # Errors
-    /// Returns an error if an angle is not finite, there is no basis, or rounding would turn it
-    /// more than the hand ([`SteerError::Unsteady`]).
+    /// Returns an error if an angle is not finite, if there is no basis, or if rounding would turn the
+    /// camera further by more than `ROUNDING_TURN` ([`SteerError::Unsteady`]).
     pub fn looked_round(&self, yaw: f64, pitch: f64) -> Result<Camera, SteerError> {
         let Some(turned) = self.turned(yaw, pitch)? else {
             return Ok(*self);
@@ -153,7 +153,7 @@ impl Camera {
         steady(Camera { orientation, ..*self }, &turned)
     }
 
-    /// Returns the distance of the pivot from the eye.
+    /// Returns the distance from the eye to the pivot.
     pub(super) fn reach(&self) -> Result<f64, SteerError> {
         let (field, value, reach) = match self.orientation {
             Orientation::At { at, .. } => {
@@ -173,7 +173,7 @@ impl Camera {
         }
     }
 
-    /// Returns u, v, w after yaw and pitch; `None` if nothing turns.
+    /// Returns u, v, w after yaw and pitch; `None` if both are 0.
     fn turned(&self, yaw: f64, pitch: f64) -> Result<Option<Basis>, SteerError> {
         check_finite("yaw", yaw)?;
         check_finite("pitch", pitch)?;
@@ -196,8 +196,8 @@ impl Camera {
         Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).turned_frame(&pitched))))
     }
 
-    /// Returns the pitch, limited so that the view comes no nearer to a pole than [`POLE_GAP`], or than it
-    /// already is.
+    /// Returns the pitch, limited so that the view comes no nearer to a pole than [`POLE_GAP`], or no
+    /// nearer at all if it is already within the gap.
     fn pitch_short_of_poles(&self, pitch: f64) -> Result<f64, SteerError> {
         let angle = self.up_angle()?.angle;
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));
@@ -242,8 +242,8 @@ impl Camera {
     /// changes nothing.
     ///
     /// # Errors
-    /// Returns an error if the angle is not finite, or there is no basis before or (up within
-    /// rounding of the view) after.
+    /// Returns an error if the angle is not finite, or if there is no basis before or after (up would be
+    /// parallel to the view, within rounding).
     pub fn swung(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let basis = self.basis()?;
@@ -261,18 +261,18 @@ impl Camera {
         })
     }
 
-    /// Returns the camera with up turned towards the view, or away from it, until they form this angle. Up
-    /// moves in the plane of both and keeps its length, so that u, v and w stay but for rounding, which
-    /// turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
+    /// Returns the camera with up turned towards the view, or away from it, until the angle between them
+    /// is `degrees`. Up moves in the plane of up and view and keeps its length, so that u, v and w stay
+    /// but for rounding, which turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
     ///
     /// ```text
     /// up = |up| (sin(angle) V - cos(angle) W)
     /// ```
     ///
     /// # Errors
-    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be parallel
-    /// to the view at either), or so close to these that up is parallel once it is rounded; or if there is
-    /// no basis before, or the basis is set by hand.
+    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be
+    /// parallel to the view at either), or so close to 0 or 180 that the rounded up is parallel; or if
+    /// there is no basis before, or the basis is set by hand.
     pub fn up_tilted(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let Basis { v, w, .. } = self.basis()?;
@@ -283,8 +283,8 @@ impl Camera {
         self.with_up(|up| up.length() * (sin * v - cos * w))
     }
 
-    /// Returns the camera with its viewport at another distance, and width and height scaled with it. The
-    /// picture stays the same, but every t is divided by the factor that multiplies the distance.
+    /// Returns the camera with its viewport at another distance, and the viewport's width and height
+    /// scaled by the same factor. The picture stays the same, but every t is divided by the factor.
     ///
     /// # Errors
     /// Returns an error if the viewport is invalid before or after.
@@ -301,9 +301,9 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// Returns the camera with its picture scaled so that its viewport takes over the measure in which
-    /// `edited` differs from `before`; see [`Camera::scaled_picture`]. If several measures differ, the
-    /// distance counts first, then the width.
+    /// Returns the camera with its picture scaled to match the measure of the viewport in which `edited`
+    /// differs from `before`; see [`Camera::scaled_picture`]. If several measures differ, the distance
+    /// takes precedence, then the width.
     ///
     /// # Errors
     /// Returns an error if the viewport is invalid before or after.
@@ -322,8 +322,8 @@ impl Camera {
         })
     }
 
-    /// Returns the camera with up changed. The change is made at a length of about 1, so that nothing
-    /// overflows.
+    /// Returns the camera with up changed. The change is made to up scaled to a length of about 1, so
+    /// that nothing overflows.
     fn with_up(&self, change: impl Fn(DVec3) -> DVec3) -> Result<Camera, SteerError> {
         let changed = |up: DVec3| {
             let (up, k) = split(up);
@@ -341,10 +341,10 @@ impl Camera {
     }
 }
 
-/// Sine and cosine of an angle in degrees, exact at whole quarters of a turn.
+/// Returns sine and cosine of an angle in degrees, exact at whole quarters of a turn.
 fn sin_cos_of_degrees(degrees: f64) -> Result<(f64, f64), SteerError> {
     check_finite("the angle", degrees)?;
-    // To the nearest quarter: the rest is exact.
+    // Reduced by the nearest quarter turn; the remainder is exact.
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
     let (sin, cos) = (turn - 90.0 * quarters).to_radians().sin_cos();

@@ -1,5 +1,5 @@
 //! Drags: from the pointer in the observer's picture to a point of the world, with coordinates that are
-//! snapped to a step or rounded to what a pixel can resolve.
+//! snapped to a step or rounded to the resolution of a pixel.
 
 use glam::{DVec2, DVec3};
 
@@ -8,12 +8,12 @@ use crate::camera::resolved::ResolvedCamera;
 use crate::exact::scale::unit;
 use crate::steering::{SteerError, check_finite, check_positive};
 
-/// The smallest angle between the line of sight and the axis or plane of a drag: nearer to it, a pixel
-/// would be more than ten times as long as it is wide. In radians, 5 degrees.
+/// The smallest angle, in radians, between the line of sight and the axis or plane of a drag: 5 degrees.
+/// At smaller angles, a pixel would be more than ten times as long as it is wide.
 pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// Maximum depth of a drag, as a multiple of the depth that it began at: beyond it, at the
-/// horizon of its axis or plane, a pixel goes to infinity.
+/// Maximum depth of a drag, as a multiple of the depth at which the drag began. At greater depths, near
+/// the horizon of the axis or plane, the size of a pixel grows without bound.
 pub const FARTHEST: f64 = 1000.0;
 
 /// The line or plane of a drag. Vectors are directions in the world, of any length.
@@ -29,11 +29,11 @@ pub enum DragAlong {
 
 impl ResolvedCamera {
     /// Returns the point of the world to which the pointer drags an anchor in this observer's picture,
-    /// from `begun_at` to `uv` in its viewport. Observer and anchor have stayed since it began.
+    /// from `begun_at` to `uv` in its viewport. Observer and anchor must not have moved since the drag
+    /// began.
     ///
     /// The pointer keeps its distance from the anchor in the picture: a handle grabbed 3 pixels from its
-    /// middle stays 3 pixels from the pointer. A drag back to where it began restores the anchor to the
-    /// bit.
+    /// middle stays 3 pixels from the pointer. A drag back to the start restores the anchor to the bit.
     ///
     /// With the anchor at `(x, y, -z)` in the observer's coordinates, its image at
     /// `p = (x, y) distance / z`, the pointer's way `m = uv - begun_at`, and the ray
@@ -53,8 +53,8 @@ impl ResolvedCamera {
     /// s = l z / (|g| z - l a_z)
     /// ```
     ///
-    /// Projected again by the observer, the point is where the pointer is, less its distance from the
-    /// handle (axis: nearest to that), but for rounding.
+    /// Projected by the observer, the point is at the pointer, less the pointer's distance from the
+    /// handle (for an axis: nearest to that position), but for rounding.
     ///
     /// # Errors
     /// Returns an error if the anchor is not in front of the observer, or if the point would jump to
@@ -84,8 +84,8 @@ impl ResolvedCamera {
     }
 }
 
-/// Returns what a pixel of the observer's picture measures in the world at a point, in the plane
-/// parallel to the picture: `depth / distance * height / H`.
+/// Returns the size of a pixel of the observer's picture in the world at a point, in the plane parallel
+/// to the picture: `depth / distance * height / H`.
 ///
 /// # Errors
 /// Returns an error if the point is not in front of the observer.
@@ -98,9 +98,9 @@ pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, St
 /// An anchor in the observer's coordinates.
 struct ObserverAnchor<'a> {
     observer: &'a ResolvedCamera,
-    /// `(x, y, -z)`
+    /// The anchor `(x, y, -z)`.
     position: DVec3,
-    /// z
+    /// The anchor's depth z.
     depth: f64,
     distance: f64,
 }
@@ -132,10 +132,11 @@ impl ObserverAnchor<'_> {
         let sight = unit(self.position);
         let sine = sight.cross(a).length();
         check_angle(sine.atan2(sight.dot(a).abs()))?;
-        // g z / distance: the axis as it is seen at the anchor's depth, per length of the axis.
+        // g z / distance: the image of the axis at the anchor's depth, per unit length of the axis.
         let seen = a.truncate() + self.position.truncate() * (a.z / self.depth);
         let length = seen.length();
-        // l z / distance, in the world; 0 where the axis' image is a point, which the angle excludes.
+        // l z / distance, in the world; 0 where the axis' image is a point, which the least angle
+        // excludes.
         let moved = way.dot(seen) / length * (self.depth / self.distance);
         let deeper = 1.0 + moved * a.z / (length * self.depth);
         if deeper * FARTHEST <= 1.0 {
@@ -145,7 +146,7 @@ impl ObserverAnchor<'_> {
     }
 
     fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, SteerError> {
-        // At the anchor's depth; from there along the ray to the plane.
+        // From the point at the anchor's depth along the ray to the plane.
         let beside = self.in_view_plane(way);
         let image = self.position.truncate() * (self.distance / self.depth) + way;
         let ray = self.observer.basis().to_world_from_camera(image.extend(-self.distance));
@@ -174,8 +175,8 @@ fn finite(field: &'static str, value: DVec3) -> Result<DVec3, SteerError> {
     if value.is_finite() { Ok(value) } else { Err(BasisError::NotFinite { field, value }.into()) }
 }
 
-/// Returns the multiple of `step` nearest to a value. For a decimal step such as 0.05 it is the decimal
-/// itself (0.15, not 0.15000000000000002).
+/// Returns the multiple of `step` nearest to a value. For a decimal step such as 0.05 the result is the
+/// decimal itself (0.15, not 0.15000000000000002).
 ///
 /// ```
 /// use pinhole_core::steering::snapped;
@@ -194,15 +195,15 @@ pub fn snapped(value: f64, step: f64) -> Result<f64, SteerError> {
         // The step is finer than the value's last digit.
         return Ok(value);
     }
-    // A step that is one part of a whole: the quotient of two whole numbers is rounded once.
+    // A step that is 1 / n for a whole n: the quotient of two whole numbers is rounded once.
     let parts = (1.0 / step).round();
     let is_part = step < 1.0 && parts <= 1e22 && 1.0 / parts == step;
     // Added to 0, a negative zero is 0.
     Ok(if is_part { count / parts } else { count * step } + 0.0)
 }
 
-/// Returns the smallest of 1, 2, 5 times a power of ten that is not less than `at_least`: a step for
-/// snapping, where `at_least` is the size of some pixels in the world.
+/// Returns the smallest of 1, 2, 5 times a power of ten that is not less than `at_least`. The result is
+/// a step for snapping if `at_least` is the size of some pixels in the world.
 ///
 /// ```
 /// use pinhole_core::steering::nice_step;
@@ -225,8 +226,9 @@ pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
         .ok_or(SteerError::NotPositive { field: "step", value: f64::INFINITY })
 }
 
-/// Returns the decimal with the fewest digits that is within a tenth of a pixel of a value, and the nearest
-/// of those. `pixel` is the size of a pixel in the world there.
+/// Returns the decimal with the fewest digits that is within a tenth of a pixel of a value; of several
+/// such decimals, the one nearest to the value. `pixel` is the size of a pixel in the world at that
+/// place.
 ///
 /// ```
 /// use pinhole_core::steering::rounded_to;
@@ -236,7 +238,7 @@ pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
 /// ```
 ///
 /// # Errors
-/// Returns an error if the value is not finite or the pixel not positive and finite.
+/// Returns an error if the value is not finite or the pixel size is not positive and finite.
 pub fn rounded_to(value: f64, pixel: f64) -> Result<f64, SteerError> {
     check_finite("value", value)?;
     check_positive("pixel", pixel)?;
