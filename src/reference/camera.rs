@@ -1,4 +1,4 @@
-//! Cameras, and the rays of their pixels with nothing rounded on the way from eye, at and up.
+//! Cameras, and the rays of their pixels, computed from eye, at and up without rounding.
 //!
 //! With the view `Z` (which is `at - eye`), `U = Z x up`, `A = |U|^2` and `B = |Z|^2`, all exact, the
 //! basis is
@@ -24,24 +24,24 @@ use crate::real::Real;
 use crate::surd::{Field, Surd};
 use crate::trace::{Direction, Hit, SceneFromEye};
 
-/// The way a camera looks.
+/// The orientation of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
     /// Looks at a point: the view is `at - eye`, not rounded.
     At {
-        /// The point.
+        /// The point at which the camera looks.
         at: [f64; 3],
         /// Keeps the camera level.
         up: [f64; 3],
     },
     /// Looks along a vector of any length.
     View {
-        /// The vector.
+        /// The vector along which the camera looks.
         view: [f64; 3],
         /// Keeps the camera level.
         up: [f64; 3],
     },
-    /// Has these vectors, which are taken as they are: neither normalized nor made orthogonal.
+    /// Uses the given vectors unchanged: neither normalized nor made orthogonal.
     Basis {
         /// Right in the image.
         u: [f64; 3],
@@ -52,25 +52,26 @@ pub enum Orientation {
     },
 }
 
-/// Reason why there is no basis.
+/// The reason why a camera has no basis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// `at - eye` is 0.
     EyeIsAt,
     /// The view is 0.
     ViewIsZero,
-    /// The up vector is 0, and the view is not.
+    /// The up vector is 0, but the view is not.
     UpIsZero,
-    /// `up x view` is 0, and neither of them is.
+    /// `up x view` is 0, but neither `up` nor the view is 0.
     UpParallelToView,
 }
 
-/// A pinhole camera: where it is, how it is turned, its viewport in world units, its image in pixels.
+/// A pinhole camera: its position, its orientation, its viewport in world units, and its image in
+/// pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The point where all rays start.
     pub eye: [f64; 3],
-    /// The way it is turned.
+    /// The orientation of the camera.
     pub orientation: Orientation,
     /// Extent of the viewport along u.
     pub width: f64,
@@ -78,13 +79,13 @@ pub struct Camera {
     pub height: f64,
     /// Distance from the eye to the viewport, along -w.
     pub distance: f64,
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub columns: u32,
-    /// Pixels in a column.
+    /// Number of pixels in a column.
     pub rows: u32,
 }
 
-/// A camera's view of some objects, prepared for many rays. Threads can share it.
+/// A camera's view of some objects, prepared for many rays. Threads can share a view.
 #[derive(Debug)]
 pub struct View {
     basis: ScaledBasis,
@@ -92,7 +93,7 @@ pub struct View {
     scene: SceneFromEye,
 }
 
-/// A basis, each vector a multiple of the true one, and all of them the same multiple, `multiple`.
+/// A basis whose vectors are the true basis vectors times the same factor, `multiple`.
 #[derive(Debug)]
 struct ScaledBasis {
     field: Field,
@@ -140,7 +141,7 @@ impl ScaledBasis {
         })
     }
 
-    /// The direction `(x*u + y*v - z*w) / share`, by x, y and z.
+    /// Returns the direction `(x*u + y*v - z*w) / share` for the given x, y and z.
     fn direction(&self, [x, y, z]: &Vector, share: &Dyadic) -> Direction<'_> {
         let multiple = std::array::from_fn(|i| {
             self.u[i].scaled(x).plus(&self.v[i].scaled(y)).minus(&self.w[i].scaled(z))
@@ -149,11 +150,11 @@ impl ScaledBasis {
     }
 }
 
-/// The basis u, v, w of a camera at `eye`, to 440 bits or more:
-/// `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`.
+/// Returns the basis u, v, w of a camera at `eye`, to 440 bits or more: `w = -view / |view|`, `u =
+/// up x w / |up x w|`, `v = w x u`.
 ///
 /// # Errors
-/// Returns an error if there is none: exactly where `view`, `up` or `up x view` is 0.
+/// Returns an error if there is no basis: exactly if `view`, `up` or `up x view` is 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.
@@ -178,8 +179,8 @@ impl Camera {
         Ok(View { basis, camera: *self, scene: SceneFromEye::new(objects, vector(self.eye)) })
     }
 
-    /// The position of the pixel's centre in the viewport and the distance, all times
-    /// `2 rows columns`, and that factor:
+    /// Returns the position of the pixel's centre in the viewport and the distance, all multiplied
+    /// by `2 rows columns`, and this factor:
     ///
     /// ```text
     /// x = width * ((column + 0.5) / columns - 0.5) = width * (2 column + 1 - columns) / (2 columns)
@@ -201,15 +202,15 @@ impl View {
         self.basis.direction(&position, &share)
     }
 
-    /// Finds what the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and
-    /// columns from 0, row 0 on top. The direction is `x*u + y*v - distance*w`, not normalized, so
-    /// that `t = 1` is the viewport.
+    /// Finds the first hit of the ray through the pixel's centre, as [`crate::first_hit`] does;
+    /// `None` if the ray hits nothing. Rows and columns count from 0, with row 0 on top. The
+    /// direction is `x*u + y*v - distance*w`, not normalized, so `t = 1` is on the viewport.
     pub fn first_hit_of_pixel(&self, row: u32, column: u32) -> Option<Hit> {
         self.scene.first_hit(&self.of_pixel(row, column))
     }
 
-    /// Finds the first hit as [`View::first_hit_of_pixel`] does, through any point of the viewport,
-    /// in world units from its centre.
+    /// Finds the first hit as [`View::first_hit_of_pixel`] does, but through any point of the
+    /// viewport, given in world units from the viewport's centre.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.
@@ -218,27 +219,30 @@ impl View {
         self.scene.first_hit(&self.basis.direction(&position, &Dyadic::power_of_two(0)))
     }
 
-    /// All `t` at which the line of the pixel's ray meets one of the objects, as [`crate::roots`].
+    /// Returns all `t` at which the line of the pixel's ray meets the object with this index, as
+    /// [`crate::roots`] does.
     pub fn roots_of_pixel(&self, object: usize, row: u32, column: u32) -> Vec<Real> {
         self.scene.roots(object, &self.of_pixel(row, column))
     }
 
-    /// Returns how far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`, with q
-    /// the way from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`; negative where the line
-    /// misses the sphere. `None` for a plane, and for a sphere around the eye.
+    /// Returns how far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`,
+    /// with q the vector from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`. The
+    /// result is negative if the line misses the sphere. `None` for a plane, and for a sphere
+    /// around the eye.
     pub fn grazing_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
         let Direction { field, multiple, .. } = self.of_pixel(row, column);
         self.scene.object(object).grazing(field, &multiple)
     }
 
-    /// The square of the cosine between the pixel's ray and a sphere's centre or a plane's normal,
-    /// negative where the cosine is. `None` of a sphere around the eye.
+    /// Returns the square of the cosine between the pixel's ray and the direction to a sphere's
+    /// centre or a plane's normal, with the sign of the cosine. Returns `None` for a sphere around
+    /// the eye.
     pub fn cosine_squared_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
         let Direction { field, multiple, .. } = self.of_pixel(row, column);
         self.scene.object(object).cosine_squared(field, &multiple)
     }
 
-    /// The direction of the pixel's ray.
+    /// Returns the direction of the pixel's ray.
     pub fn direction_of_pixel(&self, row: u32, column: u32) -> [Real; 3] {
         self.of_pixel(row, column).values()
     }

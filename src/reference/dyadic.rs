@@ -6,15 +6,15 @@ use std::ops::{Add, Mul, Neg, Sub};
 use dashu_int::ops::{Abs, BitTest, SquareRootRem};
 use dashu_int::{IBig, Sign, UBig};
 
-/// `mantissa * 2^exponent`, exactly. The mantissa is odd, or the number is 0 with exponent 0, so that
-/// equal numbers are equal in their parts.
+/// The exact number `mantissa * 2^exponent`. The mantissa is odd, or the number is 0 with exponent
+/// 0, so equal numbers have equal parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Dyadic {
     mantissa: IBig,
     exponent: i64,
 }
 
-/// The neighbour that a result that does not fit is rounded to.
+/// The direction in which a result that does not fit is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Toward {
     /// The neighbour below: toward minus infinity.
@@ -72,7 +72,7 @@ impl Dyadic {
         self * self
     }
 
-    /// `self * 2^k`.
+    /// Returns `self * 2^k`.
     pub(crate) fn shifted(&self, k: i64) -> Dyadic {
         if self.is_zero() {
             return Dyadic::ZERO;
@@ -80,7 +80,7 @@ impl Dyadic {
         Dyadic { mantissa: self.mantissa.clone(), exponent: self.exponent + k }
     }
 
-    /// `floor(log2 |self|)`; none for 0.
+    /// Returns `floor(log2 |self|)`; `None` for 0.
     pub(crate) fn log2(&self) -> Option<i64> {
         if self.is_zero() {
             return None;
@@ -88,8 +88,8 @@ impl Dyadic {
         Some(self.exponent + self.length() as i64 - 1)
     }
 
-    /// `floor(|self| / 2^unit)`, and how the remainder compares with half of `2^unit`; `None` if there is
-    /// no remainder.
+    /// Returns `floor(|self| / 2^unit)`, and how the remainder compares with half of `2^unit`;
+    /// `None` for the comparison if there is no remainder.
     pub(crate) fn in_units(&self, unit: i64) -> (UBig, Option<Ordering>) {
         let magnitude = self.magnitude();
         let drop = unit - self.exponent;
@@ -107,7 +107,7 @@ impl Dyadic {
         (whole, Some(half))
     }
 
-    /// The number of significant bits.
+    /// Returns the number of significant bits.
     pub(crate) fn length(&self) -> usize {
         self.mantissa.bit_len()
     }
@@ -116,7 +116,7 @@ impl Dyadic {
         self.mantissa.clone().into_parts().1
     }
 
-    /// Rounded to at most `bits` significant bits.
+    /// Returns the number rounded to at most `bits` significant bits.
     pub(crate) fn rounded(&self, bits: usize, toward: Toward) -> Dyadic {
         let drop = self.length() as i64 - bits as i64;
         if drop <= 0 {
@@ -131,7 +131,7 @@ impl Dyadic {
         Dyadic::new(signed(magnitude, is_negative), self.exponent + drop)
     }
 
-    /// `self / divisor`, rounded to at most `bits` significant bits.
+    /// Returns `self / divisor`, rounded to at most `bits` significant bits.
     pub(crate) fn divided(&self, divisor: &Dyadic, bits: usize, toward: Toward) -> Dyadic {
         assert!(!divisor.is_zero(), "division by zero");
         let (n, d) = (self.magnitude(), divisor.magnitude());
@@ -144,7 +144,7 @@ impl Dyadic {
         with_rest(quotient, is_exact, is_negative, exponent).rounded(bits, toward)
     }
 
-    /// The square root of a number that is not negative, rounded to at most `bits` significant bits.
+    /// Returns the square root of a nonnegative number, rounded to at most `bits` significant bits.
     pub(crate) fn sqrt(&self, bits: usize, toward: Toward) -> Dyadic {
         assert!(self.sign() != Ordering::Less, "square root of a negative number");
         let m = self.magnitude();
@@ -158,8 +158,8 @@ impl Dyadic {
     }
 }
 
-/// `magnitude * 2^exponent`, with a last bit behind it where digits were cut off there: it rounds as
-/// the full number does.
+/// Returns `magnitude * 2^exponent`. If digits were cut off, a final bit is appended, which makes
+/// the result round as the full number does.
 fn with_rest(magnitude: UBig, is_exact: bool, is_negative: bool, exponent: i64) -> Dyadic {
     if is_exact {
         return Dyadic::new(signed(magnitude, is_negative), exponent);

@@ -1,9 +1,9 @@
 //! The true results for a pinhole camera, and the cases in which they are hard to compute.
 //!
-//! The reference is arbitrary-precision arithmetic on the `f64` values as given, by the formulas of the
-//! textbook. It shares no code with the program that it checks. Its decisions are proven: signs and orders
-//! are found by interval arithmetic at rising precision and, where that leaves a doubt, by exact algebra.
-//! Its measurements are [`Real`]s of 440 bits.
+//! The reference is arbitrary-precision arithmetic on the `f64` values as given, by the formulas of
+//! the textbook. It shares no code with the program that it checks. Its decisions are proven: signs
+//! and orders are found by interval arithmetic with increasing precision and, if that is
+//! inconclusive, by exact algebra. Its measurements are [`Real`]s of 440 bits.
 //!
 //! ```
 //! use pinhole_reference::*;

@@ -1,4 +1,5 @@
-//! Spheres and planes, the quantities that a ray's origin shares with them, and where a ray meets them.
+//! Spheres and planes, the quantities that all rays from one origin share, and the points where a
+//! ray meets an object.
 
 use std::cmp::Ordering;
 
@@ -11,26 +12,26 @@ use crate::surd::{Field, Surd, bits_of_level};
 /// An object that a ray can hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Object {
-    /// All points at the distance `radius` from `center`.
+    /// A sphere: all points at the distance `radius` from `center`.
     Sphere {
-        /// Its centre, in world units.
+        /// The centre, in world units.
         center: [f64; 3],
-        /// Its radius in world units, positive.
+        /// The radius, in world units; positive.
         radius: f64,
     },
-    /// All points `q` with `normal . (q - point) = 0`.
+    /// A plane: all points `q` with `normal . (q - point) = 0`.
     Plane {
-        /// Any point of it.
+        /// Any point of the plane.
         point: [f64; 3],
-        /// Any vector but 0 at right angles to it.
+        /// Any nonzero vector perpendicular to the plane.
         normal: [f64; 3],
     },
 }
 
 impl Object {
-    /// The sign of its implicit function at `q`, exactly: `|q - center|^2 - radius^2` is negative
-    /// inside a sphere; `normal . (q - point)` is positive on the side that the normal points to. 0 is
-    /// on the object.
+    /// Returns the exact sign of the object's implicit function at `q`: `|q - center|^2 - radius^2`
+    /// is negative inside a sphere; `normal . (q - point)` is positive on the side that the normal
+    /// points to. The sign is 0 on the object.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.
@@ -43,10 +44,10 @@ impl Object {
 }
 
 impl Object {
-    /// Returns how far `q` is from the object, as a share:
-    /// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)` of a sphere. Of a plane, the square of
-    /// the cosine between its normal and the way from `q` to its point, negative where the cosine is; 0
-    /// where `q` is that point.
+    /// Returns the relative distance of `q` from the object. For a sphere, this is `(|q - center|^2
+    /// - radius^2) / (|q - center|^2 + radius^2)`. For a plane, it is the square of the cosine
+    /// between the normal and the vector from `q` to the plane's point, with the sign of the
+    /// cosine; 0 if `q` is the plane's point.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.
@@ -71,12 +72,12 @@ impl Object {
     }
 }
 
-/// `x |x|`
+/// Returns `x |x|`.
 fn signed_square(x: &Dyadic) -> Dyadic {
     if x.sign() == Ordering::Less { -&x.square() } else { x.square() }
 }
 
-/// An object and what all rays of one origin share of it, exactly.
+/// An object, and the exact quantities that all rays from one origin share.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromEye {
     Sphere {
@@ -110,8 +111,8 @@ impl ObjectFromEye {
         }
     }
 
-    /// Finds where the line from the origin along `direction` meets the object, the smaller root
-    /// first; nowhere where the direction is 0. `a = |direction|^2`.
+    /// Finds all `t` at which the line from the origin along `direction` meets the object, in
+    /// ascending order; none if the direction is 0. `a` is `|direction|^2`.
     pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
         match self {
             ObjectFromEye::Sphere { from_center, c, .. } => {
@@ -130,9 +131,9 @@ impl ObjectFromEye {
         }
     }
 
-    /// `D / (|d|^2 |q|^2)` with q the way from the origin to the centre: the square of the sine of a
-    /// sphere's angular radius, less that of the angle between the direction and its centre. `None` for a
-    /// plane, and where q or the direction is 0.
+    /// Returns `D / (|d|^2 |q|^2)` with q the vector from the origin to the centre: the squared
+    /// sine of a sphere's angular radius, minus the squared sine of the angle between the direction
+    /// and q. Returns `None` for a plane, and if q or the direction is 0.
     pub(crate) fn grazing(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
         let ObjectFromEye::Sphere { from_center, c, .. } = self else { return None };
         let (a, b) = (field.dot(direction, direction), Surd::dot(direction, from_center));
@@ -141,8 +142,8 @@ impl ObjectFromEye {
         (!squares.is_zero()).then(|| Quotient::without_root(discriminant, squares).value(field))
     }
 
-    /// The square of the cosine between the direction and a sphere's centre or a plane's normal,
-    /// negative where the cosine is. `None` where one of them is 0.
+    /// Returns the square of the cosine between the direction and the vector to a sphere's centre,
+    /// or a plane's normal, with the sign of the cosine. Returns `None` if one of the vectors is 0.
     pub(crate) fn cosine_squared(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
         let along = match self {
             ObjectFromEye::Sphere { from_center, .. } => from_center.each_ref().map(|x| -x),
@@ -155,7 +156,7 @@ impl ObjectFromEye {
         (!squares.is_zero()).then(|| Quotient::without_root(square, squares).value(field))
     }
 
-    /// The unit normal at a root, outward on a sphere, in a plane's own sense.
+    /// Returns the unit normal at a root: outward on a sphere, along a plane's `normal` on a plane.
     pub(crate) fn normal(&self, root: &AtRoot) -> [Real; 3] {
         match self {
             ObjectFromEye::Sphere { from_center, radius, .. } => {
@@ -179,7 +180,7 @@ pub(crate) struct AtRoot<'a> {
     field: &'a Field,
     direction: &'a [Surd; 3],
     t: &'a Quotient,
-    /// An interval around `t`, enough for nearly all that is asked.
+    /// An interval around `t`, precise enough for nearly all computations.
     interval: Option<Interval>,
 }
 
@@ -191,7 +192,7 @@ impl<'a> AtRoot<'a> {
         AtRoot { field, direction, t, interval: t.interval(field, LEVEL) }
     }
 
-    /// `(origin + t * direction) / divisor` of the coordinate `i`.
+    /// Returns the coordinate `i` of `(origin + t * direction) / divisor`.
     pub(crate) fn coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Real {
         self.quick_coordinate(origin, i, divisor)
             .unwrap_or_else(|| self.exact_coordinate(origin, i, divisor).value(self.field))
@@ -205,7 +206,7 @@ impl<'a> AtRoot<'a> {
         Real::within(&coordinate.over(&Interval::exactly(divisor, bits), bits))
     }
 
-    /// `(o + (p + q sqrt(e)) / d * v) / r` as a single quotient.
+    /// Returns `(o + (p + q sqrt(e)) / d * v) / r` as a single quotient.
     fn exact_coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Quotient {
         let (t, direction) = (self.t, &self.direction[i]);
         Quotient {
@@ -217,7 +218,7 @@ impl<'a> AtRoot<'a> {
     }
 }
 
-/// The roots of `a t^2 + 2 b t + c = 0`: `(-b -+ sqrt(b^2 - a c)) / a`.
+/// Returns the roots of `a t^2 + 2 b t + c = 0`: `(-b -+ sqrt(b^2 - a c)) / a`.
 fn sphere_roots(field: &Field, a: &Surd, b: &Surd, c: &Dyadic) -> Vec<Quotient> {
     let discriminant = field.square(b).minus(&a.scaled(c));
     let minus_b = b.negated();

@@ -16,7 +16,7 @@ pub(crate) struct Quotient {
     pub(crate) d: Surd,
 }
 
-/// Levels at which the sign of a sum of roots is tried by interval arithmetic.
+/// Number of levels at which the sign of a sum of roots is tried by interval arithmetic.
 const SIGN_LEVELS: usize = 2;
 
 impl Quotient {
@@ -24,7 +24,7 @@ impl Quotient {
         Quotient { p, q: Surd::ZERO, e: Surd::ZERO, d }
     }
 
-    /// The proven sign.
+    /// Returns the proven sign of the number.
     pub(crate) fn sign(&self, field: &Field) -> Ordering {
         for level in 0..SIGN_LEVELS {
             if let Some(sign) = self.numerator(field, level).sign() {
@@ -40,7 +40,7 @@ impl Quotient {
             .plus(&root_term(field, &self.q, &self.e, level), bits_of_level(level))
     }
 
-    /// The proven order of two numbers.
+    /// Returns the proven order of two numbers.
     pub(crate) fn cmp(&self, other: &Quotient, field: &Field) -> Ordering {
         if self == other {
             return Ordering::Equal;
@@ -55,15 +55,15 @@ impl Quotient {
         sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
     }
 
-    /// Returns an interval around the number at a level of effort; `None` if that does not distinguish `d`
-    /// from 0.
+    /// Returns an interval around the number at a level of effort; `None` if this level does not
+    /// distinguish `d` from 0.
     pub(crate) fn interval(&self, field: &Field, level: usize) -> Option<Interval> {
         let d = field.interval(&self.d, level);
         (d.sign() == Some(Ordering::Greater))
             .then(|| self.numerator(field, level).over(&d, bits_of_level(level)))
     }
 
-    /// The number itself, to 440 significant bits or more.
+    /// Returns the number to 440 significant bits or more.
     pub(crate) fn value(&self, field: &Field) -> Real {
         let mut is_known_not_zero = false;
         for level in 1.. {
@@ -93,16 +93,16 @@ fn root_term(field: &Field, factor: &Surd, radicand: &Surd, level: usize) -> Int
     field.interval(factor, level).times(&field.interval(radicand, level).sqrt(bits), bits)
 }
 
-/// The sign of `p + q sqrt(e)`, by squaring: see [`crate::surd`].
+/// Returns the sign of `p + q sqrt(e)`, found by squaring: see [`crate::surd`].
 fn sign_with_root(field: &Field, p: &Surd, q: &Surd, e: &Surd) -> Ordering {
     sign_of_sum(field.sign(p), product(field.sign(q), field.sign(e)), || {
         field.sign(&field.square(p).minus(&field.times(&field.square(q), e)))
     })
 }
 
-/// The sign of `p + q sqrt(e) + r sqrt(f)`. Where `x = p + q sqrt(e)` and `y = r sqrt(f)` have
-/// opposite signs it is the sign of `x^2 - y^2 = (p^2 + q^2 e - r^2 f) + 2 p q sqrt(e)`, times that
-/// of x: one root less.
+/// Returns the sign of `p + q sqrt(e) + r sqrt(f)`. If `x = p + q sqrt(e)` and `y = r sqrt(f)` have
+/// opposite signs, the result is the sign of `x^2 - y^2 = (p^2 + q^2 e - r^2 f) + 2 p q sqrt(e)`,
+/// times the sign of x. This has one root less.
 fn sign_with_roots(
     field: &Field,
     p: &Surd,

@@ -1,4 +1,4 @@
-//! The real numbers that the reference returns, and the distance of a float from one.
+//! The real numbers that the reference returns, and the distance of a float from such a number.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -6,15 +6,15 @@ use std::fmt;
 use crate::dyadic::{Dyadic, Toward, Vector, cross, dot};
 use crate::interval::Interval;
 
-/// A real number to at least 440 significant bits; exact where it has no more than that.
+/// A real number to at least 440 significant bits; exact if it has no more than 440.
 ///
-/// It differs from the true number by less than one part in `2^440`. So its nearest `f64` is that of
-/// the true number, but for a number that is that near to the middle between two of them without
-/// being it.
+/// It differs from the true number by less than one part in `2^440`. So its nearest `f64` is also
+/// that of the true number, unless the true number is that close to the midpoint of two
+/// neighbouring `f64`s without being the midpoint.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Real(Dyadic);
 
-/// Significant bits that a [`Real`] has at least.
+/// Minimum number of significant bits of a [`Real`].
 const BITS: i64 = 440;
 
 /// A format of floats: digits and range.
@@ -30,13 +30,13 @@ const DOUBLE: Format = Format { digits: 53, smallest: -1074, largest_unit: 971 }
 const SINGLE: Format = Format { digits: 24, smallest: -149, largest_unit: 104 };
 
 impl Format {
-    /// `log2` of the spacing of the floats at `|x|`, as if there were no largest one.
+    /// Returns `log2` of the spacing of the floats at `|x|`, as if there were no largest float.
     fn unit_at(&self, x: &Dyadic) -> i64 {
         x.log2().map_or(self.smallest, |log2| (log2 + 1 - self.digits).max(self.smallest))
     }
 
-    /// The bits of the float nearest to `|x|`, ties to even. In the encoding the magnitudes count on
-    /// through all binades, subnormals included, up to infinity.
+    /// Returns the bits of the float nearest to `|x|`, ties to even. The encodings of consecutive
+    /// magnitudes are consecutive integers through all binades, from subnormals to infinity.
     fn nearest(&self, x: &Dyadic) -> u64 {
         let unit = self.unit_at(x);
         if unit > self.largest_unit {
@@ -58,7 +58,7 @@ impl Format {
         ((self.largest_unit - self.smallest + 2) as u64) << (self.digits - 1)
     }
 
-    /// `|x - exact|` in units of the spacing of the floats at `|exact|`.
+    /// Returns `|x - exact|` in units of the spacing of the floats at `|exact|`.
     fn ulps(&self, x: f64, exact: &Dyadic) -> f64 {
         if !x.is_finite() {
             return f64::INFINITY;
@@ -73,7 +73,7 @@ impl Real {
         Real(value)
     }
 
-    /// Returns the number that an interval determines beyond doubt.
+    /// Returns the number that an interval determines; `None` if the interval is too wide.
     pub(crate) fn within(interval: &Interval) -> Option<Real> {
         interval.is_narrow(BITS).then(|| Real(interval.shortest()))
     }
@@ -83,19 +83,20 @@ impl Real {
         &self.0
     }
 
-    /// The nearest `f64`, ties to even, subnormals included; infinite beyond the largest.
+    /// Returns the nearest `f64`, ties to even, including subnormals; infinite beyond the largest
+    /// `f64`.
     pub fn to_f64(&self) -> f64 {
         let magnitude = f64::from_bits(DOUBLE.nearest(&self.0));
         if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
     }
 
-    /// Returns whether it is 0, or of a size that `f64` has at full precision: from
+    /// Returns true if the number is 0, or has a magnitude at which `f64` has full precision: from
     /// [`f64::MIN_POSITIVE`] to [`f64::MAX`].
     pub fn is_representable(&self) -> bool {
         self.is_within(f64::MIN_POSITIVE, f64::MAX)
     }
 
-    /// Returns whether it is representable as [`Real::is_representable`] says, in `f32`.
+    /// Returns true if the number is 0, or has a magnitude at which `f32` has full precision.
     pub fn is_representable_f32(&self) -> bool {
         self.is_within(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX))
     }
@@ -106,20 +107,20 @@ impl Real {
         self.0.is_zero() || (smallest <= magnitude && magnitude <= largest)
     }
 
-    /// `|x - self|` in units of the last place of an `f64` at `self`: the spacing of doubles there,
-    /// `2^(floor(log2 |self|) - 52)`, at least `2^-1074` and at most `2^971`. A correctly rounded `x`
-    /// is within 0.5. Infinite where `x` is NaN or infinite.
+    /// Returns `|x - self|` in units in the last place of an `f64` at `self`: the spacing of `f64`s
+    /// there, `2^(floor(log2 |self|) - 52)`, at least `2^-1074` and at most `2^971`. A correctly
+    /// rounded `x` is within 0.5. The result is infinite if `x` is NaN or infinite.
     pub fn ulps_from(&self, x: f64) -> f64 {
         DOUBLE.ulps(x, &self.0)
     }
 
-    /// Returns [`Real::ulps_from`] in units of the last place of an `f32`:
-    /// `2^(floor(log2 |self|) - 23)`, at least `2^-149` and at most `2^104`.
+    /// Returns `|x - self|` as [`Real::ulps_from`] does, but in units in the last place of an
+    /// `f32`: `2^(floor(log2 |self|) - 23)`, at least `2^-149` and at most `2^104`.
     pub fn ulps_from_f32(&self, x: f32) -> f64 {
         SINGLE.ulps(f64::from(x), &self.0)
     }
 
-    /// `self - x`, exactly.
+    /// Returns `self - x` exactly.
     ///
     /// # Panics
     /// Panics if `x` is NaN or infinite.
@@ -127,8 +128,9 @@ impl Real {
         Real(&self.0 - &Dyadic::from_f64(x))
     }
 
-    /// `(self - other) / (self + other)`, as an `f64`: of two positive numbers how far they are
-    /// apart, to a few parts in `1e16` of it and `2^-440`.
+    /// Returns `(self - other) / (self + other)` as an `f64`: the relative difference of two
+    /// positive numbers, with a relative error of a few parts in `1e16` and an absolute error of
+    /// `2^-440`.
     pub fn relative_difference(&self, other: &Real) -> f64 {
         let (difference, sum) = (&self.0 - &other.0, &self.0 + &other.0);
         // Only the ratio matters: the sum comes near 1.
@@ -151,9 +153,9 @@ impl fmt::Debug for Real {
     }
 }
 
-/// The angle between two vectors of any lengths, in radians, right to a few parts in `1e16` however
-/// small it is: `atan2(|a x b|, a . b)`, with the products exact. NaN where `b` is not finite or one
-/// of them is zero.
+/// Returns the angle between two vectors of any lengths, in radians, accurate to a few parts in
+/// `1e16` however small the angle is: `atan2(|a x b|, a . b)`, with the products exact. The result
+/// is NaN if `b` is not finite or one of the vectors is zero.
 pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     if !b.iter().all(|x| x.is_finite()) || b == [0.0; 3] || a.iter().all(|x| x.0.is_zero()) {
         return f64::NAN;
@@ -166,8 +168,8 @@ pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     Real(across.shifted(scale)).to_f64().atan2(Real(along.shifted(scale)).to_f64())
 }
 
-/// The distance between two points, right to a few parts in `1e16` however small it is; infinite
-/// where `b` is not finite.
+/// Returns the distance between two points, accurate to a few parts in `1e16` however small the
+/// distance is; infinite if `b` is not finite.
 pub fn distance_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     if !b.iter().all(|x| x.is_finite()) {
         return f64::INFINITY;

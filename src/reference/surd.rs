@@ -1,17 +1,18 @@
 //! Numbers `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)` with exact p, q, r, s, and their signs.
 //!
-//! A camera's basis has the square roots of two numbers in it, `A = |up x w|^2` and `B = |view|^2`
-//! (see [`crate::Camera`]). Sums, differences and products of such numbers are such numbers again, and
-//! are exact. A ray that is given has none: its numbers are `p` alone, with A = B = 1.
+//! A camera's basis contains the square roots of two numbers, `A = |up x w|^2` and `B = |view|^2`
+//! (see [`crate::Camera`]). Sums, differences and products of numbers of this form have the same
+//! form, and are exact. A ray that is given directly contains no roots: its numbers are just `p`,
+//! with A = B = 1.
 //!
 //! # Signs
-//! [`Field::sign`] first evaluates in interval arithmetic at rising precision; an interval without 0
-//! proves the sign. What stays undecided, each exact zero among it, is decided by algebra: the sign
-//! of `x + y sqrt(B)` where x and y have opposite signs is that of x if `x^2 > y^2 B`, that of y if
-//! `x^2 < y^2 B`, and 0 where they are equal; and `x^2 - y^2 B` has one root less. So no bound on how
+//! [`Field::sign`] first evaluates in interval arithmetic at rising precision; an interval without
+//! 0 proves the sign. Undecided signs, including every exact zero, are decided by algebra: if x and
+//! y have opposite signs, the sign of `x + y sqrt(B)` is that of x if `x^2 > y^2 B`, that of y if
+//! `x^2 < y^2 B`, and 0 if `x^2 = y^2 B`; and `x^2 - y^2 B` has one root less. So no bound on how
 //! near to 0 a number can be is needed (as root separation bounds give; see Yap, *Fundamental
-//! Problems of Algorithmic Algebra*, 2000, ch. 6, and, for signs by repeated squaring, Boissonnat and
-//! Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
+//! Problems of Algorithmic Algebra*, 2000, ch. 6, and, for signs by repeated squaring, Boissonnat
+//! and Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
 //! predicates*, 1999).
 
 use std::cmp::Ordering;
@@ -31,7 +32,7 @@ impl Surd {
         Surd([p, Dyadic::ZERO, Dyadic::ZERO, Dyadic::ZERO])
     }
 
-    /// `p` times the root with this place in [`Surd`].
+    /// Returns `p` times the root with this index in [`Surd`].
     pub(crate) fn with_root(p: Dyadic, index: usize) -> Surd {
         let mut surd = Surd::ZERO;
         surd.0[index] = p;
@@ -64,15 +65,15 @@ impl Surd {
     }
 }
 
-/// Significant bits of the interval arithmetic at a level of effort.
+/// Returns the number of significant bits of the interval arithmetic at a level of effort.
 pub(crate) fn bits_of_level(level: usize) -> usize {
     160 << (2 * level)
 }
 
-/// Levels at which a sign is tried by interval arithmetic before it is decided by algebra.
+/// Number of levels at which a sign is tried by interval arithmetic before algebra decides it.
 const SIGN_LEVELS: usize = 3;
 
-/// Levels at which the roots are remembered.
+/// Number of levels for which the roots are cached.
 const KEPT_LEVELS: usize = 4;
 
 /// The A and B of [`Surd`], both positive.
@@ -90,7 +91,7 @@ impl Field {
         Field { a, b, ab, roots: Default::default() }
     }
 
-    /// The field without roots but those of 1.
+    /// Returns the field with A = B = 1, which adds no irrational roots.
     pub(crate) fn rational() -> Field {
         Field::new(Dyadic::power_of_two(0), Dyadic::power_of_two(0))
     }
@@ -148,7 +149,7 @@ impl Field {
             .map(|x| Interval { low: x.clone(), high: x.clone() }.sqrt(bits))
     }
 
-    /// The sign of `x`, proven: see the [module's words](self).
+    /// Returns the proven sign of `x`: see the [module's documentation](self).
     pub(crate) fn sign(&self, x: &Surd) -> Ordering {
         if x.0[1..].iter().all(Dyadic::is_zero) {
             return x.0[0].sign();
@@ -157,7 +158,7 @@ impl Field {
         found.unwrap_or_else(|| self.sign_by_algebra(x))
     }
 
-    /// The sign by squaring alone: of `(p + q sqrt A) + (r + s sqrt A) sqrt B`.
+    /// Returns the sign of `(p + q sqrt A) + (r + s sqrt A) sqrt B`, found by squaring alone.
     pub(crate) fn sign_by_algebra(&self, x: &Surd) -> Ordering {
         let [p, q, r, s] = &x.0;
         let (a, b) = (&self.a, &self.b);
@@ -170,7 +171,8 @@ impl Field {
     }
 }
 
-/// The sign of `x + y` by those of x and y, and where these are opposite, by that of `x^2 - y^2`.
+/// Returns the sign of `x + y` from the signs of x and y and, if these are opposite, from the sign
+/// of `x^2 - y^2`.
 pub(crate) fn sign_of_sum(
     x: Ordering,
     y: Ordering,
@@ -185,12 +187,12 @@ pub(crate) fn sign_of_sum(
     }
 }
 
-/// The sign of `p + q sqrt(a)` for a positive `a`.
+/// Returns the sign of `p + q sqrt(a)` for a positive `a`.
 fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
     sign_of_sum(p.sign(), q.sign(), || (&p.square() - &(a * &q.square())).sign())
 }
 
-/// The sign of a product, by the signs of its factors.
+/// Returns the sign of a product from the signs of its factors.
 pub(crate) fn product(x: Ordering, y: Ordering) -> Ordering {
     match x {
         Ordering::Greater => y,

@@ -1,4 +1,4 @@
-//! Rays: where they meet an object, and what they hit first.
+//! Rays: the points where a ray meets an object, and the first object that it hits.
 
 use std::cmp::Ordering;
 
@@ -13,23 +13,23 @@ use crate::surd::{Field, Surd};
 pub struct Hit {
     /// The object's number, from 0.
     pub object: usize,
-    /// Place on the ray, in units of its direction's length; positive.
+    /// Position on the ray, in units of the direction's length; positive.
     pub t: Real,
-    /// The unit normal there: outward on a sphere, in the plane's own sense on a plane.
+    /// The unit normal at the hit: outward on a sphere, along the plane's `normal` on a plane.
     pub normal: [Real; 3],
-    /// `origin + t * direction`
+    /// The point that is hit, `origin + t * direction`.
     pub point: [Real; 3],
 }
 
-/// Objects, and what all rays from one point share of them.
+/// Objects, and the quantities that all rays from one point share.
 #[derive(Debug)]
 pub(crate) struct SceneFromEye {
     origin: Vector,
     objects: Vec<ObjectFromEye>,
 }
 
-/// A direction that may have roots in it. The computation uses a positive multiple of the true direction;
-/// `per_multiple` is how many times longer it is, and so how many times smaller its `t`.
+/// A direction that may have roots in it. The computation uses a positive multiple of the true
+/// direction; `per_multiple` is the factor by which the multiple is longer, and its `t` smaller.
 pub(crate) struct Direction<'a> {
     pub(crate) field: &'a Field,
     pub(crate) multiple: [Surd; 3],
@@ -37,14 +37,14 @@ pub(crate) struct Direction<'a> {
 }
 
 impl Direction<'_> {
-    /// The true `t` of one that belongs to the multiple.
+    /// Returns the true `t` for a `t` of the multiple.
     fn true_t(&self, t: &Quotient) -> Real {
         let times = |x: &Surd| self.field.times(x, &self.per_multiple);
         Quotient { p: times(&t.p), q: times(&t.q), e: t.e.clone(), d: t.d.clone() }
             .value(self.field)
     }
 
-    /// The true direction: x / m is x m / m^2.
+    /// Returns the true direction: x / m is x m / m^2.
     pub(crate) fn values(&self) -> [Real; 3] {
         let square = self.field.square(&self.per_multiple);
         [0, 1, 2].map(|i| {
@@ -70,8 +70,8 @@ impl SceneFromEye {
         &self.objects[index]
     }
 
-    /// The object with the smallest `t > 0`, the one listed first among those that share it, and
-    /// that `t` for the direction's multiple.
+    /// Returns the object with the smallest `t > 0`, and this `t` for the direction's multiple. Of
+    /// objects with equal `t`, the first listed wins. Returns `None` if nothing is hit.
     fn first(&self, direction: &Direction) -> Option<(usize, Quotient)> {
         let Direction { field, multiple, .. } = direction;
         let a = field.dot(multiple, multiple);
@@ -108,9 +108,9 @@ fn exact(field: &Field, direction: [f64; 3]) -> Direction<'_> {
     }
 }
 
-/// All `t`, the smaller first, negative ones and 0 too, at which the line `origin + t * direction`
-/// meets the object: one where it touches a sphere, none where it runs parallel to a plane, be it
-/// inside it, and none for a direction of 0.
+/// Returns all `t`, in ascending order and including negative values and 0, at which the line
+/// `origin + t * direction` meets the object. There is one `t` if the line touches a sphere, none
+/// if the line is parallel to a plane, even within the plane, and none if the direction is 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.
@@ -119,9 +119,10 @@ pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Vec<Real
     SceneFromEye::new(&[*object], vector(origin)).roots(0, &exact(&field, direction))
 }
 
-/// Finds what the ray `origin + t * direction` meets at the smallest `t > 0`; of objects that share it,
-/// the one listed first. A ray that touches a sphere hits it; one that is parallel to a plane does
-/// not, be it inside it. None for a direction of 0.
+/// Finds the object that the ray `origin + t * direction` meets at the smallest `t > 0`; of objects
+/// with equal `t`, the first listed. A ray that touches a sphere hits it; a ray that is parallel to
+/// a plane does not hit it, even within the plane. Returns `None` if nothing is hit, and for a
+/// direction of 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.

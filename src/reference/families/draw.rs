@@ -9,12 +9,12 @@ use crate::camera::Orientation;
 /// library may change with its version.
 pub struct Draw {
     state: u64,
-    /// True if all numbers of the case are to be exact in `f32`.
+    /// True if all numbers of the case must be exact in `f32`.
     pub(crate) single: bool,
 }
 
-/// Sizes of the whole numbers that a touching case is made of: those of `f32` keep within 24 bits,
-/// those of `f64` within 53, which their products do not.
+/// Sizes of the whole numbers in a touching case. The numbers fit in 24 bits for `f32` and in 53
+/// bits for `f64`, but their products do not.
 pub(crate) struct Sizes {
     pub(crate) quaternion: i64,
     pub(crate) extent: i64,
@@ -22,7 +22,7 @@ pub(crate) struct Sizes {
 }
 
 impl Draw {
-    /// The numbers of `count` cases of a family.
+    /// Returns the generators for `count` cases of a family.
     pub fn cases(
         seed: u64,
         family: &str,
@@ -50,8 +50,8 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// An orientation along `view`, by a point or by the vector. Where `at - eye` is to be `view`
-    /// exactly, both must be whole numbers.
+    /// Returns an orientation along `view`, given by a point or by the vector. For `at - eye` to be
+    /// exactly `view`, both `eye` and `view` must have whole numbers.
     pub fn aimed(&mut self, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
         if self.once_in(3) {
             Orientation::View { view, up }
@@ -65,40 +65,40 @@ impl Draw {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Draws a number from `low` to `high`, `high` excluded but for rounding.
+    /// Draws a number from `low` to `high`, `high` excluded except for rounding.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// A whole number from `low` to `high`, both included.
+    /// Draws a whole number from `low` to `high`, both included.
     pub fn whole(&mut self, low: i64, high: i64) -> f64 {
         (low + (self.next() % (high - low + 1) as u64) as i64) as f64
     }
 
-    /// True once in `n` times.
+    /// Returns true once in `n` times on average.
     pub fn once_in(&mut self, n: u64) -> bool {
         self.next().is_multiple_of(n)
     }
 
-    /// 1 or -1.
+    /// Draws 1 or -1.
     pub fn sign(&mut self) -> f64 {
         if self.once_in(2) { 1.0 } else { -1.0 }
     }
 
-    /// Draws a number from `low` to `high`, each binade of it as likely as another.
+    /// Draws a number from `low` to `high`, with the same probability for each binade.
     pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
         let size = low * self.power_of_two(0, binades);
         (size * self.between(1.0, 2.0)).min(high)
     }
 
-    /// `2^k` for a whole k from `low` to `high`, both included.
+    /// Draws `2^k` for a whole k from `low` to `high`, both included.
     pub fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
         let exponent = self.whole(low, high) as i64;
         f64::from_bits(((1023 + exponent) as u64) << 52)
     }
 
-    /// A power of two that all lengths of a case may be multiplied by.
+    /// Draws a power of two by which all lengths of a case can be multiplied.
     pub(crate) fn binary_scale(&mut self) -> f64 {
         self.power_of_two(-20, 20)
     }
@@ -111,12 +111,12 @@ impl Draw {
         }
     }
 
-    /// A point of the cube from `-half` to `half`.
+    /// Draws a point in the cube from `-half` to `half`.
     pub fn in_box(&mut self, half: f64) -> [f64; 3] {
         [0; 3].map(|_| self.between(-half, half))
     }
 
-    /// A vector of whole numbers up to `largest`, not all 0.
+    /// Draws a vector of whole numbers up to `largest`, not all 0.
     pub fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
         loop {
             let vector = [0; 3].map(|_| self.whole(-largest, largest));
@@ -126,7 +126,7 @@ impl Draw {
         }
     }
 
-    /// A vector of length 1, but for rounding, in any direction.
+    /// Draws a unit vector (up to rounding) in any direction.
     pub fn direction(&mut self) -> [f64; 3] {
         loop {
             let v = self.in_box(1.0);
@@ -137,7 +137,7 @@ impl Draw {
         }
     }
 
-    /// A unit vector at right angles to `v`, but for rounding.
+    /// Draws a unit vector at right angles to `v`, up to rounding.
     pub fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
         let v = scaled(v, 1.0 / dot(v, v).sqrt());
         loop {
@@ -149,9 +149,10 @@ impl Draw {
         }
     }
 
-    /// Three whole vectors at right angles, all of the same whole length, and that length: a rotation
-    /// by the quaternion `a + bi + cj + dk` of whole numbers, times its square length (Euler and
-    /// Rodrigues; three-dimensional Pythagorean triples).
+    /// Draws three mutually perpendicular vectors of whole numbers, all of the same whole length,
+    /// and returns them with this length: a rotation by the quaternion `a + bi + cj + dk` of whole
+    /// numbers, times its square length (Euler and Rodrigues; three-dimensional Pythagorean
+    /// triples).
     pub(crate) fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
         let [b, c, d] = self.whole_vector(largest);
         let a = self.whole(-largest, largest);
@@ -163,8 +164,8 @@ impl Draw {
         (columns, a * a + b * b + c * c + d * d)
     }
 
-    /// `x` moved away from 0 by so many units in the last place, of `f32` where numbers are to be
-    /// exact in it.
+    /// Returns `x` moved away from 0 by `ulps` units in the last place: those of `f32` if numbers
+    /// must be exact in `f32`.
     pub fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
         let steps = ulps as i64;
         // The bits of a float count its magnitudes on.
@@ -177,15 +178,15 @@ impl Draw {
         moved
     }
 
-    /// `10^k` for a whole k, correctly rounded, subnormals included; in single precision a k beyond `f32`'s range is
-    /// brought into it by the ratio of the ranges.
+    /// Returns `10^k` for a whole k, correctly rounded, including subnormals. In single precision,
+    /// k is scaled by the ratio of the ranges to stay within the range of `f32`.
     pub fn decade(&self, k: f64) -> f64 {
         let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
         format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
     }
 
-    /// `x` as the case has it: rounded to `f32`, but neither to infinity nor to 0, where it has to
-    /// be exact in it.
+    /// Returns `x` as used in the case: rounded to `f32` if numbers must be exact in `f32`, but
+    /// never to infinity or 0.
     pub(crate) fn given(&self, x: f64) -> f64 {
         if !self.single || x == 0.0 {
             return x;
@@ -194,7 +195,7 @@ impl Draw {
         f64::from(x.abs().clamp(limits.0, limits.1) as f32).copysign(x)
     }
 
-    /// `v` as the case has it: exact in `f32` where its numbers have to be.
+    /// Returns `v` as used in the case: rounded to `f32` if numbers must be exact in `f32`.
     pub fn given3(&self, v: [f64; 3]) -> [f64; 3] {
         v.map(|x| self.given(x))
     }
@@ -212,7 +213,7 @@ pub(crate) fn scaled(a: [f64; 3], s: f64) -> [f64; 3] {
     a.map(|x| x * s)
 }
 
-/// `a + s b`
+/// Returns `a + s b`.
 pub(crate) fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
     [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
 }

@@ -146,14 +146,14 @@ fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects: vec![Object::Sphere { center, radius }, ball] }
 }
 
-/// The basis, but for rounding.
+/// Returns the basis, up to rounding.
 fn rounded_basis(view: [f64; 3], up: [f64; 3]) -> [[f64; 3]; 3] {
     let unit = |v| scaled(v, 1.0 / dot(v, v).sqrt());
     let (u, w) = (unit(cross(view, up)), unit(scaled(view, -1.0)));
     [u, cross(w, u), w]
 }
 
-/// The direction of a pixel's ray, but for rounding.
+/// Returns the direction of a pixel's ray, up to rounding.
 fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     let [u, v, w] = match camera.orientation {
         Orientation::At { at, up } => rounded_basis(plus(at, -1.0, camera.eye), up),
@@ -165,7 +165,8 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
-/// Spheres that are tiny for their distance, each about as near to a pixel's ray as it is large.
+/// Spheres that are tiny for their distance, each at a distance from a pixel's ray that is about
+/// its own size.
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
@@ -257,7 +258,7 @@ fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
-/// Camera and scene so large or small that squares leave f64's range.
+/// Makes a camera and a scene so large or small that squares leave the range of f64.
 fn range(draw: &mut Draw, k: f64) -> FrameCase {
     let case = everyday(draw, 3.0);
     case.scaled(draw.decade(k))
@@ -269,12 +270,12 @@ const HALF: i64 = 12;
 /// Distance of the viewport of a picture with pixels of size 1: many whole numbers divide it.
 const DISTANCE: f64 = 12.0;
 
-/// `[x, y, z]` in a frame of three vectors.
+/// Returns the vector with coordinates `[x, y, z]` in a frame of three vectors.
 fn in_frame(frame: &[[f64; 3]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     plus(plus(scaled(frame[0], x), y, frame[1]), z, frame[2])
 }
 
-/// A camera with pixels of one power of two in size, the first of them in the middle of the picture.
+/// Returns a camera whose pixel size is a power of two, with a pixel in the middle of the picture.
 fn centred_camera(
     draw: &mut Draw,
     eye: [f64; 3],
@@ -295,7 +296,8 @@ fn centred_camera(
     }
 }
 
-/// Spheres whose outlines go exactly through pixel centres, and radii one ulp off.
+/// Makes spheres whose outlines pass exactly through pixel centres, and spheres with radii one ulp
+/// off.
 pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     let case = if draw.once_in(2) {
         by_rational_basis(draw, ulps)
@@ -305,7 +307,7 @@ pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     case.scaled(draw.power_of_two(-16, 16))
 }
 
-/// A camera whose basis is a whole frame divided by its length, so that all of its rays have rational
+/// Makes a camera whose basis is a whole frame divided by its length, which gives all rays rational
 /// directions, and spheres that each touch the ray of a pixel.
 fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
@@ -331,8 +333,8 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: centred_camera(draw, eye, orientation, DISTANCE), objects }
 }
 
-/// A camera turned by 45 degrees out of a whole frame, so that its basis has the square root of 2 in
-/// it. In the middle row the ray of column x is [`of_column`].
+/// Returns a camera rotated by 45 degrees from a whole frame, whose basis therefore contains the
+/// square root of 2. In the middle row, the ray of column x is [`of_column`].
 fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera {
     let view = in_frame(world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
     let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
@@ -340,13 +342,13 @@ fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera 
     centred_camera(draw, eye, orientation, DISTANCE)
 }
 
-/// The direction of the ray of column x in the middle row of [`half_turned`], in the frame's
-/// coordinates, but for a factor.
+/// Returns the direction of the ray of column x in the middle row of [`half_turned`], in the
+/// frame's coordinates, up to a factor.
 fn of_column(x: f64) -> [f64; 3] {
     [x - DISTANCE, 0.0, -x - DISTANCE]
 }
 
-/// Spheres that touch rays of the middle row from above and below.
+/// Makes spheres that touch rays of the middle row from above and below.
 fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -361,8 +363,8 @@ fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: half_turned(draw, &world, eye), objects }
 }
 
-/// Two spheres, one inside the other, and a plane that all touch in the point where the ray of a pixel
-/// of [`half_turned`] enters them.
+/// Makes two spheres, one inside the other, and a plane. All three touch at the point where the ray
+/// of a pixel of [`half_turned`] enters them.
 pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -390,7 +392,7 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera, objects }.scaled(draw.power_of_two(-16, 16))
 }
 
-/// Coincident spheres and coincident planes: in each pixel the first listed wins.
+/// Makes coincident spheres and coincident planes: in each pixel, the first listed object wins.
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let center = draw.whole_vector(20);
     let radius = draw.whole(4, 12);

@@ -11,14 +11,14 @@ pub use draw::Draw;
 use crate::camera::{Camera, Orientation};
 use crate::object::Object;
 
-/// Any ray against objects.
+/// A single ray and the objects to intersect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayCase {
     /// Spheres first, then planes.
     pub objects: Vec<Object>,
     /// The point where the ray starts.
     pub origin: [f64; 3],
-    /// Its direction, not normalized.
+    /// The ray's direction, not normalized.
     pub direction: [f64; 3],
 }
 
@@ -31,7 +31,7 @@ pub struct FrameCase {
     pub objects: Vec<Object>,
 }
 
-/// Makes a case from its random numbers and the knob.
+/// The function that makes a case from random numbers and the knob.
 #[derive(Clone, Copy, Debug)]
 pub enum Make {
     /// Single rays: [`Family::rays`].
@@ -46,13 +46,13 @@ pub enum Make {
 /// machine, and a longer list of cases begins with the shorter one.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Its name, in kebab-case.
+    /// The family's name, in kebab-case.
     pub name: &'static str,
-    /// A sentence that says what its cases have in common.
+    /// A sentence about what the family's cases have in common.
     pub about: &'static str,
     /// The knob's meaning, with its unit.
     pub knob_name: &'static str,
-    /// The knob's values, in rising order.
+    /// The knob's values, in ascending order.
     pub knobs: &'static [f64],
     /// The function that makes a case.
     pub make: Make,
@@ -69,19 +69,19 @@ static ALL: [&[Family]; 4] =
     [&spheres::FAMILIES, &planes::FAMILIES, &ties::FAMILIES, &frames::FAMILIES];
 
 impl Family {
-    /// All of them: first those of rays, then those of frames.
+    /// Returns all families: first the families of rays, then the families of frames.
     pub fn all() -> impl Iterator<Item = &'static Family> {
         ALL.into_iter().flatten()
     }
 
-    /// The family of this name.
+    /// Returns the family with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<&'static Family> {
         Family::all().find(|family| family.name == name)
     }
 
-    /// Cases of a family of rays for one of its [knobs](Family::knobs); none of another family. With
-    /// `single`, all numbers are exact in `f32`, units in the last place are those of `f32`, and
-    /// powers of ten beyond its range are brought into it.
+    /// Returns cases of a family of rays for one of its [knobs](Family::knobs); empty for a family
+    /// of frames. With `single`, all numbers are exact in `f32`, units in the last place are those
+    /// of `f32`, and powers of ten beyond the range of `f32` are brought into it.
     pub fn rays(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<RayCase> {
         let Make::Rays(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
@@ -95,7 +95,8 @@ impl Family {
         Draw::cases(seed, self.name, knob, count, single).map(given).collect()
     }
 
-    /// Cases of a family of frames, as [`Family::rays`] says.
+    /// Returns cases of a family of frames, as [`Family::rays`] does for rays; empty for a family
+    /// of rays.
     pub fn frames(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
         let Make::Frames(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
@@ -116,7 +117,7 @@ impl Family {
 }
 
 impl Object {
-    /// Returns it with other places, normals and radii.
+    /// Returns the object with its positions, normals and radii mapped.
     fn map(
         self,
         map_point: impl Fn([f64; 3]) -> [f64; 3],
@@ -137,14 +138,14 @@ impl Object {
         self.map(|v| draw.given3(v), |v| draw.given3(v), |x| draw.given(x))
     }
 
-    /// All its lengths multiplied.
+    /// Returns the object with all lengths multiplied by `scale`.
     fn scaled(self, scale: f64) -> Object {
         self.map(|v| v.map(|x| x * scale), |normal| normal, |radius| radius * scale)
     }
 }
 
 impl Orientation {
-    /// Returns it with each of its vectors mapped.
+    /// Returns the orientation with each of its vectors mapped.
     #[must_use]
     pub fn map(self, vector: impl Fn([f64; 3]) -> [f64; 3]) -> Orientation {
         match self {
@@ -160,7 +161,7 @@ impl Orientation {
 }
 
 impl FrameCase {
-    /// The same picture with other places and radii.
+    /// Returns the same picture with its positions and radii mapped.
     fn map(
         self,
         map_point: impl Fn([f64; 3]) -> [f64; 3],
@@ -176,7 +177,8 @@ impl FrameCase {
         FrameCase { camera, objects: objects.collect() }
     }
 
-    /// All lengths of the world multiplied, not those of the viewport: t alone changes.
+    /// Returns the case with all lengths of the world multiplied by `scale`, but not the
+    /// viewport's: only t changes.
     fn scaled(self, scale: f64) -> FrameCase {
         self.map(|v| v.map(|x| x * scale), |radius| radius * scale)
     }

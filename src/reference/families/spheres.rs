@@ -109,8 +109,8 @@ fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 
     RayCase { objects: vec![Object::Sphere { center, radius }], origin, direction }
 }
 
-/// The direction from `origin` along a line that passes `center` at the distance `by`, which is less
-/// than the origin's.
+/// Returns the direction from `origin` along a line that passes `center` at the distance `by`,
+/// which is less than the distance of `origin`.
 fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3] {
     let to = plus(center, -1.0, origin);
     let square = dot(to, to);
@@ -163,8 +163,8 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let distance = draw.between(1.0, 100.0);
     let center = plus(origin, distance, draw.direction());
     let radius = distance * draw.decade(k);
-    // Where the rounding of a direction alone makes it miss, and now and then elsewhere: the line
-    // from 0 through the centre, exactly.
+    // Uses the exact line from 0 through the centre if merely rounding the direction would make the
+    // ray miss, and occasionally otherwise.
     if (draw.single && k < -6.0) || draw.once_in(8) {
         return one_sphere(center, radius, [0.0; 3], scaled(center, draw.power_of_two(-8, 8)));
     }
@@ -174,7 +174,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
-/// The eye a little above a huge sphere: c is small against the squares it is made of.
+/// The eye a little above a huge sphere: c is small compared with the squares in its formula.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -303,7 +303,7 @@ fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     }
 }
 
-/// Origin, centre, radius and direction each of a size of its own.
+/// Makes an origin, a centre, a radius and a direction, each with its own order of magnitude.
 fn mixed_range(draw: &mut Draw, k: f64) -> RayCase {
     let (large, small) = (draw.decade(k), draw.decade(-k));
     let mut size = || draw.of_any_size(small.sqrt(), large.sqrt());

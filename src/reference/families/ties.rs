@@ -1,8 +1,8 @@
 //! Families of any rays that meet several objects at the same t.
 //!
-//! They are made of whole numbers: a contact point P, and three whole vectors at right angles of the
-//! same whole length n (see [`Draw::whole_frame`]). A sphere of radius k n around P + k N touches P
-//! where N is one of the three.
+//! The cases consist of whole numbers: a contact point P, and three perpendicular whole vectors of
+//! the same whole length n (see [`Draw::whole_frame`]). A sphere of radius k n around P + k N
+//! touches P if N is one of the three vectors.
 
 use crate::families::draw::{Draw, Sizes, cross, plus, scaled};
 use crate::families::{Family, Make, RayCase, ULPS};
@@ -65,27 +65,28 @@ fn contact(draw: &mut Draw) -> Contact {
 }
 
 impl Contact {
-    /// The sphere through the point whose centre is so many vectors `out` from it.
+    /// Returns the sphere through the contact point whose centre is `radii` times the vector `out`
+    /// away from the point.
     fn sphere(&self, draw: &Draw, radii: f64, ulps: f64) -> Object {
         let radius = draw.moved_by_ulps(radii.abs() * self.length, ulps);
         Object::Sphere { center: plus(self.point, radii, self.out), radius }
     }
 
-    /// A vector that leaves the point outward.
+    /// Draws a vector that points outward from the contact point.
     fn outward(&self, draw: &mut Draw) -> [f64; 3] {
         let (a, b) = (draw.whole(-4, 4), draw.whole(-4, 4));
         plus(plus(self.out, a, self.along), b, self.aside)
     }
 
-    /// A vector across `out`.
+    /// Draws a vector perpendicular to `out`.
     fn across(&self, draw: &mut Draw) -> [f64; 3] {
         let (a, b) = (draw.whole(-4, 4), draw.whole(1, 4));
         plus(scaled(self.along, a), b, self.aside)
     }
 }
 
-/// The case with the objects in either order (spheres before planes all the same), all lengths times
-/// a power of two.
+/// Returns the case with the objects in a random order (but spheres before planes), and all lengths
+/// multiplied by a power of two.
 fn shuffled(
     draw: &mut Draw,
     objects: [Object; 2],

@@ -44,7 +44,7 @@ const FRAME: Color32 = Color32::from_gray(0x70);
 /// The background of every other formula in a table.
 const BAND: Color32 = Color32::from_gray(0xf6);
 
-/// The font size of an axis's numbers.
+/// The font size of an axis's numbers and of other small text.
 const SMALL: f32 = 14.0;
 
 const GRID: GridInk = GridInk { line: Color32::from_gray(0xe4), text: TEXT, size: SMALL };
