@@ -1,19 +1,20 @@
-//! A scene on disk, in this program's form and in those of others.
+//! Reads and writes scenes on disk, in this program's format and in other programs' formats.
 //!
 //! - [`document`]: [`document::Document`], which is what a scene file holds: a camera, named and coloured
 //!   objects, and a note.
-//! - [`scene_file`]: reads and writes it as TOML.
-//! - [`scenes`]: the scenes that come with the program, and what a scene on the command line means.
+//! - [`scene_file`]: reads and writes a document as TOML.
+//! - [`scenes`]: the scenes that come with the program, and the meaning of a scene on the command
+//!   line.
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, GIF and OpenEXR.
 //! - [`format`](mod@format): the scene to export, and the parts of every other program's format.
 //! - [`programs`]: other programs' cameras and scenes, written; and a camera from a glTF or from numbers.
-//! - [`code`]: the camera at hand as a short program in six languages.
+//! - [`code`]: the current camera as a short program in six languages.
 //!
-//! Whatever is wrong with a file is a [`FileError`], which says where and what would be right. A file is
-//! written as a whole or not at all ([`atomic`]), and read up to a maximum size
-//! ([`limits`]). Nothing here knows a window.
+//! Every problem with a file is a [`FileError`], which states the location and the rule for valid
+//! values. A file is written as a whole or not at all ([`atomic`]), and read up to a maximum size
+//! ([`limits`]). This crate does not depend on a window.
 
 pub mod answers;
 pub mod atomic;

@@ -1,4 +1,4 @@
-//! Limits on the size of inputs. Larger ones are refused with a message that states the limit.
+//! Limits on the size of inputs. Larger inputs are rejected with a message that states the limit.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -18,10 +18,10 @@ pub const PASTE: usize = 128 << 10;
 /// Maximum bytes of a table's row.
 pub const ROW: usize = 64 << 10;
 
-/// Maximum number of spheres in a table, and of its other rows.
+/// Maximum number of rows in a table, of spheres or anything else.
 pub const ROWS: usize = 10_000_000;
 
-/// Maximum depth of nested brackets. Files written by programs or people need few.
+/// Maximum depth of nested brackets, which is far more than real files need.
 pub const NESTING: usize = 64;
 
 /// Files that a shell has opened for the program. They may be pipes.
@@ -30,8 +30,9 @@ const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/t
 /// Reads a file of at most `most` bytes.
 ///
 /// # Errors
-/// Returns an error if the system does not let us read it, it is larger, or it is a device or a pipe that
-/// nobody has opened for the program: it may never end, or never begin.
+/// Returns an error if the system cannot read the file, if the file is larger, or if the file is a
+/// device or a pipe that was not opened for the program: such a source may never end, or never
+/// begin.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
     let kind = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
@@ -49,7 +50,7 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
 /// Reads a text file of at most [`TEXT`] bytes.
 ///
 /// # Errors
-/// Returns the errors of [`read`], or an error if it is no UTF-8.
+/// Returns the errors of [`read`], or an error if the text is not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     String::from_utf8(read(path, TEXT)?).map_err(|error| {
         let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
@@ -60,7 +61,7 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
 /// Reads at most `most` bytes from a source that messages call `path`.
 ///
 /// # Errors
-/// Returns an error if reading fails, or there is more.
+/// Returns an error if reading fails, or the source has more bytes.
 pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     let read = source.take(most + 1).read_to_end(&mut bytes);

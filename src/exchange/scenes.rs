@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::error::nearest;
 use crate::{FileError, scene_file};
 
-/// Origin of a scene.
+/// The origin of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SceneSource {
     /// A scene file.
@@ -20,7 +20,7 @@ impl SceneSource {
     /// folder, or ends in `.toml`); otherwise the built-in scene of this name.
     ///
     /// # Errors
-    /// Returns an error, with the names that are near, if there is no such scene.
+    /// Returns an error that suggests similar names if there is no such scene.
     pub fn from_argument(argument: &Path) -> Result<SceneSource, FileError> {
         let has_folder = argument.components().count() != 1 || argument.is_absolute();
         let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
@@ -54,7 +54,7 @@ impl SceneSource {
         }
     }
 
-    /// The scene file that it is.
+    /// Returns the path of the scene file; `None` for a built-in scene.
     pub fn scene_file(&self) -> Option<&Path> {
         match self {
             SceneSource::File(path) => Some(path),
@@ -66,9 +66,9 @@ impl SceneSource {
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BuiltinScene {
-    /// Name that it is opened by.
+    /// The name by which the scene is opened.
     pub name: &'static str,
-    /// Its file: a scene file.
+    /// The text of the scene file.
     pub text: &'static str,
 }
 
@@ -100,17 +100,17 @@ const BUILTIN: &[BuiltinScene] = scenes![
 ];
 
 impl BuiltinScene {
-    /// All of them, in the lecture's order.
+    /// Returns all built-in scenes, in the lecture's order.
     pub fn all() -> &'static [BuiltinScene] {
         BUILTIN
     }
 
-    /// Returns the scene of this name.
+    /// Returns the built-in scene with this name; `None` if there is none.
     pub fn find(name: &str) -> Option<&'static BuiltinScene> {
         BUILTIN.iter().find(|scene| scene.name == name)
     }
 
-    /// Returns the names for which this may be a slip, the nearest first.
+    /// Returns the names of built-in scenes similar to `name`, the nearest first.
     pub fn nearest(name: &str) -> Vec<&'static str> {
         nearest(name, BUILTIN.iter().map(|scene| scene.name))
     }
@@ -123,7 +123,7 @@ impl BuiltinScene {
         scene_file::parse(self.text, Path::new(self.name), Path::new(""))
     }
 
-    /// Returns the first sentence of its note, which summarises it.
+    /// Returns the first sentence of the scene's note, which summarises the scene.
     pub fn summary(&self) -> String {
         let note = self.text.lines().map_while(|line| line.strip_prefix("# "));
         let note = note.collect::<Vec<_>>().join(" ");

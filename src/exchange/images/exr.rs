@@ -50,7 +50,7 @@ pub fn encode(
     Image::from_layer(layer).write().to_buffered(BufWriter::new(out)).map_err(to_io)
 }
 
-/// The number that stands for a step.
+/// Returns the number of a certificate's step.
 fn number_of(certificate: &Certificate) -> u32 {
     match certificate.step {
         Step::F64 => 0,

@@ -1,4 +1,4 @@
-//! Animations as GIF, which every slide program takes.
+//! Writes animations as GIF, which every slide program accepts.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -19,17 +19,17 @@ pub struct Animated<W: Write> {
     size: [u16; 2],
     per_second: u32,
     done: u32,
-    /// The frame before; empty at the start.
+    /// The previous frame; empty at the start.
     before: Vec<[u8; 4]>,
 }
 
 impl<W: Write> Animated<W> {
-    /// Creates an animation of frames with this size in sRGB pixels and this number of frames per second. It
-    /// repeats forever, or is shown once.
+    /// Creates an animation of frames with this size in sRGB pixels and this number of frames per
+    /// second. If `repeats`, the animation repeats forever; otherwise it is shown once.
     ///
     /// # Errors
-    /// Returns an error if the size or the number of frames per second is none that GIF has, or writing the
-    /// header to `out` fails.
+    /// Returns an error if the size or the number of frames per second is not possible in GIF, or
+    /// writing the header to `out` fails.
     pub fn new(out: W, size: [u32; 2], per_second: u16, repeats: bool) -> io::Result<Self> {
         let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
             return Err(io::Error::other("GIF has at most 65535 columns and rows"));
@@ -48,7 +48,7 @@ impl<W: Write> Animated<W> {
     /// Writes the next frame; the opacity of its pixels is ignored.
     ///
     /// # Errors
-    /// Returns an error if the frame has another size, or writing it fails.
+    /// Returns an error if the frame has another size, or writing fails.
     pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
         let [width, height] = self.size;
         if pixels.len() != usize::from(width) * usize::from(height) {
@@ -91,7 +91,7 @@ impl<W: Write> Animated<W> {
 
 /// The colours of a frame.
 struct FramePalette {
-    /// Red, green and blue of each.
+    /// Red, green and blue of each colour.
     colors: Vec<u8>,
     /// For each colour of the frame, the index of the palette's colour that replaces it.
     indices: HashMap<[u8; 3], u8>,
@@ -101,7 +101,7 @@ impl FramePalette {
     /// Returns the pixels' own colours if they are few, otherwise colours that a neural network learns from
     /// them (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
     fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> FramePalette {
-        /// The network learns from one of this many pixels.
+        /// The network learns from one pixel out of this many.
         const SAMPLED: i32 = 10;
         let mut indices = HashMap::new();
         let mut colors = Vec::new();

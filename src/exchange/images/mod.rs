@@ -21,7 +21,7 @@ pub fn parse_color(text: &str) -> Option<Rgb> {
     }
 }
 
-/// `#rrggbb`, in small letters.
+/// Returns a colour as `#rrggbb`, in lowercase.
 pub fn color_to_text([r, g, b]: Rgb) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -37,7 +37,7 @@ pub fn encode(
     writer.finish().map_err(to_io)
 }
 
-/// A picture that was read.
+/// A decoded picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decoded {
     /// Columns and rows.
@@ -47,7 +47,7 @@ pub struct Decoded {
 }
 
 impl Decoded {
-    /// The colours over a background, opacity gone.
+    /// Returns the opaque colours of the picture over a background.
     pub fn over(&self, background: Rgb) -> Vec<Rgb> {
         let mix = |front: u8, back: u8, alpha: u8| {
             let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
@@ -70,7 +70,8 @@ pub fn is_png(bytes: &[u8]) -> bool {
 /// sRGB.
 ///
 /// # Errors
-/// Returns an error if the bytes are no PNG, are damaged, or hold more than any image may.
+/// Returns an error if the bytes are not a PNG, are damaged, or hold a picture larger than any
+/// image may be.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
     let at_fault = |error: &dyn std::fmt::Display| {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))

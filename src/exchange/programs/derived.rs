@@ -23,7 +23,7 @@ pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
 /// world, whose axes may have any length. In a left-handed world, every z is negated, and a note is added.
 ///
 /// # Errors
-/// Returns what is wrong with the axes, as "one of its axes is (0, 0, 0)".
+/// Returns the problem with the axes, such as "one of its axes is (0, 0, 0)".
 pub(super) fn right_handed(
     frame: &DAffine3,
     notes: &mut Vec<String>,
@@ -42,7 +42,8 @@ pub(super) fn right_handed(
     Ok((orientation, frame.translation))
 }
 
-/// Returns the orientation with these axes (right, up, backwards); notes say what was straightened.
+/// Returns the orientation with these axes (right, up, backwards); `notes` gets a sentence for each
+/// correction.
 fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation, String> {
     let axes = axes.map(without_noise);
     let [right, up, backwards] = axes;
@@ -118,7 +119,7 @@ pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewp
     viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
 }
 
-/// Returns the image with `height` rows and this aspect ratio.
+/// Returns the image with `height` rows and this aspect ratio; `None` if no such image exists.
 fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
     let width = (f64::from(height) * aspect).round();
     (1.0..=f64::from(ImageSize::MAX))
@@ -126,9 +127,9 @@ fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
         .then(|| ImageSize::new(width as u32, height).ok())?
 }
 
-/// Returns an image close to the current one with this aspect ratio, so that its pixels are square: with the
-/// same height or width if possible, otherwise with multiples of ten pixels, otherwise any. The ratio may have
-/// been rounded to a float.
+/// Returns an image close to the current one with this aspect ratio, which gives square pixels:
+/// with the same height or width if possible, otherwise with multiples of ten pixels, otherwise
+/// any. The ratio may have been rounded to a float.
 fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     let (w, h) = (at_hand.width(), at_hand.height());
     let by_height = |height: u32, off: f64| {
@@ -168,7 +169,8 @@ pub(super) fn image_of_ratio(
     image
 }
 
-/// Returns the note on an image whose size is not specified: what is missing, and why this size is used.
+/// Returns the note on an image whose size is not specified: the missing information, and the
+/// reason for this size.
 pub(super) fn size_note(unsaid: &str, image: ImageSize, taken: &str) -> String {
     format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }

@@ -1,6 +1,6 @@
-//! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos, *glTF
-//! 2.0 Specification*, section 3.10). Spheres and planes are meshes there, one sphere and one square whose
-//! vertices all share, and are written only when asked for.
+//! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos,
+//! *glTF 2.0 Specification*, section 3.10). In glTF, spheres and planes are meshes: a sphere and a
+//! square, whose vertices all objects share. The meshes are only written on request.
 
 use std::f32::consts::PI;
 
@@ -30,7 +30,7 @@ pub(super) const FORMAT: Format = Format {
     write,
 };
 
-/// u, v, w and eye, column after column.
+/// Returns u, v, w and eye, one column after the other.
 pub(super) fn columns(subject: &ExportScene) -> String {
     let basis = subject.resolve().basis();
     let [u, v, w, eye] = [basis.u, basis.v, basis.w, subject.resolve().eye()].map(commas);
@@ -71,10 +71,10 @@ fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
     Ok(text)
 }
 
-/// Number of steps from pole to pole; there are twice as many around.
+/// Number of steps of the sphere from pole to pole; there are twice as many around the axis.
 const STEPS: u16 = 32;
 
-/// The nodes of the objects, and the tables that they refer to.
+/// The nodes of the objects, and the glTF tables to which the nodes refer.
 #[derive(Default)]
 struct Meshes {
     nodes: Vec<String>,

@@ -17,11 +17,12 @@ pub(super) fn detect(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
 }
 
-/// Returns the JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the JSON
-/// (Khronos, *glTF 2.0 Specification*, section 4.4). A camera does not need the others.
+/// Returns the JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the
+/// JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks are not needed for a
+/// camera.
 ///
 /// # Errors
-/// Returns what is wrong with its header or its first chunk.
+/// Returns the problem with the header or the first chunk.
 pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     let is_cut = |what: &str, has: u32, of: usize| {
         format!("binary glTF: {what} is {has} bytes, and {of} are there: is all of the file there?")
@@ -47,7 +48,7 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
 }
 
-/// Reads the camera; anything the text does not specify is as in `at_hand`.
+/// Reads the camera; anything that the text does not specify is taken from `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = parse(input)?;
     let root = JsonNode { input, path: String::new(), value: &value };
@@ -122,8 +123,8 @@ fn node_of_camera<'a>(
     Ok(Some(taken.clone()))
 }
 
-/// Marks the nodes of the shown scene: that with the index `scene`, otherwise the first one. Without scenes,
-/// all nodes are marked.
+/// Marks the nodes of the shown scene: the scene with the index `scene`, otherwise the first scene.
+/// Without scenes, all nodes are marked.
 fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
     let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
@@ -170,7 +171,7 @@ fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     }
 }
 
-/// A node's frame in its parent's.
+/// Returns a node's frame relative to its parent.
 fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
     if let Some(matrix) = node.get("matrix") {
         return affine(&matrix.numbers::<16>()?)
@@ -209,7 +210,7 @@ fn parse(input: &Input) -> Result<Value, FileError> {
     })
 }
 
-/// A value of JSON, and its path: `cameras[0].perspective.yfov`.
+/// A JSON value and its path, such as `cameras[0].perspective.yfov`.
 #[derive(Clone)]
 struct JsonNode<'a> {
     input: &'a Input<'a>,
@@ -239,7 +240,7 @@ impl<'a> JsonNode<'a> {
         items.map(node).collect()
     }
 
-    /// The indices in the list of this name.
+    /// Returns the indices in the list with this name.
     fn indices(&self, list: &str) -> impl Iterator<Item = usize> {
         let list = self.value.get(list).and_then(Value::as_array);
         let list = list.map_or(&[][..], Vec::as_slice).iter();

@@ -111,7 +111,7 @@ fn three(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsup
     Ok(text)
 }
 
-/// Meshes that stand for the objects.
+/// Meshes that represent the objects.
 #[derive(Default)]
 struct StandIns {
     geometries: Vec<String>,

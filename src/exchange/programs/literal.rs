@@ -46,7 +46,8 @@ const MAKERS: [&str; 10] = [
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
-/// Directives that may exclude lines, which cannot be decided without running them.
+/// Preprocessor directives that may exclude lines. Whether they do cannot be decided without
+/// running the preprocessor.
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
 
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), a \
@@ -55,7 +56,7 @@ const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertica
 
 const OF_NUMBERS: &str = "it must be given by numbers, without names or calculations";
 
-/// Returns true if a text looks like one of these cameras.
+/// Returns true if a text looks like a camera of literal numbers.
 pub(super) fn detect(text: &str) -> bool {
     let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
         let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
@@ -339,32 +340,32 @@ struct Statement<'s> {
     piece: Piece<'s>,
     /// The assigned name, such as `view` in `glm::mat4 view = ...`; empty if there is none.
     target: &'s str,
-    /// Function that is called; empty where nothing is.
+    /// The called function; empty if nothing is called.
     called: &'s str,
-    /// Arguments of the call, or values.
+    /// The arguments of the call, or the values.
     arguments: Vec<Argument<'s>>,
 }
 
 /// An argument, or a value.
 struct Argument<'s> {
     piece: Piece<'s>,
-    /// Its numbers, without regard to brackets; `None` if it is not literal.
+    /// The argument's numbers, regardless of brackets; `None` if the argument is not literal.
     numbers: Option<Vec<f64>>,
 }
 
 impl Statements<'_> {
-    /// `statement: right`, at its position.
+    /// Returns the error `statement: right`, located at the statement.
     fn refused(&self, statement: &Statement, right: &str) -> FileError {
         refused(self.input, statement.piece, right)
     }
 
-    /// `field is value: right`, at the value's place.
+    /// Returns the error `field is value: right`, located at the value.
     fn fault(&self, field: &str, argument: &Argument, right: &str) -> FileError {
         let value = one_line(argument.piece.text);
         self.input.error_at(argument.piece.at, format!("{field} is {value}: {right}"))
     }
 
-    /// As [`Self::fault`], of a name's one value.
+    /// Returns the error of [`Self::fault`] for a statement with a name and one value.
     fn value_fault(&self, statement: &Statement, right: &str) -> FileError {
         self.fault(statement.target, &statement.arguments[0], right)
     }
@@ -378,7 +379,7 @@ impl Statements<'_> {
         self.value_fault(statement, &right)
     }
 
-    /// The numbers of all arguments together.
+    /// Returns the numbers of all arguments in one list.
     fn numbers(&self, statement: &Statement) -> Result<Vec<f64>, FileError> {
         let field = if statement.called.is_empty() { "this" } else { statement.called };
         let mut all = Vec::new();
@@ -389,7 +390,8 @@ impl Statements<'_> {
         Ok(all)
     }
 
-    /// Returns the value assigned to one of these names, if it has one of these counts of numbers.
+    /// Returns the value assigned to one of the given names, if its count of numbers is one of the
+    /// given counts.
     fn given(
         &self,
         names: &[&str],
@@ -479,7 +481,7 @@ fn without_comments(input: &Input) -> Result<String, FileError> {
     Ok(plain)
 }
 
-/// `rest of the statement: right`, at this byte.
+/// Returns the error `rest of the statement: right`, located at a byte of the text.
 fn fault_at(input: &Input, text: &str, at: usize, right: &str) -> FileError {
     let rest = text[at..].split([';', '\n']).next().unwrap_or_default();
     refused(input, Piece { text: rest, at }, right)
@@ -543,7 +545,8 @@ fn statement(piece: Piece) -> Option<Statement> {
     Some(Statement { piece, target, called, arguments })
 }
 
-/// Returns a name and the contents of the brackets after it, if they are the whole piece.
+/// Returns a name and the contents of the brackets after it, if together they make up the whole
+/// piece; otherwise `None`.
 fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
     let open = piece.text.find('(')?;
     let name = piece.text[..open].trim_end();
@@ -620,7 +623,7 @@ fn is_name(name: &str) -> bool {
     name.starts_with(is_of_name) && name.chars().all(is_inside)
 }
 
-/// Last part of a name: `vec3` of `glm::vec3`.
+/// Returns the last part of a name, such as `vec3` of `glm::vec3`.
 fn last_segment(name: &str) -> &str {
     name.rsplit(['.', ':']).next().unwrap_or_default()
 }

@@ -26,7 +26,7 @@ use crate::code::LANGUAGES;
 use crate::format::{Format, Imported, Input};
 use crate::{FileError, legible};
 
-/// Every format that a camera is written in.
+/// Every format in which a camera can be written.
 pub static FORMATS: [Format; 10] = [
     gltf::FORMAT,
     libraries::THREE,
@@ -41,12 +41,12 @@ pub static FORMATS: [Format; 10] = [
 ];
 
 impl Format {
-    /// All formats, then all languages.
+    /// Returns all formats, then all languages.
     pub fn all() -> impl Iterator<Item = &'static Format> {
         FORMATS.iter().chain(&LANGUAGES)
     }
 
-    /// The format or language of this name.
+    /// Returns the format or language with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<&'static Format> {
         Format::all().find(|format| format.name == name)
     }
@@ -68,7 +68,8 @@ pub const UNKNOWN: &str = "no camera that Pinhole reads: it reads glTF (.gltf, .
                            Export the scene as glTF, or give its look-at alone";
 
 impl Importer {
-    /// Returns the form of a text, judged by its content.
+    /// Returns the form of a text, judging by its content; `None` if the text has no supported
+    /// form.
     pub fn of(text: &str) -> Option<Importer> {
         if gltf_read::detect(text) {
             return Some(Importer::Gltf);
@@ -79,7 +80,7 @@ impl Importer {
     /// Returns the form of a file, judged by its content, otherwise by its extension.
     ///
     /// # Errors
-    /// Returns an error, with the forms that there are, if it is none of them.
+    /// Returns an error that lists the supported forms if the file has none of them.
     pub fn of_file(text: &Input) -> Result<Importer, FileError> {
         let is_gltf =
             text.path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb");
@@ -88,7 +89,7 @@ impl Importer {
         form.ok_or_else(|| FileError::of_file(text.path, UNKNOWN))
     }
 
-    /// Its name on the screen.
+    /// Returns the form's name on the screen.
     pub fn label(self) -> &'static str {
         match self {
             Importer::Gltf => "glTF 2.0",
@@ -96,8 +97,8 @@ impl Importer {
         }
     }
 
-    /// Reads the text. Anything that it does not specify, such as the image's size or the viewport's distance,
-    /// is as in the camera `at_hand`.
+    /// Reads the text. Anything that it does not specify, such as the image's size or the
+    /// viewport's distance, is taken from the camera `at_hand`.
     ///
     /// # Errors
     /// Returns the first error in the text, with its line and column.
@@ -119,7 +120,7 @@ impl Importer {
 /// Returns the text in a file's bytes: the JSON of a binary glTF, UTF-8, or otherwise Latin-1 with a note.
 ///
 /// # Errors
-/// Returns an error if a binary glTF is damaged, or the bytes are no text.
+/// Returns an error if a binary glTF is damaged, or the bytes are not text.
 pub fn file_text(path: &Path, bytes: Vec<u8>) -> Result<(String, Option<String>), FileError> {
     if bytes.starts_with(gltf_read::MAGIC) {
         let json =

@@ -9,11 +9,13 @@ use crate::format::{
     commas, commas_of, flipped, light, n, quotable, real, rows, sanitized, spaces,
 };
 
-/// POV-Ray 3.7: `camera` with location, right, up and direction, which hold everything that a camera has here.
+/// POV-Ray 3.7: `camera` with location, right, up and direction, which can express every property
+/// of Pinhole's camera.
 ///
-/// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to 1/2
-/// (POV-Ray's reference, *Camera*), so right is width U, up is height V and direction -distance W. Its world is
-/// left-handed by convention only: right determines in which direction the picture's columns run.
+/// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to
+/// 1/2 (POV-Ray's reference, *Camera*), so right is width U, up is height V and direction -distance
+/// W. POV-Ray's world is left-handed by convention only: right determines in which direction the
+/// picture's columns run.
 pub(super) const POVRAY: Format = Format {
     name: "povray",
     label: "POV-Ray",
@@ -84,10 +86,10 @@ fn povray(subject: &ExportScene, _: &mut Vec<String>) -> Result<String, Unsuppor
 
 /// pbrt-v4: `LookAt` and `Camera "perspective"` in a left-handed camera space.
 ///
-/// pbrt's `LookAt` puts `up x view` to the right, which in a right-handed world is left; `Scale -1 1 1` before it
-/// flips the picture back (Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., sections 3.9.5 and
-/// 5.1). fov is that of the image's shorter side; `frameaspectratio` is width / height, also if pixels are not
-/// square.
+/// pbrt's `LookAt` puts `up x view` to the right, which in a right-handed world is left; `Scale -1
+/// 1 1` before it flips the picture back (Pharr, Jakob, Humphreys, *Physically Based Rendering*,
+/// 4th ed., sections 3.9.5 and 5.1). `fov` is the angle of the image's shorter side;
+/// `frameaspectratio` is width / height, even if pixels are not square.
 pub(super) const PBRT: Format = Format {
     name: "pbrt",
     label: "pbrt-v4",

@@ -1,4 +1,4 @@
-//! Cameras of teaching: those of *Ray Tracing in One Weekend* and of the course.
+//! Cameras used in teaching: the camera of *Ray Tracing in One Weekend* and that of the course.
 
 use pinhole_core::Sphere;
 

@@ -1,4 +1,4 @@
-//! Changes values in a scene file's text, and nothing else.
+//! Changes values in a scene file's text, and leaves everything else unchanged.
 
 use std::path::Path;
 
@@ -7,7 +7,8 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use super::{note_to_block, read, split_note, write};
 use crate::document::Document;
 
-/// Returns the previous text with the document's values; `None` if it is not a scene file.
+/// Returns the previous text with the document's values; `None` if the previous text is not a scene
+/// file.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
     let old = read::document(previous, Path::new(""), None).ok()?;
@@ -82,7 +83,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
     Some(())
 }
 
-/// Returns a list's tables, whichever form they have in the file.
+/// Returns a list's tables, regardless of their notation in the file.
 fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfTables> {
     if root.get(key).is_none_or(|item| !item.is_array_of_tables()) {
         let tables = match root.remove(key) {

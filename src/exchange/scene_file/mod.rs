@@ -63,7 +63,7 @@ pub const VERSION: i64 = 1;
 /// Reads a scene file.
 ///
 /// # Errors
-/// Returns the first error in it, or in the CSV file that it names.
+/// Returns the first error in the scene file, or in the CSV file that it names.
 pub fn load(path: &Path) -> Result<Document, FileError> {
     let bytes = limits::read(path, limits::TEXT)?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
@@ -93,8 +93,8 @@ pub fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
 /// A document as [`save`] writes it.
 #[derive(Clone, Debug)]
 pub struct Saved {
-    /// The document that a reader of the file gets. It shares the CSV file's spheres with the one that was
-    /// saved: that file is only referred to, so it need not be read again.
+    /// The document that a reader of the file gets. This document shares the CSV file's spheres
+    /// with the saved document, so the CSV file need not be read again.
     pub document: Document,
     /// The file's text.
     pub text: String,
@@ -113,8 +113,8 @@ pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<
 
 /// Returns the text to write for a scene file at this path.
 ///
-/// The comments and layout of the `previous` text are kept where the values have not changed. The path of a CSV
-/// file is rewritten if necessary, so that it refers to the same file.
+/// The comments and layout of the `previous` text are kept where the values have not changed. The
+/// path of a CSV file is rewritten if necessary, to refer to the same file as before.
 ///
 /// # Errors
 /// Returns an error if a value could not be read back.
@@ -137,8 +137,8 @@ pub fn prepare(
     Ok(Saved { document: written, text })
 }
 
-/// Returns the path of `file` for a scene file in `folder`: `written` if that refers to the same file,
-/// otherwise the relative path, otherwise the absolute path.
+/// Returns the path of `file` for a scene file in `folder`: `written` if this path refers to the
+/// same file, otherwise the relative path, otherwise the absolute path.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let file = resolved(file)?;

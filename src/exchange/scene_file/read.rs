@@ -1,4 +1,4 @@
-//! Reading a document from a scene file's text.
+//! Reads a document from a scene file's text.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -42,7 +42,7 @@ pub(super) fn document(
     Ok(document)
 }
 
-/// Reads those of [`TABLES`] that are present; each replaces the document's values.
+/// Reads the tables of [`TABLES`] that are present. Each table replaces the document's values.
 pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
     let camera = &mut document.camera;
     if let Some(section) = root.get("camera") {
@@ -68,7 +68,7 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
 /// continues after an error, so its own limit is not enough.
 ///
 /// # Errors
-/// Returns the first bracket of those that are too deep, or the first syntax error.
+/// Returns the first bracket that is nested too deep, or the first syntax error.
 pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     if let Some(at) = too_deep(source.text) {
         let problem = format!(

@@ -1,4 +1,4 @@
-//! Writing a document as a scene file's text.
+//! Writes a document as a scene file's text.
 
 use std::path::Path;
 
@@ -9,8 +9,8 @@ use crate::document::{Document, Item};
 use crate::error::is_hidden;
 use crate::images;
 
-/// Returns the text of a scene file. The comments and layout of a previous text are kept as far as the values
-/// have not changed.
+/// Returns the text of a scene file. The comments and layout of a previous text are kept where the
+/// values have not changed.
 ///
 /// Reading the text gives the same document, to the last bit of every number.
 pub fn to_text(document: &Document, previous: Option<&str>) -> String {
@@ -24,7 +24,7 @@ pub fn to_text(document: &Document, previous: Option<&str>) -> String {
     kept.unwrap_or(plain)
 }
 
-/// Returns the text without a previous one: equal for documents that are equal to the last bit.
+/// Returns the text of a new scene file. Documents that are equal to the last bit have equal texts.
 pub(super) fn fresh(document: &Document) -> String {
     let mut text = note_to_block(&document.note);
     if !text.is_empty() {
