@@ -144,7 +144,7 @@ impl FineBasis {
         Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
     }
 
-    /// Returns the error bound of the direction `x u + y v + z w`, as a share of its length: with
+    /// Returns the error bound of the direction `x u + y v + z w`, relative to its length: with
     /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
     pub(crate) fn direction_doubt(&self) -> f64 {
         // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
@@ -169,7 +169,7 @@ fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
 }
 
 /// Returns `(|view x up|, view . up, |view| |up|)` in units of one power of two: the terms of the angle
-/// between view and up. The first keeps its digits however small it is.
+/// between view and up. `|view x up|` keeps its digits however small it is.
 pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =

@@ -273,7 +273,7 @@ mod tests {
         FBig::try_from(x).unwrap().with_precision(5000).value()
     }
 
-    /// Any bits, with an exponent between -400 and 400.
+    /// Generates numbers of any bits, with an exponent between -400 and 400.
     fn number() -> impl Strategy<Value = f64> {
         (any::<u64>(), -400..400_i32).prop_map(|(bits, exponent)| {
             let mantissa = f64::from_bits(bits & !(0x7ff << 52) | (1023 << 52));

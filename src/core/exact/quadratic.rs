@@ -10,7 +10,7 @@ pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
 /// The form of the discriminant that loses the least, by the origin's distance from the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `b^2 - a c`: inside it is a sum; just outside, both parts are small.
+    /// `b^2 - a c`: inside the sphere it is a sum; just outside, both terms are small.
     Near,
     /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`: grazing rays
     /// and distant spheres.

@@ -146,7 +146,7 @@ mod tests {
     proptest! {
         #![proptest_config(config(256))]
 
-        /// Rounded once, also where the result is subnormal.
+        /// Checks that `ldexp` rounds once, also where the result is subnormal.
         #[test]
         fn ldexp_rounds_once(bits in any::<u64>(), to in -1080..1025_i32, far in -2100..2100_i32) {
             let x = f64::from_bits(bits);

@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 
 use crate::exact::dyadic::Dyadic;
 
-/// The two numbers under the roots: A and B, both positive. A camera's are `A = |view|^2` and
+/// The two numbers under the square roots of a [`Surd`]: A and B, which are positive. A camera's are `A = |view|^2` and
 /// `B = |view x up|^2`.
 #[derive(Clone, Debug)]
 pub(crate) struct Radicands {
@@ -50,10 +50,11 @@ impl Surd {
         Surd::from(Dyadic::zero())
     }
 
-    /// Returns `x y`. `sqrt A sqrt A = A`, and likewise; coefficients of 0 cost nothing.
+    /// Returns the product, using `sqrt A sqrt A = A` and `sqrt B sqrt B = B`; coefficients of 0 are
+    /// skipped.
     pub(crate) fn times(&self, other: &Surd, radicands: &Radicands) -> Surd {
-        /// The root under which the product of two coefficients goes: bit 0 for A, bit 1 for B.
-        /// Where both have a root, its radicand comes out.
+        /// Returns the factor of the product of two coefficients: the radicands of the roots that both
+        /// coefficients have (bit 0 for A, bit 1 for B), or `None` if they have no root in common.
         fn factor(i: usize, j: usize, radicands: &Radicands) -> Option<&Dyadic> {
             match i & j {
                 0 => None,

@@ -47,7 +47,7 @@ pub(crate) struct Rate<T> {
 }
 
 impl<T: Number> Rate<T> {
-    /// The dot product's three `e`, and the direction's own doubt.
+    /// Computes the dot product and its bound, from the error of the product and of the direction.
     fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionTerms<T>) -> Rate<T> {
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;

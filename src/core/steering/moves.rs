@@ -173,7 +173,7 @@ impl Camera {
         }
     }
 
-    /// Returns u, v, w after yaw and pitch; `None` if both are 0.
+    /// Returns u, v, w after yaw and pitch; `None` if both are 0, once pitch has been limited.
     fn turned(&self, yaw: f64, pitch: f64) -> Result<Option<Basis>, SteerError> {
         check_finite("yaw", yaw)?;
         check_finite("pitch", pitch)?;

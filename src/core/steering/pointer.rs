@@ -21,9 +21,9 @@ pub const FARTHEST: f64 = 1000.0;
 pub enum DragAlong {
     /// The plane through the anchor that is parallel to the observer's picture.
     ViewPlane,
-    /// The line through the anchor in this direction.
+    /// The line through the anchor in the given direction.
     Axis(DVec3),
-    /// The plane through the anchor with these two directions in it.
+    /// The plane through the anchor that contains these two directions.
     Plane(DVec3, DVec3),
 }
 
