@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 
 use crate::exact::dyadic::Dyadic;
 
-/// The two numbers under the square roots of a [`Surd`]: A and B, which are positive. A camera's are `A = |view|^2` and
-/// `B = |view x up|^2`.
+/// The two numbers under the square roots of a [`Surd`]: A and B, which are positive. A camera's are
+/// `A = |view|^2` and `B = |view x up|^2`.
 #[derive(Clone, Debug)]
 pub(crate) struct Radicands {
     pub(crate) a: Dyadic,
