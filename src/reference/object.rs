@@ -44,10 +44,10 @@ impl Object {
 }
 
 impl Object {
-    /// Returns the relative distance of `q` from the object. For a sphere, this is `(|q - center|^2
-    /// - radius^2) / (|q - center|^2 + radius^2)`. For a plane, it is the square of the cosine
-    /// between the normal and the vector from `q` to the plane's point, with the sign of the
-    /// cosine; 0 if `q` is the plane's point.
+    /// Returns the relative distance of `q` from the object. For a sphere, this is
+    /// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)`. For a plane, it is the square of
+    /// the cosine between the normal and the vector from `q` to the plane's point, with the sign of
+    /// the cosine; 0 if `q` is the plane's point.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.

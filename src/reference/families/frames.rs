@@ -119,7 +119,7 @@ fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
     }
 }
 
-/// An everyday camera and scene.
+/// Makes a case with an everyday camera and scene.
 fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
     let planes = draw.whole(0, (count as i64 + 1) / 4) as usize;
     let mut objects: Vec<Object> = (planes..count as usize)
@@ -133,7 +133,7 @@ fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
     FrameCase { camera: camera(draw, eye, at), objects }
 }
 
-/// The horizon of a huge sphere right under the eye.
+/// Makes a case with the horizon of a huge sphere right under the eye.
 fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -165,8 +165,8 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
-/// Spheres that are tiny for their distance, each at a distance from a pixel's ray that is about
-/// its own size.
+/// Makes a case with spheres that are tiny for their distance, each at a distance from a pixel's
+/// ray that is about its own size.
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
@@ -185,7 +185,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects }
 }
 
-/// The eye just above or below a sphere's surface.
+/// Makes a case with the eye just above or below a sphere's surface.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     let (center, radius) = (draw.in_box(4.0), draw.between(0.5, 4.0));
     let height = draw.sign() * draw.decade(k);
@@ -198,7 +198,7 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     }
 }
 
-/// An everyday camera and scene, far from the world's origin.
+/// Makes a case with an everyday camera and scene, far from the world's origin.
 fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     // By a view: rounding may bring the point to the eye.
@@ -209,7 +209,7 @@ fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     case.map(|point| plus(point, 1.0, offset), |radius| radius)
 }
 
-/// An everyday scene and a camera whose up is nearly parallel to its view.
+/// Makes a case with an everyday scene and a camera whose up is nearly parallel to its view.
 fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     let angle = draw.decade(k) * draw.between(0.3, 3.0);
@@ -234,7 +234,7 @@ fn tipped(draw: &mut Draw, view: [f64; 3], angle: f64, length: f64) -> [f64; 3] 
     scaled(plus(view, angle * dot(view, view).sqrt(), draw.across(view)), length)
 }
 
-/// A picture of one row or one column.
+/// Makes a case with a picture of one row or one column.
 fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 2.0);
     let pixels = draw.decade(k) as u32;
@@ -243,7 +243,7 @@ fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
-/// A viewport or a distance, or both, of an extreme size.
+/// Makes a case with a viewport or a distance, or both, of an extreme size.
 fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     let size = draw.decade(k);

@@ -39,7 +39,7 @@ fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f6
     RayCase { objects: vec![Object::Plane { point, normal }], origin, direction }
 }
 
-/// A ray at a small angle to a plane: normal . direction nearly cancels.
+/// Makes a case with a ray at a small angle to a plane: normal . direction nearly cancels.
 fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
     let normal = draw.direction();
     let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
@@ -49,7 +49,8 @@ fn near_parallel(draw: &mut Draw, k: f64) -> RayCase {
     one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
 }
 
-/// A ray exactly parallel to a plane, inside it or next to it, and normals one ulp off.
+/// Makes a case with a ray exactly parallel to a plane, inside it or next to it, and normals one
+/// ulp off.
 fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
@@ -76,7 +77,7 @@ fn everyday(draw: &mut Draw) -> RayCase {
     one_plane(point, normal, origin, scaled(direction, length))
 }
 
-/// An everyday plane and ray, far from the world's origin.
+/// Makes a case with an everyday plane and ray, far from the world's origin.
 fn offset(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
@@ -85,7 +86,8 @@ fn offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { objects: objects.collect(), origin: moved(origin), direction }
 }
 
-/// A normal, a direction or lengths that are so large or small that products leave f64's range.
+/// Makes a case with a normal, a direction or lengths that are so large or small that products
+/// leave f64's range.
 fn range(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday(draw);
     let scale = draw.decade(k);

@@ -118,7 +118,8 @@ fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3
     plus(to, aside, draw.across(to))
 }
 
-/// A sphere of everyday size seen from a few radii away: within a box, the origin up to 8 radii away.
+/// Makes a case with a sphere of everyday size seen from a few radii away: within a box, the origin
+/// up to 8 radii away.
 fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
     let radius = draw.between(0.25, 1.0);
     let center = draw.in_box(4.0);
@@ -134,7 +135,8 @@ fn any_impact(draw: &mut Draw) -> RayCase {
     everyday(draw, impact)
 }
 
-/// The course's floor, a sphere of radius 5000 around (0, -5001, 0), from the origin.
+/// Makes a case with the course's floor, a sphere of radius 5000 around (0, -5001, 0), from the
+/// origin.
 fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     let level = draw.across([0.0, 1.0, 0.0]);
     let direction = plus(level, -slope, [0.0, 1.0, 0.0]);
@@ -142,7 +144,7 @@ fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
 }
 
-/// Spheres and planes of everyday size: which one is first.
+/// Makes a case with spheres and planes of everyday size: which one is first.
 fn several(draw: &mut Draw, count: f64) -> RayCase {
     let planes = draw.whole(0, (count as i64 + 2) / 4);
     let spheres = (count - planes) as usize;
@@ -157,7 +159,7 @@ fn several(draw: &mut Draw, count: f64) -> RayCase {
     RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
 }
 
-/// A sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.
+/// Makes a case with a sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.
 fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
@@ -174,7 +176,8 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
-/// The eye a little above a huge sphere: c is small compared with the squares in its formula.
+/// Makes a case with the eye a little above a huge sphere: c is small compared with the squares in
+/// its formula.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -191,13 +194,14 @@ fn planet(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, direction)
 }
 
-/// A line that passes the sphere's outline closely, inside or outside.
+/// Makes a case with a line that passes the sphere's outline closely, inside or outside.
 fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     let impact = 1.0 + draw.sign() * draw.decade(k);
     everyday(draw, impact)
 }
 
-/// A line that touches the sphere exactly, and radii one unit in the last place off.
+/// Makes a case with a line that touches the sphere exactly, and radii one unit in the last place
+/// off.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
@@ -214,7 +218,7 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     )
 }
 
-/// The origin just above or below the surface: is the near root ahead or behind?
+/// Makes a case with the origin just above or below the surface: is the near root ahead or behind?
 fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.between(0.5, 4.0);
     let center = draw.in_box(4.0);
@@ -223,7 +227,8 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
 
-/// The origin exactly on the surface, where t = 0 is no hit, and radii one ulp off.
+/// Makes a case with the origin exactly on the surface, where t = 0 is no hit, and radii one ulp
+/// off.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
@@ -246,7 +251,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     )
 }
 
-/// The origin inside the sphere, or at its centre: the far root.
+/// Makes a case with the origin inside the sphere, or at its centre: the far root.
 fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
@@ -254,7 +259,7 @@ fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     one_sphere(draw.given3(center), radius, draw.given3(origin), draw.direction())
 }
 
-/// An everyday sphere and a direction that is far from length 1.
+/// Makes a case with an everyday sphere and a direction that is far from length 1.
 fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let length = dot(case.direction, case.direction).sqrt();
@@ -262,7 +267,7 @@ fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { direction: scaled(case.direction, scale), ..case }
 }
 
-/// An everyday sphere and ray, far from the world's origin.
+/// Makes a case with an everyday sphere and ray, far from the world's origin.
 fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     let mut case = any_impact(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
@@ -286,7 +291,8 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { origin, ..case }
 }
 
-/// Lengths, the direction, or both so large or small that squares leave f64's range.
+/// Makes a case with lengths, the direction, or both so large or small that squares leave f64's
+/// range.
 fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));

@@ -106,7 +106,8 @@ fn shuffled(
     }
 }
 
-/// Two spheres with the same centre, coincident or one ulp apart: the first listed wins.
+/// Makes a case with two spheres with the same centre, coincident or one ulp apart: the first
+/// listed wins.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
     let center = draw.given3(center);
@@ -121,7 +122,7 @@ fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [first, second], origin, direction)
 }
 
-/// A sphere that touches another from inside, and a ray through the contact.
+/// Makes a case with a sphere that touches another from inside, and a ray through the contact.
 fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let [small, more] = [(); 2].map(|()| draw.whole(1, contact.steps / 2));
@@ -132,7 +133,8 @@ fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
 }
 
-/// Spheres that touch from outside, and a ray through the contact from inside one or along both.
+/// Makes a case with spheres that touch from outside, and a ray through the contact from inside one
+/// or along both.
 fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let other = draw.whole(1, contact.steps);
@@ -152,7 +154,7 @@ fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [around, beyond], plus(contact.point, -back, outward), outward)
 }
 
-/// A plane that touches a sphere, and a ray through the contact.
+/// Makes a case with a plane that touches a sphere, and a ray through the contact.
 fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let radii = draw.whole(1, contact.steps);
@@ -164,7 +166,8 @@ fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [sphere, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
 }
 
-/// The same plane by another point and normal, or planes that cross where the ray goes.
+/// Makes a case with one plane given by two points and normals, or with planes that cross where the ray
+/// goes.
 fn planes(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let first = Object::Plane { point: contact.point, normal: contact.out };
