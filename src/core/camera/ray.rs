@@ -111,8 +111,8 @@ impl Ray {
 ///
 /// - For a [`Ray`], origin and direction are exact as given, to the bit ([`ExactRay::from_ray`]).
 /// - For a camera's view ray, eye, at (or view), up, viewport and image are exact as given: nothing in
-/// between is rounded, neither the basis nor (u, v) nor the direction
-/// ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
+///   between is rounded, neither the basis nor (u, v) nor the direction
+///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
 /// The intersection code treats the two kinds alike: as a direction in double-double with a bound of its
 /// error and, where that does not suffice, as exact numbers.
