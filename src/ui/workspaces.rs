@@ -1,7 +1,7 @@
 //! The workspaces' pages: what each layout of the window shows, and where. A new layout needs a [`Page`]
 //! here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, Ui, pos2};
+use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, pos2};
 
 use crate::figures::FigureSubject;
 use crate::model::concept::Hovered;
@@ -162,20 +162,21 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
         readouts::ui(ui, derived, document, style);
     } else {
         readouts::strip(ui, derived, document, style, false);
-        ui.horizontal(|ui| {
-            let shows_all = context.session.settings.items.shows(Item::ViewAndUp);
-            let dragged = if shows_all { "eye, at or up" } else { "eye" };
-            ui.weak(format!("Drag {dragged}. Click a pixel."));
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                switched = ui.button("All numbers").clicked();
-                if context.has_lesson {
-                    return;
-                }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            switched = ui.button("All numbers").clicked();
+            if !context.has_lesson {
                 ui.button("Present").asks(LookAction::Present, context.actions);
                 let exercises = LookAction::Layout(ViewLayout::Exercises);
                 ui.button("Practise").asks(exercises, context.actions);
                 let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
                 ui.button("Start the lecture").asks(Leave::GoTo(lecture), context.actions);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+                let shows_all = context.session.settings.items.shows(Item::ViewAndUp);
+                let dragged = if shows_all { "eye, at or up" } else { "eye" };
+                ui.weak(format!("Drag {dragged}. Click a pixel."));
+                readouts::left_out(ui, derived);
             });
         });
     }

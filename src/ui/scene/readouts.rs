@@ -65,14 +65,21 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     if derived.fault.is_some() {
         return;
     }
-    for (text, meaning) in
-        [(derived.steps.map(steps), STEPS), (derived.counts.map(left_out), LEFT_OUT)]
-    {
-        if let Some(text) = text {
-            ui.add_space(12.0);
-            ui.weak(text).on_hover_text(meaning);
-        }
+    if let Some(counted) = derived.steps {
+        ui.add_space(12.0);
+        ui.weak(steps(counted)).on_hover_text(STEPS);
     }
+    left_out(ui, derived);
+}
+
+/// Shows what the renderer left out of the camera's picture; nothing if the camera has no basis.
+pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
+    let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
+    let Counts { spheres, behind, outside, rows, rows_untouched, .. } = counts;
+    let skipped = behind + outside;
+    let text = format!("Left out: {skipped} of {spheres} spheres, {rows_untouched} of {rows} rows");
+    ui.add_space(12.0);
+    ui.weak(text).on_hover_text(LEFT_OUT);
 }
 
 /// Explains the text about the steps of the ladder.
@@ -91,12 +98,6 @@ pub(crate) fn steps(steps: Steps) -> String {
 /// Explains the text about what the renderer left out.
 const LEFT_OUT: &str = "The renderer skips spheres that are behind the eye, outside the picture or too \
                         small to reach a pixel, and rows that no object reaches";
-
-/// Returns the text about what the renderer left out of the camera's picture.
-fn left_out(counts: Counts) -> String {
-    let Counts { spheres, behind, outside, rows, rows_untouched, .. } = counts;
-    format!("Left out: {} of {spheres} spheres, {rows_untouched} of {rows} rows", behind + outside)
-}
 
 /// Shows a block's title with a button that copies its lines.
 fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {

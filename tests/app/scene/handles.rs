@@ -16,7 +16,9 @@ use pinhole_core::{Camera, DVec3, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};
-use crate::harness::{assert_says, choose_object, says, type_into, unfolded, window, window_with};
+use crate::harness::{
+    assert_says, choose_object, command, says, texts_with, type_into, unfolded, window, window_with,
+};
 
 fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
     harness.get_by_role_and_label(Role::Slider, handle).rect().center()
@@ -555,4 +557,32 @@ fn a_sphere_that_is_pointed_at_has_handles_and_is_chosen_by_them() {
     let after = document(&harness).spheres[1].shape;
     assert!(after.radius > before.radius && after.center == before.center);
     assert!(harness.query_all_by_value("marble").next().is_some(), "its fields are shown");
+}
+
+#[test]
+fn near_up_the_camera_takes_up_along_unless_up_is_kept() {
+    let mut harness = window("canonical");
+    type_into(&mut harness, "at y", "200");
+    let is_said = |harness: &Harness<'_, App>| says(harness, "up turns with the camera");
+    let pulled = |harness: &mut Harness<'_, App>| {
+        let from = take(harness, "eye handle");
+        pull(harness, from + vec2(30.0, 0.0));
+        let (up, said) = (camera(harness).up(), is_said(harness));
+        drop_it(harness, from + vec2(30.0, 0.0));
+        (up, said)
+    };
+    let before = document(&harness);
+    let (up, said) = pulled(&mut harness);
+    assert!(said, "{:?}", texts_with(&harness, "up"));
+    assert_ne!(up, before.camera.up());
+    assert_eq!(camera(&harness).up(), up);
+    undo(&mut harness);
+    assert_eq!(document(&harness), before);
+
+    command(&mut harness, "Keep up");
+    assert!(harness.state().session().settings.keep_up);
+    let (up, said) = pulled(&mut harness);
+    assert!(!said);
+    assert_eq!(up, before.camera.up());
+    assert_ne!(camera(&harness), before.camera, "the eye has moved");
 }

@@ -323,4 +323,9 @@ fn the_window_says_what_its_picture_left_out() {
     type_into(&mut window, "up y", "0");
     assert!(window.state().derived().fault.is_some());
     assert!(texts_with(&window, "Left out").is_empty());
+    // It is there with the numbers folded, too.
+    type_into(&mut window, "up y", "1");
+    window.get_by_label("Fewer numbers").click();
+    window.run();
+    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 200 rows");
 }
