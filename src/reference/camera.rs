@@ -231,7 +231,7 @@ impl View {
     /// around the eye.
     pub fn grazing_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
         let Direction { field, multiple, .. } = self.of_pixel(row, column);
-        self.scene.object(object).grazing(field, &multiple)
+        self.scene.objects[object].grazing(field, &multiple)
     }
 
     /// Returns the square of the cosine between the pixel's ray and the direction to a sphere's
@@ -239,7 +239,7 @@ impl View {
     /// the eye.
     pub fn cosine_squared_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
         let Direction { field, multiple, .. } = self.of_pixel(row, column);
-        self.scene.object(object).cosine_squared(field, &multiple)
+        self.scene.objects[object].cosine_squared(field, &multiple)
     }
 
     /// Returns the direction of the pixel's ray.

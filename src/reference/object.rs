@@ -41,9 +41,7 @@ impl Object {
             ObjectFromEye::Plane { offset, .. } => offset.sign().reverse(),
         }
     }
-}
 
-impl Object {
     /// Returns the relative distance of `q` from the object. For a sphere, this is
     /// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)`. For a plane, it is the square of
     /// the cosine between the normal and the vector from `q` to the plane's point, with the sign of
@@ -63,12 +61,10 @@ impl Object {
             }
             (Object::Sphere { .. }, ObjectFromEye::Plane { .. }) => unreachable!("it is a sphere"),
         };
-        let [p, d] = [p, d].map(Surd::rational);
         if d.is_zero() {
-            Real::from(0.0)
-        } else {
-            Quotient::without_root(p, d).value(&Field::rational())
+            return Real::from(0.0);
         }
+        Quotient::without_root(Surd::rational(p), Surd::rational(d)).value(&Field::rational())
     }
 }
 
@@ -194,27 +190,20 @@ impl<'a> AtRoot<'a> {
 
     /// Returns the coordinate `i` of `(origin + t * direction) / divisor`.
     pub(crate) fn coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Real {
-        self.quick_coordinate(origin, i, divisor)
-            .unwrap_or_else(|| self.exact_coordinate(origin, i, divisor).value(self.field))
-    }
-
-    fn quick_coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Option<Real> {
-        let bits = bits_of_level(LEVEL);
-        let direction = self.field.interval(&self.direction[i], LEVEL);
-        let moved = self.interval.as_ref()?.times(&direction, bits);
-        let coordinate = Interval::exactly(origin, bits).plus(&moved, bits);
-        Real::within(&coordinate.over(&Interval::exactly(divisor, bits), bits))
-    }
-
-    /// Returns `(o + (p + q sqrt(e)) / d * v) / r` as a single quotient.
-    fn exact_coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Quotient {
-        let (t, direction) = (self.t, &self.direction[i]);
-        Quotient {
-            p: t.d.scaled(origin).plus(&self.field.times(&t.p, direction)),
-            q: self.field.times(&t.q, direction),
-            e: t.e.clone(),
-            d: t.d.scaled(divisor),
-        }
+        let (bits, direction) = (bits_of_level(LEVEL), &self.direction[i]);
+        let quick = self.interval.as_ref().and_then(|t| {
+            let moved = t.times(&self.field.interval(direction, LEVEL), bits);
+            let coordinate = Interval::exactly(origin, bits).plus(&moved, bits);
+            Real::within(&coordinate.over(&Interval::exactly(divisor, bits), bits))
+        });
+        // (o + (p + q sqrt(e)) / d * v) / r as a single quotient.
+        let exact = || Quotient {
+            p: self.t.d.scaled(origin).plus(&self.field.times(&self.t.p, direction)),
+            q: self.field.times(&self.t.q, direction),
+            e: self.t.e.clone(),
+            d: self.t.d.scaled(divisor),
+        };
+        quick.unwrap_or_else(|| exact().value(self.field))
     }
 }
 
@@ -225,21 +214,11 @@ fn sphere_roots(field: &Field, a: &Surd, b: &Surd, c: &Dyadic) -> Vec<Quotient> 
     match field.sign(&discriminant) {
         Ordering::Less => Vec::new(),
         Ordering::Equal => vec![Quotient::without_root(minus_b, a.clone())],
-        // One root is 0, and the other is the sum of both, -2 b / a.
-        Ordering::Greater if c.is_zero() => {
-            let sum = minus_b.scaled(&Dyadic::power_of_two(1));
-            let is_ahead = field.sign(&sum) == Ordering::Greater;
-            let zero = Quotient::without_root(Surd::ZERO, a.clone());
-            let other = Quotient::without_root(sum, a.clone());
-            if is_ahead { vec![zero, other] } else { vec![other, zero] }
-        }
         Ordering::Greater => {
-            let root = |sign: i32| {
-                let one = Dyadic::power_of_two(0);
-                let q = Surd::rational(if sign < 0 { -&one } else { one });
-                Quotient { p: minus_b.clone(), q, e: discriminant.clone(), d: a.clone() }
-            };
-            vec![root(-1), root(1)]
+            let one = Surd::rational(Dyadic::power_of_two(0));
+            let root =
+                |q| Quotient { p: minus_b.clone(), q, e: discriminant.clone(), d: a.clone() };
+            vec![root(one.negated()), root(one)]
         }
     }
 }

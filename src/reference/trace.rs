@@ -25,7 +25,7 @@ pub struct Hit {
 #[derive(Debug)]
 pub(crate) struct SceneFromEye {
     origin: Vector,
-    objects: Vec<ObjectFromEye>,
+    pub(crate) objects: Vec<ObjectFromEye>,
 }
 
 /// A direction that may have roots in it. The computation uses a positive multiple of the true
@@ -66,13 +66,8 @@ impl SceneFromEye {
         roots.iter().map(|t| direction.true_t(t)).collect()
     }
 
-    pub(crate) fn object(&self, index: usize) -> &ObjectFromEye {
-        &self.objects[index]
-    }
-
-    /// Returns the object with the smallest `t > 0`, and this `t` for the direction's multiple. Of
-    /// objects with equal `t`, the first listed wins. Returns `None` if nothing is hit.
-    fn first(&self, direction: &Direction) -> Option<(usize, Quotient)> {
+    /// Finds the object with the smallest `t > 0`. Of objects with equal `t`, the first listed wins.
+    pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
         let Direction { field, multiple, .. } = direction;
         let a = field.dot(multiple, multiple);
         let is_ahead = |t: &Quotient| t.sign(field) == Ordering::Greater;
@@ -84,12 +79,8 @@ impl SceneFromEye {
                 first = Some((index, t));
             }
         }
-        first
-    }
-
-    pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
-        let (object, t) = self.first(direction)?;
-        let root = AtRoot::new(direction.field, &direction.multiple, &t);
+        let (object, t) = first?;
+        let root = AtRoot::new(field, multiple, &t);
         let one = Dyadic::power_of_two(0);
         Some(Hit {
             object,

@@ -3,94 +3,27 @@
 
 use crate::camera::{Camera, Orientation};
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
-use crate::families::{Family, FrameCase, Make, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
+use crate::families::{FrameCase, OFFSETS, PLANETS, Row, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
-pub(crate) static FAMILIES: [Family; 12] = [
-    Family {
-        name: "frame-ordinary",
-        about: "Pictures of everyday spheres and planes.",
-        knob_name: "number of objects",
-        knobs: &[1.0, 3.0, 8.0],
-        make: Make::Frames(everyday),
-    },
-    Family {
-        name: "frame-tangent",
-        about: "A pixel's ray touches a sphere exactly, and radii one ulp beside.",
-        knob_name: "radius, in ulps from tangent",
-        knobs: &ULPS,
-        make: Make::Frames(tangent),
-    },
-    Family {
-        name: "frame-ties",
-        about: "Two spheres with the same centre, alike or an ulp apart.",
-        knob_name: "second radius, ulps from first",
-        knobs: &ULPS,
-        make: Make::Frames(ties),
-    },
-    Family {
-        name: "frame-touching",
-        about: "A sphere that touches another from inside, in the middle of a pixel.",
-        knob_name: "inner radius, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Frames(touching),
-    },
-    Family {
-        name: "frame-planet",
-        about: "The horizon of a huge sphere 0.001 to 10 below the eye.",
-        knob_name: "log10 of the radius",
-        knobs: &PLANETS,
-        make: Make::Frames(planet),
-    },
-    Family {
-        name: "frame-tiny-far",
-        about: "Spheres that are tiny for their distance, beside pixels' rays.",
-        knob_name: "log10 of radius / distance",
-        knobs: &SMALL,
-        make: Make::Frames(tiny_far),
-    },
-    Family {
-        name: "frame-eye-near-surface",
-        about: "The eye just above or below a sphere's surface.",
-        knob_name: "log10 of height / radius",
-        knobs: &TO_ROUNDING,
-        make: Make::Frames(eye_near_surface),
-    },
-    Family {
-        name: "frame-offset",
-        about: "An everyday camera and scene, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Frames(offset),
-    },
-    Family {
-        name: "frame-up-near-view",
-        about: "A camera whose up is nearly parallel to its view.",
-        knob_name: "log10 of the angle, in radians",
-        knobs: &TO_ROUNDING,
-        make: Make::Frames(up_near_view),
-    },
-    Family {
-        name: "frame-long-thin",
-        about: "A picture of one row or one column.",
-        knob_name: "log10 of its pixels",
-        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0],
-        make: Make::Frames(long_thin),
-    },
-    Family {
-        name: "viewport-extreme",
-        about: "A viewport or its distance, or both, of an extreme size.",
-        knob_name: "log10 of the size",
-        knobs: &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
-        make: Make::Frames(viewport_extreme),
-    },
-    Family {
-        name: "frame-range",
-        about: "Camera and scene so large or small that squares leave the range of numbers.",
-        knob_name: "log10 of the scale",
-        knobs: &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
-        make: Make::Frames(range),
-    },
+pub(crate) const FAMILIES: [Row<FrameCase>; 12] = [
+    ("frame-ordinary", "number of objects", &[1.0, 3.0, 8.0], everyday),
+    ("frame-tangent", "radius, in ulps from tangent", &ULPS, tangent),
+    ("frame-ties", "second radius, ulps from first", &ULPS, ties),
+    ("frame-touching", "inner radius, in ulps from touching", &ULPS, touching),
+    ("frame-planet", "log10 of the radius", &PLANETS, planet),
+    ("frame-tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
+    ("frame-eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
+    ("frame-offset", "log10 of the offset", &OFFSETS, offset),
+    ("frame-up-near-view", "log10 of the angle, in radians", &TO_ROUNDING, up_near_view),
+    ("frame-long-thin", "log10 of its pixels", &[0.0, 1.0, 2.0, 3.0, 4.0], long_thin),
+    (
+        "viewport-extreme",
+        "log10 of the size",
+        &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
+        viewport_extreme,
+    ),
+    ("frame-range", "log10 of the scale", &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0], range),
 ];
 
 /// A camera at `eye` that looks at a point, with an image of 16 to 24 pixels a side.

@@ -8,6 +8,9 @@ mod ties;
 
 pub use draw::Draw;
 
+use std::sync::LazyLock;
+
+use self::draw::scaled;
 use crate::camera::{Camera, Orientation};
 use crate::object::Object;
 
@@ -48,7 +51,7 @@ pub enum Make {
 pub struct Family {
     /// The family's name, in kebab-case.
     pub name: &'static str,
-    /// A sentence about what the family's cases have in common.
+    /// A sentence that says what the family's cases have in common.
     pub about: &'static str,
     /// The knob's meaning, with its unit.
     pub knob_name: &'static str,
@@ -64,14 +67,78 @@ const TO_ROUNDING: [f64; 8] = [-16.0, -14.0, -12.0, -10.0, -8.0, -6.0, -3.0, -1.
 const SMALL: [f64; 6] = [-12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
 const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
+/// A family: its name, the meaning of its knob, the knob's values, and the function that makes a case.
+type Row<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
+
+/// What the cases of each family have in common.
+const ABOUT: [(&str, &str); 35] = [
+    ("ordinary", "A sphere of everyday size, seen from a few radii away."),
+    ("course-floor", "The course's floor: a sphere of radius 5000 whose top is 1 below the eye."),
+    ("several", "Spheres and planes of everyday size: which one is first?"),
+    ("tiny-far", "A sphere tiny for its distance: what decides is lost in squares subtracted."),
+    ("planet", "The eye 0.001 to 10 above a huge sphere: its height is lost in squares."),
+    ("grazing", "A line that passes the sphere's outline closely, inside or outside."),
+    ("tangent", "A line that touches the sphere exactly, and radii one ulp beside."),
+    (
+        "eye-near-surface",
+        "The eye just above or below the surface: is the near root ahead or behind?",
+    ),
+    (
+        "eye-on-surface",
+        "The eye exactly on the surface, where t = 0 is no hit, and radii one ulp beside.",
+    ),
+    ("eye-inside", "The eye inside the sphere, up to its centre: the far root is seen."),
+    ("direction-length", "An everyday sphere and a direction far from length 1."),
+    ("world-offset", "An everyday sphere and ray, far from the world's origin."),
+    ("extreme-range", "Lengths, direction or both so large or small that squares leave the range."),
+    ("mixed-range", "Eye, centre, radius, direction of any sizes from the largest to its inverse."),
+    ("near-parallel-plane", "A ray at a small angle to a plane: n·d nearly cancels."),
+    ("parallel-plane", "A ray parallel to a plane, in it or beside it, and normals one ulp off."),
+    ("plane-offset", "An everyday plane and ray, far from the world's origin."),
+    (
+        "plane-range",
+        "Normal, direction or lengths so large or small that products leave the range.",
+    ),
+    ("ties-concentric", "Two spheres with the same centre, alike or an ulp apart: which is first?"),
+    (
+        "ties-touching-inside",
+        "A sphere that touches another from inside, and a ray through the contact.",
+    ),
+    ("ties-touching-outside", "Spheres that touch from outside, and a ray through the contact."),
+    ("ties-sphere-plane", "A plane that touches a sphere, and a ray through the contact."),
+    ("ties-planes", "The same plane twice, or planes that cross where the ray goes."),
+    ("frame-ordinary", "Pictures of everyday spheres and planes."),
+    ("frame-tangent", "A pixel's ray touches a sphere exactly, and radii one ulp beside."),
+    ("frame-ties", "Two spheres with the same centre, alike or an ulp apart."),
+    ("frame-touching", "A sphere that touches another from inside, in the middle of a pixel."),
+    ("frame-planet", "The horizon of a huge sphere 0.001 to 10 below the eye."),
+    ("frame-tiny-far", "Spheres that are tiny for their distance, beside pixels' rays."),
+    ("frame-eye-near-surface", "The eye just above or below a sphere's surface."),
+    ("frame-offset", "An everyday camera and scene, far from the world's origin."),
+    ("frame-up-near-view", "A camera whose up is nearly parallel to its view."),
+    ("frame-long-thin", "A picture of one row or one column."),
+    ("viewport-extreme", "A viewport or its distance, or both, of an extreme size."),
+    ("frame-range", "Camera and scene so large or small that squares leave the range of numbers."),
+];
+
 /// The families of single rays, then those of frames.
-static ALL: [&[Family]; 4] =
-    [&spheres::FAMILIES, &planes::FAMILIES, &ties::FAMILIES, &frames::FAMILIES];
+static ALL: LazyLock<Vec<Family>> = LazyLock::new(|| {
+    let family = |name, knob_name, knobs, make| {
+        let about = ABOUT.iter().find(|(known, _)| *known == name).map_or("", |(_, about)| about);
+        Family { name, about, knob_name, knobs, make }
+    };
+    let rays = spheres::FAMILIES.into_iter().chain(planes::FAMILIES).chain(ties::FAMILIES);
+    let rays = rays.map(|(name, knob, knobs, make)| family(name, knob, knobs, Make::Rays(make)));
+    let frames = frames::FAMILIES.into_iter();
+    let frames =
+        frames.map(|(name, knob, knobs, make)| family(name, knob, knobs, Make::Frames(make)));
+    rays.chain(frames).collect()
+});
 
 impl Family {
     /// Returns all families: first the families of rays, then the families of frames.
     pub fn all() -> impl Iterator<Item = &'static Family> {
-        ALL.into_iter().flatten()
+        ALL.iter()
     }
 
     /// Returns the family with this name; `None` if there is none.
@@ -137,10 +204,18 @@ impl Object {
     fn given(self, draw: &Draw) -> Object {
         self.map(|v| draw.given3(v), |v| draw.given3(v), |x| draw.given(x))
     }
+}
 
-    /// Returns the object with all lengths multiplied by `scale`.
-    fn scaled(self, scale: f64) -> Object {
-        self.map(|v| v.map(|x| x * scale), |normal| normal, |radius| radius * scale)
+impl RayCase {
+    /// Returns the case with all lengths multiplied by `scale`, and the direction by `stretch`.
+    fn scaled(self, scale: f64, stretch: f64) -> RayCase {
+        let length = |v| scaled(v, scale);
+        let objects = self.objects.into_iter();
+        RayCase {
+            objects: objects.map(|object| object.map(length, |n| n, |r| r * scale)).collect(),
+            origin: length(self.origin),
+            direction: scaled(self.direction, stretch),
+        }
     }
 }
 
@@ -180,6 +255,6 @@ impl FrameCase {
     /// Returns the case with all lengths of the world multiplied by `scale`, but not the
     /// viewport's: only t changes.
     fn scaled(self, scale: f64) -> FrameCase {
-        self.map(|v| v.map(|x| x * scale), |radius| radius * scale)
+        self.map(|v| scaled(v, scale), |radius| radius * scale)
     }
 }

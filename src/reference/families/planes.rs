@@ -1,38 +1,14 @@
 //! Families of any rays against one plane.
 
 use crate::families::draw::{Draw, Sizes, dot, plus, scaled};
-use crate::families::{Family, Make, OFFSETS, RayCase, TO_ROUNDING, ULPS};
+use crate::families::{OFFSETS, RayCase, Row, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
-pub(crate) static FAMILIES: [Family; 4] = [
-    Family {
-        name: "near-parallel-plane",
-        about: "A ray at a small angle to a plane: n·d nearly cancels.",
-        knob_name: "log10 of the angle, in radians",
-        knobs: &TO_ROUNDING,
-        make: Make::Rays(near_parallel),
-    },
-    Family {
-        name: "parallel-plane",
-        about: "A ray parallel to a plane, in it or beside it, and normals one ulp off.",
-        knob_name: "normal, in ulps from parallel",
-        knobs: &ULPS,
-        make: Make::Rays(parallel),
-    },
-    Family {
-        name: "plane-offset",
-        about: "An everyday plane and ray, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Rays(offset),
-    },
-    Family {
-        name: "plane-range",
-        about: "Normal, direction or lengths so large or small that products leave the range.",
-        knob_name: "log10 of the scale",
-        knobs: &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0],
-        make: Make::Rays(range),
-    },
+pub(crate) const FAMILIES: [Row<RayCase>; 4] = [
+    ("near-parallel-plane", "log10 of the angle, in radians", &TO_ROUNDING, near_parallel),
+    ("parallel-plane", "normal, in ulps from parallel", &ULPS, parallel),
+    ("plane-offset", "log10 of the offset", &OFFSETS, offset),
+    ("plane-range", "log10 of the scale", &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0], range),
 ];
 
 fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f64; 3]) -> RayCase {
@@ -62,8 +38,7 @@ fn parallel(draw: &mut Draw, ulps: f64) -> RayCase {
     if let Some(i) = (0..3).find(|&i| normal[i] * along[i] != 0.0) {
         normal[i] = draw.moved_by_ulps(normal[i], ulps);
     }
-    let scale = draw.binary_scale();
-    one_plane(scaled(point, scale), normal, scaled(origin, scale), along)
+    one_plane(point, normal, origin, along).scaled(draw.binary_scale(), 1.0)
 }
 
 fn everyday(draw: &mut Draw) -> RayCase {

@@ -1,108 +1,34 @@
 //! Families of any rays against one sphere, or several objects.
 
 use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
-use crate::families::{Family, Make, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS};
+use crate::families::{OFFSETS, PLANETS, RayCase, Row, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
-pub(crate) static FAMILIES: [Family; 14] = [
-    Family {
-        name: "ordinary",
-        about: "A sphere of everyday size, seen from a few radii away.",
-        knob_name: "distance from centre / radius",
-        knobs: &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0],
-        make: Make::Rays(everyday),
-    },
-    Family {
-        name: "course-floor",
-        about: "The course's floor: a sphere of radius 5000 whose top is 1 below the eye.",
-        knob_name: "slope (0.02 touches)",
-        knobs: &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0],
-        make: Make::Rays(course_floor),
-    },
-    Family {
-        name: "several",
-        about: "Spheres and planes of everyday size: which one is first?",
-        knob_name: "number of objects",
-        knobs: &[2.0, 5.0, 20.0],
-        make: Make::Rays(several),
-    },
-    Family {
-        name: "tiny-far",
-        about: "A sphere tiny for its distance: what decides is lost in squares subtracted.",
-        knob_name: "log10 of radius / distance",
-        knobs: &SMALL,
-        make: Make::Rays(tiny_far),
-    },
-    Family {
-        name: "planet",
-        about: "The eye 0.001 to 10 above a huge sphere: its height is lost in squares.",
-        knob_name: "log10 of the radius",
-        knobs: &PLANETS,
-        make: Make::Rays(planet),
-    },
-    Family {
-        name: "grazing",
-        about: "A line that passes the sphere's outline closely, inside or outside.",
-        knob_name: "log10 of the gap to the outline / radius",
-        knobs: &TO_ROUNDING,
-        make: Make::Rays(grazing),
-    },
-    Family {
-        name: "tangent",
-        about: "A line that touches the sphere exactly, and radii one ulp beside.",
-        knob_name: "radius, in ulps from tangent",
-        knobs: &ULPS,
-        make: Make::Rays(tangent),
-    },
-    Family {
-        name: "eye-near-surface",
-        about: "The eye just above or below the surface: is the near root ahead or behind?",
-        knob_name: "log10 of height / radius",
-        knobs: &TO_ROUNDING,
-        make: Make::Rays(eye_near_surface),
-    },
-    Family {
-        name: "eye-on-surface",
-        about: "The eye exactly on the surface, where t = 0 is no hit, and radii one ulp beside.",
-        knob_name: "radius, in ulps from the eye",
-        knobs: &ULPS,
-        make: Make::Rays(eye_on_surface),
-    },
-    Family {
-        name: "eye-inside",
-        about: "The eye inside the sphere, up to its centre: the far root is seen.",
-        knob_name: "distance from centre / radius",
-        knobs: &[0.0, 1e-9, 0.1, 0.5, 0.9, 0.999],
-        make: Make::Rays(eye_inside),
-    },
-    Family {
-        name: "direction-length",
-        about: "An everyday sphere and a direction far from length 1.",
-        knob_name: "log10 of the direction's length",
-        knobs: &[-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0],
-        make: Make::Rays(direction_length),
-    },
-    Family {
-        name: "world-offset",
-        about: "An everyday sphere and ray, far from the world's origin.",
-        knob_name: "log10 of the offset",
-        knobs: &OFFSETS,
-        make: Make::Rays(world_offset),
-    },
-    Family {
-        name: "extreme-range",
-        about: "Lengths, direction or both so large or small that squares leave the range.",
-        knob_name: "log10 of the scale",
-        knobs: &[-320.0, -300.0, -150.0, -100.0, 100.0, 150.0, 300.0, 307.0],
-        make: Make::Rays(extreme_range),
-    },
-    Family {
-        name: "mixed-range",
-        about: "Eye, centre, radius, direction of any sizes from the largest to its inverse.",
-        knob_name: "log10 of the largest size",
-        knobs: &[10.0, 30.0, 100.0, 300.0],
-        make: Make::Rays(mixed_range),
-    },
+pub(crate) const FAMILIES: [Row<RayCase>; 14] = [
+    ("ordinary", "distance from centre / radius", &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0], everyday),
+    ("course-floor", "slope (0.02 touches)", &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0], course_floor),
+    ("several", "number of objects", &[2.0, 5.0, 20.0], several),
+    ("tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
+    ("planet", "log10 of the radius", &PLANETS, planet),
+    ("grazing", "log10 of the gap to the outline / radius", &TO_ROUNDING, grazing),
+    ("tangent", "radius, in ulps from tangent", &ULPS, tangent),
+    ("eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
+    ("eye-on-surface", "radius, in ulps from the eye", &ULPS, eye_on_surface),
+    ("eye-inside", "distance from centre / radius", &[0.0, 1e-9, 0.1, 0.5, 0.9, 0.999], eye_inside),
+    (
+        "direction-length",
+        "log10 of the direction's length",
+        &[-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0],
+        direction_length,
+    ),
+    ("world-offset", "log10 of the offset", &OFFSETS, world_offset),
+    (
+        "extreme-range",
+        "log10 of the scale",
+        &[-320.0, -300.0, -150.0, -100.0, 100.0, 150.0, 300.0, 307.0],
+        extreme_range,
+    ),
+    ("mixed-range", "log10 of the largest size", &[10.0, 30.0, 100.0, 300.0], mixed_range),
 ];
 
 fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 3]) -> RayCase {
@@ -210,12 +136,8 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let radius = draw.moved_by_ulps(radii * length, ulps);
     let scale = draw.binary_scale();
     let stretch = draw.power_of_two(-8, 8);
-    one_sphere(
-        scaled(plus(touched, radii, out), scale),
-        radius * scale,
-        scaled(plus(touched, -back, along), scale),
-        scaled(along, stretch),
-    )
+    one_sphere(plus(touched, radii, out), radius, plus(touched, -back, along), along)
+        .scaled(scale, stretch)
 }
 
 /// Makes a case with the origin just above or below the surface: is the near root ahead or behind?
@@ -242,13 +164,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
         _ => draw.whole_vector(9),
     };
     let direction = if direction == [0.0; 3] { out } else { direction };
-    let scale = draw.binary_scale();
-    one_sphere(
-        scaled(plus(origin, radii, out), scale),
-        radius * scale,
-        scaled(origin, scale),
-        direction,
-    )
+    one_sphere(plus(origin, radii, out), radius, origin, direction).scaled(draw.binary_scale(), 1.0)
 }
 
 /// Makes a case with the origin inside the sphere, or at its centre: the far root.
@@ -302,11 +218,7 @@ fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
         2 => (scale, scale),
         _ => (scale, inverse),
     };
-    RayCase {
-        objects: case.objects.into_iter().map(|object| object.scaled(lengths)).collect(),
-        origin: scaled(case.origin, lengths),
-        direction: scaled(case.direction, direction),
-    }
+    case.scaled(lengths, direction)
 }
 
 /// Makes an origin, a centre, a radius and a direction, each with its own order of magnitude.

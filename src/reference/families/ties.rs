@@ -5,45 +5,20 @@
 //! touches P if N is one of the three vectors.
 
 use crate::families::draw::{Draw, Sizes, cross, plus, scaled};
-use crate::families::{Family, Make, RayCase, ULPS};
+use crate::families::{RayCase, Row, ULPS};
 use crate::object::Object;
 
-pub(crate) static FAMILIES: [Family; 5] = [
-    Family {
-        name: "ties-concentric",
-        about: "Two spheres with the same centre, alike or an ulp apart: which is first?",
-        knob_name: "second radius, ulps from first",
-        knobs: &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
-        make: Make::Rays(concentric),
-    },
-    Family {
-        name: "ties-touching-inside",
-        about: "A sphere that touches another from inside, and a ray through the contact.",
-        knob_name: "second radius, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Rays(touching_inside),
-    },
-    Family {
-        name: "ties-touching-outside",
-        about: "Spheres that touch from outside, and a ray through the contact.",
-        knob_name: "second radius, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Rays(touching_outside),
-    },
-    Family {
-        name: "ties-sphere-plane",
-        about: "A plane that touches a sphere, and a ray through the contact.",
-        knob_name: "radius, in ulps from touching",
-        knobs: &ULPS,
-        make: Make::Rays(sphere_plane),
-    },
-    Family {
-        name: "ties-planes",
-        about: "The same plane twice, or planes that cross where the ray goes.",
-        knob_name: "second point, in ulps",
-        knobs: &ULPS,
-        make: Make::Rays(planes),
-    },
+pub(crate) const FAMILIES: [Row<RayCase>; 5] = [
+    (
+        "ties-concentric",
+        "second radius, ulps from first",
+        &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
+        concentric,
+    ),
+    ("ties-touching-inside", "second radius, in ulps from touching", &ULPS, touching_inside),
+    ("ties-touching-outside", "second radius, in ulps from touching", &ULPS, touching_outside),
+    ("ties-sphere-plane", "radius, in ulps from touching", &ULPS, sphere_plane),
+    ("ties-planes", "second point, in ulps", &ULPS, planes),
 ];
 
 /// A contact point and the vectors there, all whole.
@@ -99,11 +74,7 @@ fn shuffled(
     let objects = if same_kind && draw.once_in(2) { [second, first] } else { [first, second] };
     let scale = draw.binary_scale();
     let stretch = draw.power_of_two(-8, 8);
-    RayCase {
-        objects: objects.map(|object| object.scaled(scale)).to_vec(),
-        origin: scaled(origin, scale),
-        direction: scaled(direction, stretch),
-    }
+    RayCase { objects: objects.to_vec(), origin, direction }.scaled(scale, stretch)
 }
 
 /// Makes a case with two spheres with the same centre, coincident or one ulp apart: the first
