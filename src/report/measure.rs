@@ -46,11 +46,10 @@ pub struct Measurement {
     cases: Vec<CaseRun>,
     /// Index of the current case; all earlier cases are done.
     current: usize,
-    left_out: Vec<String>,
-    notes: &'static str,
-    seed: Option<u64>,
-    timed_what: &'static str,
-    /// Restricts the ladder's parallel tracer to one thread while it is timed.
+    /// The report without its cases.
+    frame: Report,
+    /// Restricts the ladder's parallel tracer to one thread while it is timed; `None` if the pool cannot be
+    /// created, in which case the ladder is timed on all threads of the default pool.
     one_thread: Option<ThreadPool>,
 }
 
@@ -64,40 +63,43 @@ impl Measurement {
         scene: &Scene,
         camera: &Camera,
     ) -> Result<Measurement, CameraError> {
-        let (cases, left_out) = scenes::cases(name, scene, camera)?;
-        let timed_what = "a frame of the scene";
-        let (notes, seed) = (scenes::NOTE, None);
-        Ok(Measurement {
-            cases,
-            current: 0,
-            left_out,
-            notes,
-            seed,
-            timed_what,
-            one_thread: one_thread(),
-        })
+        let cases = scenes::cases(name, scene, camera)?;
+        Ok(Measurement::new(cases, "a frame of the scene", scenes::NOTE, None))
     }
 
     /// Creates the measurement of all stress families, which takes about two minutes on two cores. The same
     /// seed gives the same cases on every machine, and all of them are compared with the truth.
     pub fn of_families(seed: u64) -> Measurement {
-        let (cases, left_out) = families::cases(seed);
-        let timed_what = "the family's rays one by one, or its frames at some 8000 pixels";
-        let (notes, seed) = (families::NOTE, Some(seed));
-        Measurement {
-            cases,
-            current: 0,
+        let timed = "the family's rays one by one, or its frames at some 8000 pixels";
+        Measurement::new(families::cases(seed), timed, families::NOTE, Some(seed))
+    }
+
+    fn new(
+        (cases, left_out): (Vec<CaseRun>, Vec<String>),
+        timed: &str,
+        note: &str,
+        seed: Option<u64>,
+    ) -> Measurement {
+        let frame = Report {
+            reference: subject::REFERENCE.to_owned(),
+            cpu: describe_cpu(),
+            baseline: format!(
+                "{BASELINE}, both roots, timed as all are: {timed}, one thread; ladder-f32 is how pictures \
+                 on the screen are traced; the ladder has the same objects, and every t rounded once \
+                 from more digits than f64 has, pixel by pixel; the others' time is that of their formula"
+            ),
+            cases: Vec::new(),
             left_out,
-            notes,
+            notes: vec![note.to_owned()],
             seed,
-            timed_what,
-            one_thread: one_thread(),
-        }
+        };
+        let one_thread = ThreadPoolBuilder::new().num_threads(1).build().ok();
+        Measurement { cases, current: 0, frame, one_thread }
     }
 
     /// Returns the total amount of work, in pieces of roughly equal length.
     pub fn total(&self) -> usize {
-        self.cases.iter().map(CaseRun::total).sum()
+        self.cases.iter().map(|case| case.limits.pieces).sum()
     }
 
     /// Returns the number of pieces of work that are done.
@@ -128,43 +130,23 @@ impl Measurement {
     /// Returns a report of the cases begun so far, each with the decisions made so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
-        let mut left_out = self.left_out.clone();
-        left_out.extend(begun.clone().filter_map(CaseRun::left_out));
-        Report {
-            reference: subject::REFERENCE.to_owned(),
-            cpu: describe("every method"),
-            baseline: format!(
-                "{BASELINE}, both roots, timed as all are: {}, one thread; ladder-f32 is how pictures \
-                 on the screen are traced; the ladder has the same objects, and every t rounded once \
-                 from more digits than f64 has, pixel by pixel; the others' time is that of their \
-                 formula",
-                self.timed_what
-            ),
-            cases: begun.map(CaseRun::report).collect(),
-            left_out,
-            notes: vec![self.notes.to_owned()],
-            seed: self.seed,
-        }
+        let mut report = self.frame.clone();
+        report.left_out.extend(begun.clone().filter_map(|case| case.left_out.clone()));
+        report.cases.extend(begun.map(CaseRun::report));
+        report
     }
 }
 
-/// Returns a pool of one thread for the ladder; `None` if the pool cannot be created, in which case
-/// the ladder is timed on all threads of the default pool.
-fn one_thread() -> Option<ThreadPool> {
-    ThreadPoolBuilder::new().num_threads(1).build().ok()
-}
-
 /// Describes the processor: its name if known, the vector instructions by which programs choose
-/// their code, and the instructions that `what` was compiled for.
-pub(crate) fn describe(what: &str) -> String {
-    let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
-    let features = features();
-    let features = if features.is_empty() {
-        "no vector instructions asked for".to_owned()
-    } else {
-        features.join(", ")
+/// their code, and the instructions that every method was compiled for.
+fn describe_cpu() -> String {
+    let arch = std::env::consts::ARCH;
+    let name = cpu_name().unwrap_or_else(|| arch.to_owned());
+    let features = match features() {
+        found if found.is_empty() => "no vector instructions asked for".to_owned(),
+        found => found.join(", "),
     };
-    format!("{name} ({}; {features}; {what} compiled for {})", std::env::consts::ARCH, level())
+    format!("{name} ({arch}; {features}; every method compiled for {})", level())
 }
 
 /// Returns the name of the vector instructions that `pinhole_core` chose.
@@ -182,7 +164,7 @@ fn level() -> &'static str {
     }
 }
 
-fn name() -> Option<String> {
+fn cpu_name() -> Option<String> {
     let info = fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = info.lines().find(|line| line.starts_with("model name"))?;
     let name = line.split_once(':')?.1.trim();

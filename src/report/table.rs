@@ -11,20 +11,7 @@ use crate::report::summary::{MethodOverall, Overall, least_middle_most, overall,
 const WIDTH: usize = 118;
 
 /// The names of the columns.
-const COLUMNS: [&str; 12] = [
-    "method",
-    "wrong",
-    "share",
-    "median",
-    "p99",
-    "max",
-    "max",
-    "max",
-    "normal",
-    "min",
-    "quartiles",
-    "× base",
-];
+const COLUMNS: &str = "method,wrong,share,median,p99,max,max,max,normal,min,quartiles,× base";
 
 /// Text that explains the columns.
 const READING: &str = "wrong: hit or miss, which object is first, or another root of it (t less than half \
@@ -36,8 +23,7 @@ const READING: &str = "wrong: hit or miss, which object is first, or another roo
     compared";
 
 /// The names of the summary's columns.
-const SUMMARY: [&str; 10] =
-    ["method", "wrong", "of", "share", "least", "middle", "most", "least", "middle", "most"];
+const SUMMARY: &str = "method,wrong,of,share,least,middle,most,least,middle,most";
 
 /// Returns the whole report as text.
 pub fn to_table(report: &Report) -> String {
@@ -50,14 +36,14 @@ pub fn to_table(report: &Report) -> String {
         ("seed", &seed),
     ] {
         if !text.is_empty() {
-            wrapped(&mut out, WIDTH, &format!("{name:<10} "), text);
+            wrapped(&mut out, &format!("{name:<10} "), text);
         }
     }
     for note in &report.notes {
-        wrapped(&mut out, WIDTH, "note       ", note);
+        wrapped(&mut out, "note       ", note);
     }
     if !report.cases.is_empty() {
-        wrapped(&mut out, WIDTH, "reading    ", READING);
+        wrapped(&mut out, "reading    ", READING);
     }
     let summaries = summaries(report);
     if summaries.len() > 1 {
@@ -68,7 +54,7 @@ pub fn to_table(report: &Report) -> String {
     for case in &report.cases {
         out.push('\n');
         if case.name != family && !case.about.is_empty() {
-            wrapped(&mut out, WIDTH, "", &format!("{}: {}", case.name, case.about));
+            wrapped(&mut out, "", &format!("{}: {}", case.name, case.about));
         }
         family = &case.name;
         block(&mut out, case, baseline_of(report, case));
@@ -76,7 +62,7 @@ pub fn to_table(report: &Report) -> String {
     if !report.left_out.is_empty() {
         out.push_str("\nleft out:\n");
         for line in &report.left_out {
-            wrapped(&mut out, WIDTH, "  ", line);
+            wrapped(&mut out, "  ", line);
         }
     }
     out
@@ -90,8 +76,8 @@ fn summary(out: &mut String, all: &Overall) {
          but ladder-f32, where it has them; largest errors in t in ulps of f64 (none: no digit right, or \
          no hit alike) and times in nanoseconds a pixel: of {in_errors} {noun} that all methods have"
     );
-    wrapped(out, WIDTH, "", &about);
-    let cells = |method: &MethodOverall| -> [String; SUMMARY.len()] {
+    wrapped(out, "", &about);
+    let cells = |method: &MethodOverall| {
         let number = |x: f64| if x.is_finite() { short(x) } else { "none".to_owned() };
         let three = |values: Option<[f64; 3]>| {
             values.map_or([(); 3].map(|()| "-".to_owned()), |v| v.map(number))
@@ -111,16 +97,23 @@ fn summary(out: &mut String, all: &Overall) {
             time_most,
         ]
     };
-    let mut rows = vec![SUMMARY.map(str::to_owned)];
-    rows.extend(methods.iter().map(cells));
     const HEADS: [(usize, usize, &str); 2] = [(4, 3, "largest error in t"), (7, 3, "ns a pixel")];
-    headed(out, &rows, &HEADS);
+    headed(out, &HEADS, SUMMARY, methods.iter().map(cells));
 }
 
-/// Writes rows under heads that span one column or several: each head has its first column, its
-/// number of columns, and its text.
-fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usize, usize, &str)]) {
-    let mut widths = widths(rows);
+/// Writes rows under the names of their columns, and these under heads that span one column or several: each
+/// head has its first column, its number of columns, and its text. The first column is aligned to the left, the
+/// other columns to the right.
+fn headed<const N: usize>(
+    out: &mut String,
+    heads: &[(usize, usize, &str)],
+    columns: &str,
+    rows: impl Iterator<Item = [String; N]>,
+) {
+    let mut table: Vec<Vec<String>> = vec![columns.split(',').map(str::to_owned).collect()];
+    table.extend(rows.map(Vec::from));
+    let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let mut widths: Vec<usize> = (0..N).map(width).collect();
     let before = heads.first().map_or(0, |(first, ..)| *first);
     let mut line =
         " ".repeat(widths[..before].iter().sum::<usize>() + 2 * before.saturating_sub(1));
@@ -133,7 +126,14 @@ fn headed<const N: usize>(out: &mut String, rows: &[[String; N]], heads: &[(usiz
     }
     out.push_str(&line);
     out.push('\n');
-    aligned(out, rows, widths);
+    for row in table {
+        let mut line = format!("{:<width$}", row[0], width = widths[0]);
+        for (cell, width) in row.iter().zip(&widths).skip(1) {
+            let _ = write!(line, "  {cell:>width$}");
+        }
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
 }
 
 /// Returns the time with which other times are compared: the time of the method named at the
@@ -158,9 +158,7 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         condition("", case.condition),
         condition(" in the cases for f32", case.condition_f32)
     );
-    wrapped(out, WIDTH, "", &title);
-    let mut rows = vec![COLUMNS.map(str::to_owned)];
-    rows.extend(case.methods.iter().map(|row| cells(row, baseline)));
+    wrapped(out, "", &title);
     const HEADS: [(usize, usize, &str); 5] = [
         (3, 3, "error in t, ulps of f64"),
         (6, 1, "own ulps"),
@@ -168,10 +166,10 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         (8, 1, "rad"),
         (9, 2, "ns a pixel"),
     ];
-    headed(out, &rows, &HEADS);
+    headed(out, &HEADS, COLUMNS, case.methods.iter().map(|row| cells(row, baseline)));
     for row in &case.methods {
         if let Some(text) = row.decided() {
-            wrapped(out, WIDTH, "", &text);
+            wrapped(out, "", &text);
         }
     }
 }
@@ -180,7 +178,7 @@ fn percent(share: Option<f64>) -> String {
     share.map_or("-".to_owned(), |share| format!("{} %", short(100.0 * share)))
 }
 
-fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
+fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
     let times = row.ns_per_pixel;
     let quartiles = match (times.lower_quartile, times.upper_quartile) {
@@ -204,31 +202,11 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
     ]
 }
 
-/// Returns the width of each column: that of its widest cell.
-pub(crate) fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
-    std::array::from_fn(|column| {
-        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
-    })
-}
-
-/// Writes rows: the first column aligned to the left, the other columns to the right, separated by
-/// two blanks.
-pub(crate) fn aligned<const N: usize>(out: &mut String, rows: &[[String; N]], widths: [usize; N]) {
-    for row in rows {
-        let mut line = format!("{:<width$}", row[0], width = widths[0]);
-        for (cell, width) in row.iter().zip(widths).skip(1) {
-            let _ = write!(line, "  {cell:>width$}");
-        }
-        out.push_str(line.trim_end());
-        out.push('\n');
-    }
-}
-
-/// Writes text after a head, in lines of at most `width` characters. Further lines are indented by the head's
+/// Writes text after a head, in lines of at most [`WIDTH`] characters. Further lines are indented by the head's
 /// width.
-pub(crate) fn wrapped(out: &mut String, width: usize, head: &str, text: &str) {
+fn wrapped(out: &mut String, head: &str, text: &str) {
     let indent = head.chars().count();
-    for (k, line) in lines(text, width - indent).into_iter().enumerate() {
+    for (k, line) in lines(text, WIDTH - indent).into_iter().enumerate() {
         let head = if k == 0 { head } else { "" };
         let _ = writeln!(out, "{head:indent$}{line}");
     }

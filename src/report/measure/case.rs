@@ -18,11 +18,18 @@ use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps
 pub(super) struct CaseRun {
     /// The case; it contains results once the measurement is done.
     case: Case,
-    limits: Limits,
-    make: Option<Box<dyn FnOnce() -> CaseWork + Send>>,
+    pub(super) limits: Limits,
+    /// The function that prepares the work; `None` once the case has begun.
+    make: Option<MakeWork>,
+    /// The work in progress; `None` before and after it.
     work: Option<CaseWork>,
-    left_out: Option<String>,
+    /// A sentence about the rays that are left out, if any.
+    pub(super) left_out: Option<String>,
 }
+
+/// A function that prepares the work of a case. It also returns a sentence about the rays that are left out, if
+/// any.
+type MakeWork = Box<dyn FnOnce() -> (CaseWork, Option<String>) + Send>;
 
 /// The amount of work for a case. It is the same on every machine, regardless of load.
 pub(super) struct Limits {
@@ -37,8 +44,6 @@ pub(super) struct CaseWork {
     sets: Vec<Set>,
     /// The share of rays that hit, if known; otherwise the share among the decided rays is used.
     coverage: Option<f64>,
-    /// A sentence about the rays that are left out, if any.
-    left_out: Option<String>,
     is_timing_next: bool,
 }
 
@@ -70,13 +75,9 @@ impl CaseRun {
     pub(super) fn new(
         case: Case,
         limits: Limits,
-        make: impl FnOnce() -> CaseWork + Send + 'static,
+        make: impl FnOnce() -> (CaseWork, Option<String>) + Send + 'static,
     ) -> CaseRun {
         CaseRun { case, limits, make: Some(Box::new(make)), work: None, left_out: None }
-    }
-
-    pub(super) fn total(&self) -> usize {
-        self.limits.pieces
     }
 
     pub(super) fn done(&self) -> usize {
@@ -100,7 +101,8 @@ impl CaseRun {
     /// Does one piece of work.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
         if let Some(make) = self.make.take() {
-            self.work = Some(make());
+            let (work, left_out) = make();
+            (self.work, self.left_out) = (Some(work), left_out);
         } else if let Some(work) = &mut self.work {
             work.step(self.limits.rounds, one_thread);
         }
@@ -108,14 +110,7 @@ impl CaseRun {
 
     /// Keeps the results and drops everything else.
     pub(super) fn finish(&mut self) {
-        (self.case, self.left_out, self.work) = (self.report(), self.left_out(), None);
-    }
-
-    pub(super) fn left_out(&self) -> Option<String> {
-        match &self.work {
-            Some(work) => work.left_out.clone(),
-            None => self.left_out.clone(),
-        }
+        (self.case, self.work) = (self.report(), None);
     }
 
     pub(super) fn report(&self) -> Case {
@@ -139,8 +134,8 @@ impl CaseRun {
 }
 
 impl CaseWork {
-    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>, left_out: Option<String>) -> CaseWork {
-        CaseWork { sets, coverage, left_out, is_timing_next: false }
+    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>) -> CaseWork {
+        CaseWork { sets, coverage, is_timing_next: false }
     }
 
     /// Returns the share of the work that is done, from 0 to 1.
@@ -166,8 +161,8 @@ impl CaseWork {
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
         if to_time && (self.is_timing_next || !to_decide) {
             // The set that is furthest behind, so that all of them are timed in turn.
-            let behind = self.sets.iter_mut().min_by_key(|set| set.round());
-            if let Some(set) = behind {
+            let round = |set: &&mut Set| set.timings / set.workers.len().max(1);
+            if let Some(set) = self.sets.iter_mut().min_by_key(round) {
                 set.time(rounds, one_thread);
             }
         } else {
@@ -184,7 +179,8 @@ impl Set {
     pub(super) fn new(subject: CaseSubject, methods: impl IntoIterator<Item = Method>) -> Set {
         let worker = |method: Method| {
             let kernel = subject.kernel(method)?;
-            Some(Worker { method, kernel, tally: Tally::of(subject.populations()) })
+            let tally = Tally { populations: subject.populations(), ..Tally::default() };
+            Some(Worker { method, kernel, tally })
         };
         let workers = methods.into_iter().filter_map(worker).collect();
         Set { subject, workers, decided: 0, hits: 0, conditions: Vec::new(), chunk: 4, timings: 0 }
@@ -199,11 +195,6 @@ impl Set {
         Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *max })
     }
 
-    /// Returns the number of the set's current round.
-    fn round(&self) -> usize {
-        self.timings / self.workers.len().max(1)
-    }
-
     /// Traces the next rays with the reference and all methods.
     fn decide(&mut self) {
         let start = Instant::now();
@@ -211,20 +202,16 @@ impl Set {
         let follow = |index: usize| {
             let found = |worker: &Worker| self.subject.found(&worker.kernel, index);
             let found: Vec<Option<MethodHit>> = self.workers.iter().map(found).collect();
-            let truth = self.subject.truth(index);
-            let problem = truth.as_ref().and_then(|truth| self.subject.problem(index, truth));
-            (truth, problem, found)
+            (self.subject.truth(index), found)
         };
         let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
-        for (index, (truth, problem, found)) in (self.decided..end).zip(answers) {
+        for (index, (truth, found)) in (self.decided..end).zip(answers) {
             self.hits += usize::from(truth.is_some());
             let stratum = self.subject.stratum(index);
-            if let Some(condition) = problem.as_ref().and_then(Problem::condition) {
-                self.conditions.push((condition, stratum));
-            }
-            let truth = truth.as_ref().map(|truth| (truth, problem.as_ref()));
+            let condition = truth.as_ref().and_then(|(_, problem)| problem.condition());
+            self.conditions.extend(condition.map(|condition| (condition, stratum)));
             for (worker, found) in self.workers.iter_mut().zip(found) {
-                worker.tally.decide(worker.method, stratum, truth, found.as_ref());
+                worker.tally.decide(worker.method, stratum, truth.as_ref(), found.as_ref());
             }
         }
         self.decided = end;
@@ -268,18 +255,13 @@ struct Tally {
 }
 
 impl Tally {
-    /// Creates an empty tally for rays with these numbers per stratum.
-    fn of(populations: Populations) -> Tally {
-        Tally { populations, ..Tally::default() }
-    }
-
     /// Counts a decision. If the decision is right, also records its errors; the error of t is
     /// recorded only if the true t is a normal number in the method's precision.
     fn decide(
         &mut self,
         method: Method,
         stratum: usize,
-        truth: Option<(&Hit, Option<&Problem>)>,
+        truth: Option<&(Hit, Problem)>,
         found: Option<&MethodHit>,
     ) {
         self.decisions[stratum] += 1;
@@ -287,19 +269,12 @@ impl Tally {
             Precision::F32 => f64::from(f32::EPSILON),
             Precision::F64 => f64::EPSILON,
         };
-        let (truth, problem, found) = match (truth, found) {
-            (None, None) => return,
-            (Some((truth, problem)), Some(found))
-                if truth.object == found.object as usize
-                    && !problem
-                        .is_some_and(|problem| problem.is_other_root(truth, found.t, unit)) =>
-            {
-                (truth, problem, found)
-            }
-            _ => {
-                self.wrong[stratum] += 1;
-                return;
-            }
+        let both = truth.zip(found).filter(|((truth, problem), found)| {
+            truth.object == found.object as usize && !problem.is_other_root(truth, found.t, unit)
+        });
+        let Some(((truth, problem), found)) = both else {
+            self.wrong[stratum] += u64::from(truth.is_some() || found.is_some());
+            return;
         };
         let t = &truth.t;
         let (ulps, is_in_range) = match method.precision() {
@@ -308,11 +283,8 @@ impl Tally {
         };
         if is_in_range {
             self.ulps.push((ulps.min(f64::MAX), stratum));
-            let backward = problem.and_then(|problem| problem.backward_error(truth, found.t));
-            self.backward_error_max = match (self.backward_error_max, backward) {
-                (Some(max), Some(error)) => Some(max.max(error)),
-                (max, error) => max.or(error),
-            };
+            let backward = problem.backward_error(truth, found.t).into_iter();
+            self.backward_error_max = backward.chain(self.backward_error_max).reduce(f64::max);
         } else {
             self.t_out_of_range += 1;
         }

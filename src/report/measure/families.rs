@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use pinhole_core::methods::{Method, Precision};
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene,
-    Sphere, Viewport,
+    Basis, Camera, ImageSize, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
+    Viewport,
 };
 use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayCase};
 
@@ -54,7 +54,7 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 
 /// Creates the sets of a case. The `f64` methods get the family's cases; the `f32` methods get cases whose
 /// numbers are exact in `f32`, so that their own errors are measured and not those of rounding the scene.
-fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
+fn make(family: &Family, knob: f64, seed: u64) -> (CaseWork, Option<String>) {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
         let single = precision == Precision::F32;
@@ -80,7 +80,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> CaseWork {
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    CaseWork::new(sets, None, left_out)
+    (CaseWork::new(sets, None), left_out)
 }
 
 /// Returns the precision of a method's input. The ladder's input is `f64`, regardless of the
@@ -98,22 +98,16 @@ fn scene_of(objects: &[Object]) -> Option<Scene> {
     for object in objects {
         match *object {
             Object::Sphere { center, radius } => {
-                spheres.push(Sphere { center: DVec3::from_array(center), radius });
+                spheres.push(Sphere::new(center, radius).ok()?);
             }
-            Object::Plane { point, normal } => planes
-                .push(Plane { point: DVec3::from_array(point), normal: DVec3::from_array(normal) }),
+            Object::Plane { point, normal } => planes.push(Plane::new(point, normal).ok()?),
         }
     }
     Scene::new(spheres, planes).ok()
 }
 
 fn ray_case(case: &RayCase) -> Option<(Scene, Ray)> {
-    let ray = Ray {
-        origin: DVec3::from_array(case.origin),
-        direction: DVec3::from_array(case.direction),
-    };
-    ray.check().ok()?;
-    Some((scene_of(&case.objects)?, ray))
+    Some((scene_of(&case.objects)?, Ray::new(case.origin, case.direction).ok()?))
 }
 
 fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
@@ -143,19 +137,18 @@ fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
 }
 
 fn core_camera(camera: &reference::Camera) -> Option<Camera> {
-    let vector = DVec3::from_array;
     let reference::Camera { eye, orientation, width, height, distance, columns, rows } = *camera;
     let orientation = match orientation {
-        reference::Orientation::At { at, up } => Orientation::At { at: vector(at), up: vector(up) },
+        reference::Orientation::At { at, up } => Orientation::At { at: at.into(), up: up.into() },
         reference::Orientation::View { view, up } => {
-            Orientation::View { view: vector(view), up: vector(up) }
+            Orientation::View { view: view.into(), up: up.into() }
         }
         reference::Orientation::Basis { u, v, w } => {
-            Orientation::Basis(Basis { u: vector(u), v: vector(v), w: vector(w) })
+            Orientation::Basis(Basis { u: u.into(), v: v.into(), w: w.into() })
         }
     };
     Some(Camera {
-        eye: vector(eye),
+        eye: eye.into(),
         orientation,
         viewport: Viewport { width, height, distance },
         image: ImageSize::new(columns, rows).ok()?,

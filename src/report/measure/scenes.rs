@@ -101,7 +101,12 @@ pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     })
 }
 
-fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> CaseWork {
+fn make(
+    title: &str,
+    scene: Scene,
+    camera: &Camera,
+    resolved: &ResolvedCamera,
+) -> (CaseWork, Option<String>) {
     let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
     let frame = trace(&scene, resolved, &raster, Outputs::default());
     let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
@@ -122,11 +127,8 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
     });
     let picture = MeasuredPicture::new(scene, camera, resolved, raster, sample, (*resolved, timed));
     let coverage = covered as f64 / all.max(1) as f64;
-    CaseWork::new(
-        vec![Set::new(CaseSubject::Frames(vec![picture]), methods)],
-        Some(coverage),
-        left_out,
-    )
+    let set = Set::new(CaseSubject::Frames(vec![picture]), methods);
+    (CaseWork::new(vec![set], Some(coverage)), left_out)
 }
 
 /// Returns the raster for timing: the image, or fewer of its pixels, in rows as long as possible.

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere, Steps,
-    Viewport,
+    Basis, Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
+    Steps, Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -117,35 +117,24 @@ impl CaseSubject {
             .unwrap_or(0)
     }
 
-    /// Returns the true first hit of the ray with this number; `None` if the ray hits nothing.
-    pub(super) fn truth(&self, index: usize) -> Option<Hit> {
-        match self {
+    /// Returns the true first hit of the ray with this number, and the problem that it answers; `None` if the ray
+    /// hits nothing.
+    pub(super) fn truth(&self, index: usize) -> Option<(Hit, Problem)> {
+        let (scene, ray, hit) = match self {
             CaseSubject::Rays(cases) => {
                 let (scene, ray) = &cases[index];
                 let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-                reference::first_hit(&objects_of(scene), origin, direction)
-            }
-            CaseSubject::Frames(pictures) => {
-                let (_, picture, pixel) = CaseSubject::locate(pictures, index)?;
-                picture.truth(pixel)
-            }
-        }
-    }
-
-    /// Returns the problem whose answer is this true hit.
-    pub(super) fn problem(&self, index: usize, truth: &Hit) -> Option<Problem> {
-        let object = |scene: &Scene| scene.object(u32::try_from(truth.object).ok()?);
-        match self {
-            CaseSubject::Rays(cases) => {
-                let (scene, ray) = &cases[index];
-                Some(Problem::new(ray, &object(scene)?, truth))
+                (scene, *ray, reference::first_hit(&objects_of(scene), origin, direction)?)
             }
             CaseSubject::Frames(pictures) => {
                 let (_, picture, pixel) = CaseSubject::locate(pictures, index)?;
                 let ray = picture.camera.ray_of_pixel(picture.pixel(pixel));
-                Some(Problem::new(&ray, &object(&picture.scene)?, truth))
+                (&*picture.scene, ray, picture.truth(pixel)?)
             }
-        }
+        };
+        let object = scene.object(u32::try_from(hit.object).ok()?)?;
+        let problem = Problem::new(&ray, &object, &hit);
+        Some((hit, problem))
     }
 
     /// Prepares a method to trace the rays; returns `None` if the rays are single and the method
@@ -239,20 +228,11 @@ impl MeasuredPicture {
         sample: Sample,
         timed: (ResolvedCamera, Raster),
     ) -> MeasuredPicture {
-        let objects = objects_of(&scene);
-        let of_reference = reference_camera(given);
-        let view =
-            if objects.len() < MANY_OBJECTS { of_reference.prepare(&objects).ok() } else { None };
-        MeasuredPicture {
-            scene,
-            camera: *camera,
-            of_reference,
-            objects,
-            view,
-            raster,
-            sample,
-            timed,
-        }
+        let (objects, of_reference, camera) =
+            (objects_of(&scene), reference_camera(given), *camera);
+        let has_few = objects.len() < MANY_OBJECTS;
+        let view = has_few.then(|| of_reference.prepare(&objects).ok()).flatten();
+        MeasuredPicture { scene, camera, of_reference, objects, view, raster, sample, timed }
     }
 
     /// Returns the pixel with this number.
@@ -295,40 +275,22 @@ fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
 
 /// Returns the scene's objects for the reference: spheres, then planes.
 pub(super) fn objects_of(scene: &Scene) -> Vec<Object> {
-    let sphere = |sphere: &Sphere| Object::Sphere {
-        center: sphere.center.to_array(),
-        radius: sphere.radius,
-    };
-    let plane = |plane: &Plane| Object::Plane {
-        point: plane.point.to_array(),
-        normal: plane.normal.to_array(),
-    };
-    let planes = scene.planes().iter().map(plane);
-    scene.spheres().iter().map(sphere).chain(planes).collect()
+    let sphere = |s: &Sphere| Object::Sphere { center: s.center.into(), radius: s.radius };
+    let plane = |p: &Plane| Object::Plane { point: p.point.into(), normal: p.normal.into() };
+    scene.spheres().iter().map(sphere).chain(scene.planes().iter().map(plane)).collect()
 }
 
 fn reference_camera(camera: &Camera) -> reference::Camera {
     let Viewport { width, height, distance } = camera.viewport;
     let orientation = match camera.orientation {
-        Orientation::At { at, up } => {
-            reference::Orientation::At { at: at.to_array(), up: up.to_array() }
-        }
+        Orientation::At { at, up } => reference::Orientation::At { at: at.into(), up: up.into() },
         Orientation::View { view, up } => {
-            reference::Orientation::View { view: view.to_array(), up: up.to_array() }
+            reference::Orientation::View { view: view.into(), up: up.into() }
         }
-        Orientation::Basis(basis) => reference::Orientation::Basis {
-            u: basis.u.to_array(),
-            v: basis.v.to_array(),
-            w: basis.w.to_array(),
-        },
+        Orientation::Basis(Basis { u, v, w }) => {
+            reference::Orientation::Basis { u: u.into(), v: v.into(), w: w.into() }
+        }
     };
-    reference::Camera {
-        eye: camera.eye.to_array(),
-        orientation,
-        width,
-        height,
-        distance,
-        columns: camera.image.width(),
-        rows: camera.image.height(),
-    }
+    let (eye, columns, rows) = (camera.eye.into(), camera.image.width(), camera.image.height());
+    reference::Camera { eye, orientation, width, height, distance, columns, rows }
 }
