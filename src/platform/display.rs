@@ -1,7 +1,5 @@
-//! The connection to the display, which does not panic if there is no display, and the reasons why
-//! a window cannot open.
+//! The connection to the display, which does not panic if there is no display.
 
-use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
@@ -38,7 +36,10 @@ impl From<accesskit_winit::Event> for UserEvent {
 }
 
 /// Creates the event loop, of which a process can have only one.
-pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
+///
+/// # Errors
+/// Returns the reason as a sentence if there is no display.
+pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, String> {
     let mut builder = EventLoop::with_user_event();
     #[cfg(target_os = "linux")]
     if only_x11_answers() {
@@ -46,7 +47,12 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
     }
     // winit panics without libxkbcommon-x11 or if the X server lacks an extension.
     let built = without_panic(|| builder.build().map_err(|error| cause(&error)));
-    built.flatten().map_err(PresentError::NoDisplay)
+    built.flatten().map_err(|cause| {
+        format!(
+            "there is no display to open a window on: {cause}; pinhole render, inspect and the other \
+             commands need none: see pinhole --help"
+        )
+    })
 }
 
 /// Returns true if nothing answers at `WAYLAND_DISPLAY` but there is an X display. winit would try
@@ -93,34 +99,9 @@ pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     after_location.unwrap_or(text).trim_end_matches('.').to_owned()
 }
 
-/// A reason why the window cannot open or cannot stay open.
-#[derive(Debug)]
-pub(super) enum PresentError {
-    /// There is no display to open a window on.
-    NoDisplay(String),
-    /// The display refused the window.
-    NoWindow(String),
-    /// `--renderer wgpu` was requested and no adapter works.
-    NoAdapter(String),
-    /// Drawing failed while the window was open, also on the CPU.
-    Lost(String),
-}
-
-impl fmt::Display for PresentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoDisplay(cause) => write!(
-                f,
-                "there is no display to open a window on: {cause}; pinhole render, inspect and the \
-                 other commands need none: see pinhole --help"
-            ),
-            Self::NoWindow(cause) => write!(f, "the display refused to open a window: {cause}"),
-            Self::NoAdapter(cause) => {
-                write!(f, "no graphics adapter works: {cause}; without one: pinhole --renderer cpu")
-            }
-            Self::Lost(cause) => write!(f, "the window can no longer be drawn: {cause}"),
-        }
-    }
+/// Returns the message for a window that is open but can no longer be drawn.
+pub(super) fn lost(cause: impl std::fmt::Display) -> String {
+    format!("the window can no longer be drawn: {cause}")
 }
 
 #[cfg(test)]
@@ -137,18 +118,5 @@ mod tests {
     fn a_panic_becomes_its_message() {
         assert_eq!(without_panic(|| 7), Ok(7));
         assert_eq!(without_panic(|| panic!("no {}", "luck")), Err::<(), _>("no luck".to_owned()));
-    }
-}
-
-#[cfg(test)]
-mod error_tests {
-    use super::*;
-
-    #[test]
-    fn messages_say_what_to_do_instead() {
-        let message = PresentError::NoDisplay("none is set".into()).to_string();
-        assert!(message.contains("pinhole --help"), "{message}");
-        let message = PresentError::NoAdapter("none".into()).to_string();
-        assert!(message.contains("--renderer cpu"), "{message}");
     }
 }

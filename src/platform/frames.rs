@@ -95,7 +95,8 @@ pub(super) struct FrameTimes {
 /// The frames presented so far.
 pub(super) struct FrameLog {
     pub(super) path: PathBuf,
-    frames: Vec<(FrameTimes, Option<WorkTimes>)>,
+    /// The times of each presented frame, and the times of its work if it showed a new picture.
+    pub(super) frames: Vec<(FrameTimes, Option<WorkTimes>)>,
 }
 
 impl FrameLog {
@@ -104,12 +105,6 @@ impl FrameLog {
     pub(super) fn from_environment() -> Option<FrameLog> {
         let path = std::env::var_os(FRAME_TIMES)?.into();
         Some(FrameLog { path, frames: Vec::new() })
-    }
-
-    /// Records the times of a presented frame, and the times of its `work` if it showed a new
-    /// picture.
-    pub(super) fn push(&mut self, times: FrameTimes, work: Option<WorkTimes>) {
-        self.frames.push((times, work));
     }
 
     /// Writes the CSV file. The column `since_input` is empty for a frame that answers no input.

@@ -24,7 +24,7 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use crate::cli::CommandError;
 use crate::cli::arguments::WindowArguments;
 use crate::model::files::OpenDocument;
-use crate::model::store::{Remembered, Store};
+use crate::model::store::Store;
 use crate::platform::frames::FrameLog;
 use crate::ui::app::App;
 
@@ -76,7 +76,22 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         (None, Some(_)) => None,
         (None, None) => remembered.lesson_step().map(|id| (id, None)),
     };
-    let FirstScene { open, remembered, trouble } = start(scene.as_deref(), remembered)?;
+    let load = |argument: &Path| {
+        let source = SceneSource::from_argument(argument)?;
+        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
+    };
+    let (open, trouble) = match scene {
+        Some(argument) => (load(argument)?, None),
+        None => match remembered.last.as_deref().map(load) {
+            Some(Ok(open)) => (open, None),
+            Some(Err(error)) => (canonical()?, Some(error.to_string())),
+            None => (canonical()?, None),
+        },
+    };
+    if scene.is_some() || trouble.is_some() {
+        // A ray selected in another scene has no meaning in this one.
+        remembered.selection = None;
+    }
     let geometry = remembered.window;
     let mut app = App::new(open, remembered, store);
     if let Some((id, file)) = lesson {
@@ -89,41 +104,10 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     if log.is_some() {
         app.time_frames();
     }
-    window::run(*renderer, geometry, app, log)
-        .map_err(|error| CommandError::Input(error.to_string()))
+    window::run(*renderer, geometry, app, log).map_err(CommandError::Input)
 }
 
-/// The document and state that the window opens with.
-struct FirstScene {
-    open: OpenDocument,
-    remembered: Remembered,
-    /// The reason why the document is not the scene of the last run.
-    trouble: Option<String>,
-}
-
-/// Reads the scene to open: the named one, otherwise the last run's, otherwise the lecture's own.
-fn start(scene: Option<&Path>, remembered: Remembered) -> Result<FirstScene, FileError> {
-    let load = |argument: &Path| {
-        let source = SceneSource::from_argument(argument)?;
-        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
-    };
-    if let Some(argument) = scene {
-        // A ray selected in another scene has no meaning in this one.
-        let remembered = Remembered { selection: None, ..remembered };
-        return Ok(FirstScene { open: load(argument)?, remembered, trouble: None });
-    }
-    let last = remembered.last.as_deref().map(load);
-    match last {
-        Some(Ok(open)) => Ok(FirstScene { open, remembered, trouble: None }),
-        Some(Err(error)) => Ok(FirstScene {
-            open: canonical()?,
-            remembered: Remembered { selection: None, ..remembered },
-            trouble: Some(error.to_string()),
-        }),
-        None => Ok(FirstScene { open: canonical()?, remembered, trouble: None }),
-    }
-}
-
+/// Returns the lecture's own scene.
 fn canonical() -> Result<OpenDocument, FileError> {
     match BuiltinScene::find("canonical") {
         Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
@@ -131,12 +115,12 @@ fn canonical() -> Result<OpenDocument, FileError> {
     }
 }
 
-/// Files below the user's configuration folder, each with the key and value that switch animations
+/// Files below the user's configuration folder, each with the key and the values that switch animations
 /// off.
-const SETTINGS: [(&str, &str, &str); 3] = [
-    ("gtk-4.0/settings.ini", "gtk-enable-animations", "false"),
-    ("gtk-3.0/settings.ini", "gtk-enable-animations", "false"),
-    ("kdeglobals", "AnimationDurationFactor", "0"),
+const SETTINGS: [(&str, &str, &[&str]); 3] = [
+    ("gtk-4.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("gtk-3.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("kdeglobals", "AnimationDurationFactor", &["0"]),
 ];
 
 /// Returns true if the desktop's settings in `folder` switch animations off; false if the settings
@@ -144,16 +128,9 @@ const SETTINGS: [(&str, &str, &str); 3] = [
 fn is_reduced(folder: &Path) -> bool {
     SETTINGS.iter().any(|(file, key, off)| {
         let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
-        text.lines().any(|line| {
-            let said = line.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
-            said.is_some_and(|(said, value)| said == *key && (value == *off || is_zero(off, value)))
-        })
+        let mut entries = text.lines().filter_map(|line| line.split_once('='));
+        entries.any(|(name, value)| name.trim() == *key && off.contains(&value.trim()))
     })
-}
-
-/// Returns true for `0`, GTK's other notation for `false`.
-fn is_zero(off: &str, value: &str) -> bool {
-    off == "false" && value == "0"
 }
 
 #[cfg(test)]

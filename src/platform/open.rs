@@ -16,13 +16,12 @@ use winit::window::Window;
 
 use crate::cli::arguments::Renderer;
 use crate::platform::cpu::Cpu;
-use crate::platform::display::{PresentError, UserEvent, without_panic};
+use crate::platform::display::{UserEvent, lost, without_panic};
 use crate::platform::file_dialog::{self, FileDialog};
 use crate::platform::frames::{FirstPass, FrameLog, FrameTimes};
 use crate::platform::start::{OpenWindow, pace};
 use crate::platform::surface::{PaintTimes, Textures, WindowFrame, WindowSurface};
 use crate::ui::app::{App, complain};
-use crate::ui::dialogs::path_field::FileAnswer;
 
 /// The open window.
 ///
@@ -137,21 +136,6 @@ impl Open {
         self.delta.clear();
     }
 
-    /// Schedules a repaint that egui requested, unless the request comes from an outdated pass.
-    pub(super) fn wake(&mut self, when: Instant, pass: u64) {
-        let now = self.ctx.cumulative_pass_nr();
-        if now == pass || now == pass + 1 {
-            self.repaint_by(when.max(self.began + self.pace));
-        }
-    }
-
-    /// Handles a motion of the mouse, even if the pointer cannot move further.
-    pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) {
-        if self.state.on_mouse_motion(delta) {
-            self.repaint_by(Instant::now());
-        }
-    }
-
     fn repaint_by(&mut self, when: Instant) {
         self.repaint_at = Some(self.repaint_at.map_or(when, |at| at.min(when)));
     }
@@ -179,7 +163,7 @@ impl Open {
         &mut self,
         event_loop: &ActiveEventLoop,
         event: &WindowEvent,
-    ) -> Result<bool, PresentError> {
+    ) -> Result<bool, String> {
         match event {
             WindowEvent::RedrawRequested => {
                 // A redraw that was not requested here comes from the display, which has lost the
@@ -206,21 +190,51 @@ impl Open {
         Ok(false)
     }
 
-    pub(super) fn accessibility(
+    /// Handles an event that is not the window's own. Returns true if the window should be closed.
+    pub(super) fn user_event(
         &mut self,
         event_loop: &ActiveEventLoop,
-        event: accesskit_winit::WindowEvent,
-    ) -> Result<bool, PresentError> {
+        event: UserEvent,
+    ) -> Result<bool, String> {
         match event {
-            accesskit_winit::WindowEvent::InitialTreeRequested => {
-                self.ctx.enable_accesskit();
-                return self.frame(event_loop, false);
+            // The user is not asked: changes are saved to a separate file, and offered at the next
+            // start.
+            UserEvent::End => return Ok(true),
+            UserEvent::Repaint { when, pass } => {
+                // A request from an earlier pass than the last two is outdated.
+                let now = self.ctx.cumulative_pass_nr();
+                if now == pass || now == pass + 1 {
+                    self.repaint_by(when.max(self.began + self.pace));
+                }
             }
-            accesskit_winit::WindowEvent::ActionRequested(request) => {
-                self.state.on_accesskit_action_request(request);
-                self.repaint_by(Instant::now());
+            UserEvent::FileDialog => self.app.use_desktop_dialog(),
+            UserEvent::File(number, answer) => {
+                if number == self.file_dialogs && self.file_dialog.take().is_some() {
+                    self.app.answer_file(answer);
+                    self.repaint_by(Instant::now());
+                }
             }
-            accesskit_winit::WindowEvent::AccessibilityDeactivated => self.ctx.disable_accesskit(),
+            UserEvent::Accessibility(event) => match event.window_event {
+                accesskit_winit::WindowEvent::InitialTreeRequested => {
+                    self.ctx.enable_accesskit();
+                    return self.frame(event_loop, false);
+                }
+                accesskit_winit::WindowEvent::ActionRequested(request) => {
+                    self.state.on_accesskit_action_request(request);
+                    self.repaint_by(Instant::now());
+                }
+                accesskit_winit::WindowEvent::AccessibilityDeactivated => {
+                    self.ctx.disable_accesskit();
+                }
+            },
+        }
+        Ok(false)
+    }
+
+    /// Handles a motion of the mouse, even if the pointer cannot move further.
+    pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) -> Result<bool, String> {
+        if self.state.on_mouse_motion(delta) {
+            self.repaint_by(Instant::now());
         }
         Ok(false)
     }
@@ -230,7 +244,7 @@ impl Open {
         &mut self,
         event_loop: &ActiveEventLoop,
         exposed: bool,
-    ) -> Result<bool, PresentError> {
+    ) -> Result<bool, String> {
         let began = Instant::now();
         self.look_at_window(began);
         let closing = self.info.close_requested();
@@ -265,11 +279,6 @@ impl Open {
         Ok(false)
     }
 
-    /// Makes the app use the desktop's file dialog from now on.
-    pub(super) fn use_desktop_dialog(&mut self) {
-        self.app.use_desktop_dialog();
-    }
-
     /// Opens the desktop's file dialog if the app requests one, and closes it if the app no longer
     /// does.
     fn ask_for_file(&mut self) {
@@ -282,15 +291,6 @@ impl Open {
             let (number, proxy) = (self.file_dialogs, self.proxy.clone());
             let tell = move |answer| drop(proxy.send_event(UserEvent::File(number, answer)));
             self.file_dialog = Some(file_dialog::ask(request, &self.window, tell));
-        }
-    }
-
-    /// Passes the answer of the desktop's file dialog with this number to the app, if the app still
-    /// waits for it.
-    pub(super) fn answer_file(&mut self, number: u64, answer: FileAnswer) {
-        if number == self.file_dialogs && self.file_dialog.take().is_some() {
-            self.app.answer_file(answer);
-            self.repaint_by(Instant::now());
         }
     }
 
@@ -325,7 +325,7 @@ impl Open {
         began: Instant,
         ui: Duration,
         exposed: bool,
-    ) -> Result<(), PresentError> {
+    ) -> Result<(), String> {
         let FullOutput { platform_output, textures_delta, shapes, pixels_per_point, .. } = output;
         self.delta.append(textures_delta);
         self.state.handle_platform_output_with_event_loop(
@@ -371,7 +371,7 @@ impl Open {
             let since_input = input.map(|since| now - since);
             let paint = frame.saturating_sub(ui).saturating_sub(upload + wait);
             let times = FrameTimes { since_input, frame, ui, upload, paint, wait };
-            log.push(times, self.app.work_presented());
+            log.frames.push((times, self.app.work_presented()));
         }
         Ok(())
     }
@@ -381,19 +381,19 @@ impl Open {
         &mut self,
         event_loop: &ActiveEventLoop,
         reason: String,
-    ) -> Result<(), PresentError> {
+    ) -> Result<(), String> {
         // Whatever else fails now, unsaved changes are kept.
         self.app.rest();
         self.delta.clear();
-        let lost = self.surface.take();
+        let failed = self.surface.take();
         if self.renderer == Renderer::Cpu {
-            return Err(PresentError::Lost(reason));
+            return Err(lost(reason));
         }
         // The lost surface is dropped first, because some displays let only one renderer draw to a
         // window. The driver may fail even while its surface is dropped.
-        let _ = without_panic(|| drop(lost));
+        let _ = without_panic(|| drop(failed));
         let cpu = Cpu::new(event_loop, &self.window)
-            .map_err(|error| PresentError::Lost(format!("{reason}; on the CPU: {error}")))?;
+            .map_err(|error| lost(format!("{reason}; on the CPU: {error}")))?;
         if let Some(side) = cpu.max_texture_side() {
             self.state.set_max_texture_side(side);
         }
@@ -424,18 +424,16 @@ impl Open {
             .into_iter()
             .partition::<Vec<_>, _>(ActionRequested::wants_paint);
         for action in now {
-            match action {
-                ActionRequested::Cut => self.state.egui_input_mut().events.push(egui::Event::Cut),
-                ActionRequested::Copy => self.state.egui_input_mut().events.push(egui::Event::Copy),
+            let event = match action {
+                ActionRequested::Cut => Some(egui::Event::Cut),
+                ActionRequested::Copy => Some(egui::Event::Copy),
                 ActionRequested::Paste => {
-                    if let Some(text) = self.state.clipboard_text().filter(|text| !text.is_empty())
-                    {
-                        let event = egui::Event::Paste(text.replace("\r\n", "\n"));
-                        self.state.egui_input_mut().events.push(event);
-                    }
+                    let text = self.state.clipboard_text().filter(|text| !text.is_empty());
+                    text.map(|text| egui::Event::Paste(text.replace("\r\n", "\n")))
                 }
-                ActionRequested::Screenshot(_) | ActionRequested::PaintWhileHidden => {}
-            }
+                ActionRequested::Screenshot(_) | ActionRequested::PaintWhileHidden => None,
+            };
+            self.state.egui_input_mut().events.extend(event);
             self.repaint_by(Instant::now());
         }
         if !later.is_empty() || self.info.close_requested() {
@@ -476,19 +474,11 @@ pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
 
 /// Returns true if a key acts again at each repeat.
 fn steps(key: &Key) -> bool {
+    use NamedKey::*;
+    const NAMED: [NamedKey; 9] =
+        [ArrowLeft, ArrowRight, ArrowUp, ArrowDown, PageUp, PageDown, Tab, Backspace, Delete];
     match key {
-        Key::Named(named) => matches!(
-            named,
-            NamedKey::ArrowLeft
-                | NamedKey::ArrowRight
-                | NamedKey::ArrowUp
-                | NamedKey::ArrowDown
-                | NamedKey::PageUp
-                | NamedKey::PageDown
-                | NamedKey::Tab
-                | NamedKey::Backspace
-                | NamedKey::Delete
-        ),
+        Key::Named(named) => NAMED.contains(named),
         Key::Character(character) => STEPPING.contains(&character.as_str()),
         Key::Unidentified(_) | Key::Dead(_) => false,
     }

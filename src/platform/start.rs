@@ -9,7 +9,6 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::cpu::Cpu;
-use super::display::PresentError;
 use super::display::cause;
 #[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
@@ -93,26 +92,27 @@ pub(super) struct OpenWindow {
 }
 
 /// Returns a window and its renderer: the one the user chose, otherwise the best that works.
+///
+/// # Errors
+/// Returns the reason as a sentence if no window opens, or if the chosen renderer does not work.
 pub(super) fn surface(
     choice: Option<Renderer>,
     ctx: &egui::Context,
     event_loop: &ActiveEventLoop,
     builder: &ViewportBuilder,
-) -> Result<OpenWindow, PresentError> {
+) -> Result<OpenWindow, String> {
+    let refused = |cause| format!("the display refused to open a window: {cause}");
     let open = || {
         // The window is created by a context without zoom: the geometry is unzoomed, and the app's
         // context may already be zoomed.
         let window = egui_winit::create_window(&egui::Context::default(), event_loop, builder);
-        window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
+        window.map(Arc::new).map_err(|error| refused(cause(&error)))
     };
     #[cfg(feature = "wgpu")]
     let on_adapter = |by_hand| {
         let window = open()?;
-        Ok(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| OpenWindow {
-            window,
-            surface: Box::new(gpu),
-            renderer: Renderer::Wgpu,
-            detail,
+        Ok::<_, String>(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| {
+            OpenWindow { window, surface: Box::new(gpu), renderer: Renderer::Wgpu, detail }
         }))
     };
     #[cfg(not(feature = "wgpu"))]
@@ -126,14 +126,17 @@ pub(super) fn surface(
         let by_hand = choice == Some(Renderer::Wgpu);
         match on_adapter(by_hand)? {
             Ok(drawn) => return Ok(drawn),
-            Err(error) if by_hand => return Err(PresentError::NoAdapter(error)),
+            Err(error) if by_hand => {
+                return Err(format!(
+                    "no graphics adapter works: {error}; without one: pinhole --renderer cpu"
+                ));
+            }
             // Open a new window: this one may keep traces of the failed driver.
             Err(error) => error,
         }
     };
     let window = open()?;
-    let cpu =
-        Cpu::new(event_loop, &window).map_err(|error| PresentError::NoWindow(error.to_string()))?;
+    let cpu = Cpu::new(event_loop, &window).map_err(|error| refused(error.to_string()))?;
     Ok(OpenWindow { window, surface: Box::new(cpu), renderer: Renderer::Cpu, detail })
 }
 

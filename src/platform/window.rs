@@ -11,7 +11,7 @@ use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::WindowId;
 
-use super::display::{PresentError, UserEvent, event_loop, reason_of_end};
+use super::display::{UserEvent, event_loop, lost, reason_of_end};
 use super::frames::{FirstPass, FrameLog};
 use super::open::Open;
 use super::{signals, start};
@@ -22,12 +22,15 @@ use crate::ui::app::App;
 
 /// Opens the window and returns when it is closed. `choice` is the renderer that the user
 /// requested; `None` chooses the best renderer that works.
+///
+/// # Errors
+/// Returns the reason as a sentence if the window cannot open or can no longer be drawn.
 pub(super) fn run(
     choice: Option<Renderer>,
     geometry: WindowGeometry,
     app: App,
     log: Option<FrameLog>,
-) -> Result<(), PresentError> {
+) -> Result<(), String> {
     let ctx = start::context();
     let first_pass = FirstPass::start(ctx.clone(), app, geometry);
     let event_loop = match event_loop() {
@@ -51,7 +54,7 @@ pub(super) fn run(
     handler.finish();
     match handler.failure {
         Some(failure) => Err(failure),
-        None => ended.flatten().map_err(PresentError::Lost),
+        None => ended.flatten().map_err(lost),
     }
 }
 
@@ -63,17 +66,15 @@ struct Handler {
     first: Option<(FirstPass, Option<FrameLog>)>,
     proxy: EventLoopProxy<UserEvent>,
     open: Option<Open>,
-    failure: Option<PresentError>,
+    failure: Option<String>,
 }
 
 impl Handler {
-    fn start(&mut self, event_loop: &ActiveEventLoop) -> Result<(), PresentError> {
-        if self.first.is_none() {
-            return Ok(());
-        }
+    /// Opens the window and paints its first frame. Returns true if the app closes it at once.
+    fn start(&mut self, event_loop: &ActiveEventLoop) -> Result<bool, String> {
         let builder = start::builder(self.geometry, event_loop);
         let drawn = start::surface(self.choice, &self.ctx, event_loop, &builder)?;
-        let Some((first_pass, log)) = self.first.take() else { return Ok(()) };
+        let Some((first_pass, log)) = self.first.take() else { return Ok(false) };
         let proxy = Mutex::new(self.proxy.clone());
         self.ctx.set_request_repaint_callback(move |info| {
             let when = Instant::now() + info.delay;
@@ -89,26 +90,27 @@ impl Handler {
         // Paint before showing the window, to avoid a flash of an empty window.
         let closed = open.frame(event_loop, true)?;
         self.open = Some(open);
-        if closed {
-            event_loop.exit();
-        }
-        Ok(())
+        Ok(closed)
     }
 
     /// Runs a function on the open window; an error or `true` ends the program.
     fn with(
         &mut self,
         event_loop: &ActiveEventLoop,
-        run: impl FnOnce(&mut Open) -> Result<bool, PresentError>,
+        run: impl FnOnce(&mut Open) -> Result<bool, String>,
     ) {
         let Some(open) = &mut self.open else { return };
         match run(open) {
             Ok(false) => open.schedule(event_loop),
-            Ok(true) => event_loop.exit(),
-            Err(failure) => {
-                self.failure = Some(failure);
-                event_loop.exit();
-            }
+            ended => self.end(event_loop, ended),
+        }
+    }
+
+    /// Ends the program after an error or `true`.
+    fn end(&mut self, event_loop: &ActiveEventLoop, ended: Result<bool, String>) {
+        if ended != Ok(false) {
+            self.failure = ended.err();
+            event_loop.exit();
         }
     }
 
@@ -124,9 +126,9 @@ impl Handler {
 
 impl ApplicationHandler<UserEvent> for Handler {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if let Err(failure) = self.start(event_loop) {
-            self.failure = Some(failure);
-            event_loop.exit();
+        if self.first.is_some() {
+            let ended = self.start(event_loop);
+            self.end(event_loop, ended);
         }
     }
 
@@ -140,32 +142,12 @@ impl ApplicationHandler<UserEvent> for Handler {
 
     fn device_event(&mut self, event_loop: &ActiveEventLoop, _: DeviceId, event: DeviceEvent) {
         if let DeviceEvent::MouseMotion { delta } = event {
-            self.with(event_loop, |open| {
-                open.mouse_motion(delta);
-                Ok(false)
-            });
+            self.with(event_loop, |open| open.mouse_motion(delta));
         }
     }
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: UserEvent) {
-        self.with(event_loop, |open| match event {
-            // The user is not asked: changes are saved to a separate file, and offered at the next
-            // start.
-            UserEvent::End => Ok(true),
-            UserEvent::Repaint { when, pass } => {
-                open.wake(when, pass);
-                Ok(false)
-            }
-            UserEvent::FileDialog => {
-                open.use_desktop_dialog();
-                Ok(false)
-            }
-            UserEvent::File(number, answer) => {
-                open.answer_file(number, answer);
-                Ok(false)
-            }
-            UserEvent::Accessibility(event) => open.accessibility(event_loop, event.window_event),
-        });
+        self.with(event_loop, |open| open.user_event(event_loop, event));
     }
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
