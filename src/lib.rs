@@ -56,7 +56,7 @@
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
-//! | another export format | `exchange/programs/mod.rs`; a language: `exchange/code.rs` |
+//! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |

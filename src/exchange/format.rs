@@ -1,18 +1,18 @@
-//! The parts of every format: its name, its writer, its conventions where they differ from
-//! Pinhole's, and its text, in which numbers with the opposite sign are marked.
+//! Formats of other programs and languages: the name, the template and the conventions of each, and
+//! the scene that is written.
 
 use std::fmt;
-use std::ops::Range;
 use std::path::Path;
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
-    Camera, DVec3, Intrinsics, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
-    Sphere, Viewport,
+    Camera, DVec3, Object, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
 };
 
 use crate::document::Document;
-use crate::error::{is_hidden, one_line};
+use crate::error::one_line;
+pub use crate::template::Text;
+use crate::template::{self, BEYOND, Value, n};
 use crate::{FileError, Location, legible};
 
 /// A program, a notation for cameras, or a programming language that Pinhole writes.
@@ -28,7 +28,29 @@ pub struct Format {
     pub file: &'static str,
     /// The format's conventions; `None` for code, which uses the lecture's conventions.
     pub conventions: Option<Conventions>,
-    pub(crate) write: fn(&ExportScene, &mut Vec<String>) -> Result<String, Unsupported>,
+    /// The file's text, with names in braces that stand for values.
+    pub(crate) template: &'static str,
+    /// The objects that the template leaves out or replaces, for the notes.
+    pub(crate) left_out: LeftOut,
+    /// Returns the values that only this format has, and adds notes. Fails if the format cannot
+    /// express the scene.
+    pub(crate) own: fn(&ExportScene, &mut Vec<String>) -> Result<OwnValues, Unsupported>,
+}
+
+/// The values that only one format has, by their names in its template.
+pub(crate) type OwnValues = Vec<(&'static str, Value)>;
+
+/// The objects that a format leaves out or replaces.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum LeftOut {
+    /// No objects, or objects that no note mentions.
+    Nothing,
+    /// Planes: each is replaced by a square.
+    Squares,
+    /// Planes, for this reason.
+    Planes(&'static str),
+    /// All objects, for this reason.
+    Objects(&'static str),
 }
 
 /// An exported scene.
@@ -64,19 +86,42 @@ impl Format {
         self.file.rsplit('.').next().unwrap_or_default()
     }
 
+    /// Returns no values, for a format whose template says everything.
+    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+        Ok(Vec::new())
+    }
+
     /// Writes the camera, and the objects if requested, in this format.
     ///
     /// # Errors
     /// Returns the first quantity that the format cannot express, such as one that is not finite.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
+        if self.conventions.as_ref().is_some_and(|own| own.shape.starts_with("square only")) {
+            subject.square_pixels(self.label)?;
+        }
         let mut notes = Vec::new();
-        let marked = (self.write)(subject, &mut notes)?;
+        let own = (self.own)(subject, &mut notes)?;
+        let marked = template::written(self.template, subject, &own)?;
         if let Some(line) = marked.lines().find(|line| line.contains(BEYOND)) {
             let line = Text::from_marked(&line.replace(BEYOND, "infinite")).text;
             return Err(Unsupported(format!(
                 "a number would not be finite, in {}: bring the eye and the objects nearer to each other",
                 one_line(&line)
             )));
+        }
+        let planes = subject.planes();
+        match self.left_out {
+            LeftOut::Nothing => {}
+            LeftOut::Squares => {
+                notes.extend(planes.map(|(plane, title)| {
+                    square_note(title, self.short, subject.square_of(plane).1)
+                }))
+            }
+            LeftOut::Planes(why) => {
+                notes.extend(planes.map(|(_, title)| format!("{title} is left out: {why}")));
+            }
+            LeftOut::Objects(_) if subject.objects.is_empty() => {}
+            LeftOut::Objects(why) => notes.push(format!("objects are left out: {why}")),
         }
         notes.iter_mut().for_each(|note| *note = legible(note));
         Ok(Exported { text: Text::from_marked(&marked), notes })
@@ -129,8 +174,8 @@ pub struct Conventions {
     pub pixels: PixelConvention,
     /// The quantity that specifies the field of view.
     pub view: &'static str,
-    /// Returns the numbers that describe the field of view of a camera.
-    pub(crate) field: fn(&ExportScene) -> String,
+    /// The template of the numbers that describe the field of view of a camera.
+    pub(crate) field: &'static str,
     /// The format's counterpart of the viewport's distance.
     pub distance: &'static str,
     /// The pixel shapes that the format allows.
@@ -166,104 +211,10 @@ impl Conventions {
 
     /// Returns the number or numbers that describe the field of view of a camera.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
-        (self.field)(subject).replace(BEYOND, "beyond f64")
+        let value = |name: &str| template::scene_value(subject, name);
+        let field = template::filled(self.field, value).unwrap_or_default();
+        field.replace(BEYOND, "beyond f64")
     }
-}
-
-/// A text, and the parts whose sign is the opposite of Pinhole's.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Text {
-    /// The text.
-    pub text: String,
-    /// Byte ranges of the parts with the opposite sign, in order.
-    pub flipped: Vec<Range<usize>>,
-}
-
-/// Marks around a flipped part while the text is being written: characters of the private use area,
-/// which never occur in a number.
-const OPEN: char = '\u{e000}';
-const CLOSE: char = '\u{e001}';
-
-/// Placeholder for a number that is not finite, which no format allows.
-const BEYOND: char = '\u{e002}';
-
-/// Formats a number with the fewest digits that read back to the same number.
-pub(crate) fn n(x: f64) -> String {
-    if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
-}
-
-impl Text {
-    /// Creates a text from a string in which numbers may be marked by [`flipped`].
-    pub(crate) fn from_marked(marked: &str) -> Text {
-        let mut made = Text::default();
-        let mut from = 0;
-        for c in marked.chars() {
-            match c {
-                OPEN => from = made.text.len(),
-                CLOSE => made.flipped.push(from..made.text.len()),
-                c => made.text.push(c),
-            }
-        }
-        made
-    }
-}
-
-/// Formats a number with the opposite sign, and marks it.
-pub(crate) fn flipped(x: f64) -> String {
-    format!("{OPEN}{}{CLOSE}", n(x))
-}
-
-/// Returns an external text, such as a name, without characters that would end a line, are hidden,
-/// or serve as marks in this module.
-pub(crate) fn sanitized(text: &str) -> String {
-    text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
-}
-
-/// Returns a name that can be quoted in every format.
-pub(crate) fn quotable(name: &str) -> String {
-    sanitized(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
-}
-
-/// Formats a number with a point or an exponent, for formats in which `1` would be an integer and divided as
-/// one.
-pub(crate) fn real(x: f64) -> String {
-    point(n(x))
-}
-
-/// Adds a point to the text of a number that has neither a point nor an exponent.
-pub(crate) fn point(number: String) -> String {
-    if number.contains(['.', 'e']) { number } else { number + ".0" }
-}
-
-/// Formats a vector as `1, 2, 3`.
-pub(crate) fn commas(v: DVec3) -> String {
-    commas_of(v, n)
-}
-
-/// Formats a vector's components with `number`, separated by commas.
-pub(crate) fn commas_of(v: DVec3, number: impl Fn(f64) -> String) -> String {
-    v.to_array().map(number).join(", ")
-}
-
-/// Formats a vector as `1 2 3`.
-pub(crate) fn spaces(v: DVec3) -> String {
-    v.to_array().map(n).join(" ")
-}
-
-/// Formats the three rows of a matrix that is given by its columns.
-pub(crate) fn rows(columns: [DVec3; 4], between: &str) -> [String; 3] {
-    [0, 1, 2].map(|k| columns.map(|column| n(column[k])).join(between))
-}
-
-/// Converts a colour to linear light (with the sRGB curve of IEC 61966-2-1), and formats it with
-/// six digits.
-pub(crate) fn light(color: Rgb, between: &str) -> String {
-    let parts = color.map(|byte| {
-        let s = f64::from(byte) / 255.0;
-        let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
-        n((light * 1e6).round() / 1e6)
-    });
-    parts.join(between)
 }
 
 /// The reason why a format cannot express a scene, and what would have to change.
@@ -297,17 +248,15 @@ pub struct ExportScene<'a> {
     pub document: &'a Document,
     /// The objects to export with the camera.
     pub include: Include,
-    /// The spheres; empty unless objects are requested.
-    pub(crate) spheres: Vec<ExportObject<Sphere>>,
-    /// The planes; empty unless objects are requested.
-    pub(crate) planes: Vec<ExportObject<Plane>>,
+    /// The objects, spheres first; empty unless objects are requested.
+    pub(crate) objects: Vec<ExportObject>,
     resolved: ResolvedCamera,
 }
 
 /// A sphere or plane with its title and colour.
 #[derive(Clone, Debug)]
-pub(crate) struct ExportObject<S> {
-    pub(crate) shape: S,
+pub(crate) struct ExportObject {
+    pub(crate) shape: Object,
     pub(crate) color: Rgb,
     pub(crate) title: String,
 }
@@ -326,9 +275,13 @@ impl<'a> ExportScene<'a> {
             Include::CameraAlone => Scene::default(),
             _ => document.scene().map_err(|error| Unsupported(error.to_string()))?,
         };
-        let spheres = export_objects(document, 0, scene.spheres());
-        let planes = export_objects(document, scene.spheres().len(), scene.planes());
-        Ok(ExportScene { document, include, spheres, planes, resolved })
+        let object = |(k, shape): (usize, Object)| ExportObject {
+            shape,
+            color: document.color_of(k as u32),
+            title: document.title_of(k),
+        };
+        let objects = scene.objects().enumerate().map(object).collect();
+        Ok(ExportScene { document, include, objects, resolved })
     }
 
     /// Returns the camera with its basis.
@@ -336,33 +289,19 @@ impl<'a> ExportScene<'a> {
         &self.resolved
     }
 
-    pub(crate) fn camera(&self) -> &Camera {
-        &self.document.camera
+    /// Returns the planes with their titles.
+    pub(crate) fn planes(&self) -> impl Iterator<Item = (&Plane, &str)> {
+        self.objects.iter().filter_map(|object| match &object.shape {
+            Object::Plane(plane) => Some((plane, &*object.title)),
+            Object::Sphere(_) => None,
+        })
     }
 
-    pub(crate) fn viewport(&self) -> &Viewport {
-        self.resolved.viewport()
-    }
-
-    /// Returns the image size, W and H.
-    pub(crate) fn size(&self) -> [u32; 2] {
-        [self.resolved.image().width(), self.resolved.image().height()]
-    }
-
-    pub(crate) fn intrinsics(&self) -> Intrinsics {
-        Intrinsics::from_viewport(self.viewport(), self.resolved.image())
-    }
-
-    /// Returns the vertical field of view in degrees.
-    pub(crate) fn vertical_degrees(&self) -> f64 {
-        self.viewport().vertical_fov().to_degrees()
-    }
-
-    /// Returns the points eye and at, and the vector up.
-    pub(crate) fn look_at(&self) -> Result<[DVec3; 3], Unsupported> {
-        let camera = self.camera().given_by(OrientationKind::At);
-        match camera.map(|camera| (camera.eye, camera.orientation)) {
-            Ok((eye, Orientation::At { at, up })) => Ok([eye, at, up]),
+    /// Returns the point at and the vector up.
+    pub(crate) fn look_at(&self) -> Result<[DVec3; 2], Unsupported> {
+        let camera = self.document.camera.given_by(OrientationKind::At);
+        match camera.map(|camera| camera.orientation) {
+            Ok(Orientation::At { at, up }) => Ok([at, up]),
             _ => Err(Unsupported(
                 "eye is so far out that no point ahead of it keeps the direction: move the scene \
                  nearer to the origin"
@@ -374,43 +313,40 @@ impl<'a> ExportScene<'a> {
     /// Returns a pixel's width divided by its height in the world; exactly 1 if the ratio differs
     /// from 1 only by rounding.
     pub(crate) fn pixel_shape(&self) -> f64 {
-        let [width, height] = self.size().map(f64::from);
-        let viewport = self.viewport();
-        let shape = (viewport.width / width) / (viewport.height / height);
+        let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
+        let shape = (viewport.width / f64::from(image.width()))
+            / (viewport.height / f64::from(image.height()));
         if (shape - 1.0).abs() <= SQUARE { 1.0 } else { shape }
     }
 
     /// Returns an error if the pixels are not square.
-    pub(crate) fn square_pixels(&self, program: &str) -> Result<(), Unsupported> {
+    fn square_pixels(&self, program: &str) -> Result<(), Unsupported> {
         let shape = self.pixel_shape();
         if shape == 1.0 {
             return Ok(());
         }
-        let [width, height] = self.size();
-        let viewport = self.viewport();
+        let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
         Err(Unsupported(format!(
             "pixels are {} times as wide as high, and {program} has square ones only: make the \
-             viewport's width / height, {} / {}, the image's {width} / {height}",
+             viewport's width / height, {} / {}, the image's {} / {}",
             n((shape * 1e6).round() / 1e6),
             n(viewport.width),
             n(viewport.height),
+            image.width(),
+            image.height(),
         )))
-    }
-
-    /// Returns the note about objects that a format cannot contain; `None` if there are none.
-    pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
-        let is_empty = self.spheres.is_empty() && self.planes.is_empty();
-        (!is_empty).then(|| format!("objects are left out: {why}"))
     }
 
     /// Returns the near and far distances for programs that clip.
     pub(crate) fn clip(&self) -> (f64, f64) {
-        let eye = self.resolved.eye();
-        let spheres = &self.spheres;
-        let reach = |s: &ExportObject<Sphere>| length(s.shape.center - eye) + s.shape.radius;
-        let far = spheres.iter().map(reach).fold(1e4, f64::max);
-        let gap = |s: &ExportObject<Sphere>| (length(s.shape.center - eye) - s.shape.radius).abs();
-        let gaps = spheres.iter().map(gap).filter(|gap| *gap > 0.0);
+        let spheres = self.objects.iter().filter_map(|object| match object.shape {
+            Object::Sphere(sphere) => {
+                Some((length(sphere.center - self.resolved.eye()), sphere.radius))
+            }
+            Object::Plane(_) => None,
+        });
+        let far = spheres.clone().map(|(away, radius)| away + radius).fold(1e4, f64::max);
+        let gaps = spheres.map(|(away, radius)| (away - radius).abs()).filter(|gap| *gap > 0.0);
         let near = gaps.map(|gap| 0.25 * gap).fold(0.01, f64::min).max(1e-6 * far.min(1e4));
         (near, if far > 1e4 { 2.0 * far } else { far })
     }
@@ -426,20 +362,6 @@ impl<'a> ExportScene<'a> {
         // A power of ten, at least a thousand times as far as anything visible.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
-}
-
-/// Returns the objects with their colours and titles; the first one has the index `first`.
-fn export_objects<S: Copy>(
-    document: &Document,
-    first: usize,
-    shapes: &[S],
-) -> Vec<ExportObject<S>> {
-    let object = |(k, shape): (usize, &S)| ExportObject {
-        shape: *shape,
-        color: document.color_of((first + k) as u32),
-        title: document.title_of(first + k),
-    };
-    shapes.iter().enumerate().map(object).collect()
 }
 
 /// Returns the note about a square that replaces a plane.

@@ -9,7 +9,8 @@
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, GIF and OpenEXR.
 //! - [`format`](mod@format): the scene to export, and the parts of every other program's format.
-//! - [`programs`]: other programs' cameras and scenes, written; and a camera from a glTF or from numbers.
+//! - [`programs`]: other programs' cameras and scenes, written by templates; and a camera from a glTF or from
+//!   numbers.
 //! - [`code`]: the current camera as a short program in six languages.
 //!
 //! Every problem with a file is a [`FileError`], which states the location and the rule for valid
@@ -29,6 +30,7 @@ pub mod limits;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;
+mod template;
 
 pub use error::{FileError, Location, is_hidden, legible};
 

@@ -6,7 +6,7 @@ use pinhole_core::{
     fov_of_extent,
 };
 
-use crate::format::n;
+use crate::template::n;
 
 /// The note on a mirrored camera.
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \

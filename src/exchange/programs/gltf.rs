@@ -6,11 +6,11 @@ use std::f32::consts::PI;
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
-use pinhole_core::Rgb;
+use pinhole_core::{Object, Rgb};
 
-use crate::format::{Conventions, Format, PixelConvention};
-use crate::format::{ExportScene, Include, Unsupported, square_note};
-use crate::format::{commas, light, n, quotable};
+use crate::format::{Conventions, ExportScene, Format, Include, LeftOut};
+use crate::format::{OwnValues, PixelConvention, Unsupported, square_note};
+use crate::template::{commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {
     name: "gltf",
@@ -22,64 +22,41 @@ pub(super) const FORMAT: Format = Format {
         given_by: "the node's matrix: u, v, w, eye as columns",
         pixels: PixelConvention::Device,
         view: "yfov: vertical, in radians, and aspectRatio = width / height",
-        field: |subject| n(subject.viewport().vertical_fov()),
+        field: "{vertical_radians}",
         distance: "none: znear and zfar cut, and change no ray",
         shape: "any: aspectRatio need not be the canvas's",
         lengths: "f32 in most programs",
     }),
-    write,
+    template: include_str!("../templates/gltf.txt"),
+    left_out: LeftOut::Nothing,
+    own,
 };
 
-/// Returns u, v, w and eye, one column after the other.
-pub(super) fn columns(subject: &ExportScene) -> String {
-    let basis = subject.resolve().basis();
-    let [u, v, w, eye] = [basis.u, basis.v, basis.w, subject.resolve().eye()].map(commas);
-    [u + ", 0", v + ", 0", w + ", 0", eye + ", 1"].join(",\n        ")
-}
-
-fn write(subject: &ExportScene, notes: &mut Vec<String>) -> Result<String, Unsupported> {
-    let [width, height] = subject.size();
-    let viewport = subject.viewport();
-    let (near, far) = subject.clip();
-    let meshes = match subject.include {
-        Include::Meshes => Meshes::new(subject, notes),
-        _ => {
-            let why = "glTF has meshes only, which are written when asked for";
-            notes.extend(subject.objects_left_out(why));
-            Meshes::default()
-        }
-    };
-    let nodes: Vec<String> = (0..=meshes.nodes.len()).map(|k| k.to_string()).collect();
-    let text = format!(
-        "{{\n  \"asset\": {{ \"version\": \"2.0\", \"generator\": \"Pinhole\" }},\n  \"scene\": 0,\n  \
-         \"scenes\": [{{ \"nodes\": [{}] }}],\n  \"cameras\": [\n    {{\n      \
-         \"type\": \"perspective\",\n      \"perspective\": {{\n        \"yfov\": {},\n        \
-         \"aspectRatio\": {},\n        \"znear\": {},\n        \"zfar\": {}\n      }},\n      \
-         \"extras\": {{ \"imageWidth\": {width}, \"imageHeight\": {height}, \"distance\": {} }}\n    \
-         }}\n  ],\n  \"nodes\": [\n    {{\n      \"name\": \"camera\",\n      \"camera\": 0,\n      \
-         \"matrix\": [\n        {}\n      ]\n    }}{}\n  ]{}\n}}\n",
-        nodes.join(", "),
-        n(viewport.vertical_fov()),
-        n(viewport.width / viewport.height),
-        n(near),
-        n(far),
-        n(viewport.distance),
-        columns(subject),
-        meshes.nodes.iter().map(|node| format!(",\n    {node}")).collect::<String>(),
-        meshes.tables,
-    );
-    Ok(text)
+/// Returns the nodes of the objects, and the glTF tables to which the nodes refer.
+fn own(subject: &ExportScene, notes: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+    let mut nodes = Vec::new();
+    let mut tables = String::new();
+    if subject.objects.is_empty() {
+    } else if subject.include != Include::Meshes {
+        notes.push(
+            "objects are left out: glTF has meshes only, which are written when asked for".into(),
+        );
+    } else {
+        let colors;
+        (nodes, colors) = nodes_of(subject, notes);
+        tables = tables_of(&colors);
+    }
+    let indices: Vec<String> = (0..=nodes.len()).map(|k| k.to_string()).collect();
+    let objects: String = nodes.iter().map(|node| format!(",\n    {node}")).collect();
+    Ok(vec![
+        ("nodes", indices.join(", ").into()),
+        ("objects", objects.into()),
+        ("tables", tables.into()),
+    ])
 }
 
 /// Number of steps of the sphere from pole to pole; there are twice as many around the axis.
 const STEPS: u16 = 32;
-
-/// The nodes of the objects, and the glTF tables to which the nodes refer.
-#[derive(Default)]
-struct Meshes {
-    nodes: Vec<String>,
-    tables: String,
-}
 
 /// Vertices and triangles.
 struct Mesh {
@@ -87,49 +64,42 @@ struct Mesh {
     triangles: Vec<[u16; 3]>,
 }
 
-impl Meshes {
-    fn new(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
-        let (spheres, planes) = (&subject.spheres, &subject.planes);
-        if spheres.is_empty() && planes.is_empty() {
-            return Meshes::default();
-        }
-        let mut colors: Vec<Rgb> = Vec::new();
-        let mut mesh_of = |color: Rgb, shape: usize| {
-            let k = colors.iter().position(|known| *known == color).unwrap_or_else(|| {
-                colors.push(color);
-                colors.len() - 1
-            });
-            2 * k + shape
-        };
-        let mut nodes = Vec::new();
-        for sphere in spheres {
-            let (center, r) = (commas(sphere.shape.center), n(sphere.shape.radius));
-            let (name, mesh) = (quotable(&sphere.title), mesh_of(sphere.color, 0));
-            nodes.push(format!(
-                "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"translation\": [{center}], \
-                 \"scale\": [{r}, {r}, {r}] }}"
-            ));
-        }
-        for plane in planes {
-            let (middle, half, [a, b]) = subject.square_of(&plane.shape);
-            let (name, mesh) = (quotable(&plane.title), mesh_of(plane.color, 1));
-            nodes.push(format!(
-                "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"matrix\": [{}, 0, {}, 0, {}, 0, {}, 1] }}",
-                commas(half * a),
-                commas(half * b),
-                commas(a.cross(b)),
-                commas(middle)
-            ));
-            notes.push(square_note(&plane.title, "glTF", half));
-        }
-        if !spheres.is_empty() {
-            let triangles = sphere().triangles.len();
-            notes.push(format!(
-                "each sphere is a mesh of {triangles} triangles, inside its outline"
-            ));
-        }
-        Meshes { nodes, tables: tables(&colors) }
+/// Returns a node for each object, and the different colours. The colour of index k has the meshes 2
+/// k, a sphere, and 2 k + 1, a square.
+fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec<Rgb>) {
+    let mut colors: Vec<Rgb> = Vec::new();
+    let mut nodes = Vec::new();
+    for object in &subject.objects {
+        let k = colors.iter().position(|known| *known == object.color).unwrap_or_else(|| {
+            colors.push(object.color);
+            colors.len() - 1
+        });
+        let name = quotable(&object.title);
+        nodes.push(match &object.shape {
+            Object::Sphere(sphere) => {
+                let (mesh, center, r) = (2 * k, commas(sphere.center), n(sphere.radius));
+                format!(
+                    "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"translation\": [{center}], \
+                     \"scale\": [{r}, {r}, {r}] }}"
+                )
+            }
+            Object::Plane(plane) => {
+                let (middle, half, [a, b]) = subject.square_of(plane);
+                notes.push(square_note(&object.title, "glTF", half));
+                let [x, y, z] = [half * a, half * b, a.cross(b)].map(commas);
+                let (mesh, middle) = (2 * k + 1, commas(middle));
+                format!(
+                    "{{ \"name\": \"{name}\", \"mesh\": {mesh}, \"matrix\": [{x}, 0, {y}, 0, {z}, 0, \
+                     {middle}, 1] }}"
+                )
+            }
+        });
     }
+    if matches!(subject.objects[0].shape, Object::Sphere(_)) {
+        let triangles = sphere().triangles.len();
+        notes.push(format!("each sphere is a mesh of {triangles} triangles, inside its outline"));
+    }
+    (nodes, colors)
 }
 
 /// Returns the vertices of all shapes as bytes, with the views and accessors that describe them.
@@ -168,13 +138,13 @@ fn vertices() -> (Vec<u8>, Vec<String>, Vec<String>) {
 }
 
 /// Returns the meshes, two for each colour, with their materials and vertices.
-fn tables(colors: &[Rgb]) -> String {
+fn tables_of(colors: &[Rgb]) -> String {
     let (bytes, views, accessors) = vertices();
     let material = |color: &Rgb| {
         format!(
             "{{ \"pbrMetallicRoughness\": {{ \"baseColorFactor\": [{}, 1], \"metallicFactor\": 0 }}, \
              \"doubleSided\": true }}",
-            light(*color, ", ")
+            commas(light(*color))
         )
     };
     let mesh = |k: usize| {

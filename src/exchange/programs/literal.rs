@@ -14,8 +14,8 @@ use super::derived::{
 };
 use crate::FileError;
 use crate::error::one_line;
-use crate::format::n;
 use crate::format::{Imported, Input};
+use crate::template::n;
 
 /// Names of a matrix from camera to world, for a camera that looks along its own -z with y up.
 const MATRICES: [&str; 6] =

@@ -2,7 +2,7 @@
 //! numbers.
 //!
 //! This module uses neither a window nor the disk. A format is a constant that [`FORMATS`] contains: its
-//! writer, and its [`Conventions`](crate::format::Conventions), which describe how its axes, pixels and field
+//! template, and its [`Conventions`](crate::format::Conventions), which describe how its axes, pixels and field
 //! of view differ from Pinhole's.
 //!
 //! World coordinates are never rotated: if another program conventionally has z up or a left-handed world, the
@@ -12,33 +12,18 @@
 mod derived;
 mod gltf;
 mod gltf_read;
-mod libraries;
 mod literal;
-mod renderers;
-mod teaching;
+mod writers;
 
 use std::path::Path;
 
 use pinhole_core::{Camera, DVec3};
 
 pub use self::derived::MIRRORED;
+pub use self::writers::FORMATS;
 use crate::code::LANGUAGES;
 use crate::format::{Format, Imported, Input};
 use crate::{FileError, legible};
-
-/// Every format in which a camera can be written.
-pub static FORMATS: [Format; 10] = [
-    gltf::FORMAT,
-    libraries::THREE,
-    renderers::MITSUBA,
-    renderers::POVRAY,
-    renderers::BLENDER,
-    teaching::WEEKEND,
-    libraries::OPENGL,
-    teaching::COURSE,
-    libraries::OPENCV,
-    renderers::PBRT,
-];
 
 impl Format {
     /// Returns all formats, then all languages.

@@ -84,7 +84,7 @@ fn the_table_tells_what_is_turned() {
 #[test]
 fn what_a_format_cannot_say_is_told() {
     let harness = translating("non-square", "Mitsuba");
-    let said = texts_with(&harness, "Mitsuba has square ones only");
+    let said = texts_with(&harness, "Mitsuba 3 has square ones only");
     assert_eq!(said.len(), 1, "{said:?}");
     assert_eq!(shown(&harness), "");
 }

@@ -1,0 +1,274 @@
+//! Texts of other programs and languages as templates, filled with the numbers of an exported scene.
+//!
+//! In a template, `{eye}` stands for the value of that name, and `{eye:STYLE}` for the value in a
+//! style: `real` has a point or an exponent, so that no language reads an integer; `single` is
+//! rounded to `f32`; `flipped` is marked as having the opposite sign; `spaces` separates the numbers
+//! by blanks in place of commas. Any other text in braces stays as it is.
+//!
+//! A line `@sphere` or `@plane` begins the text that is written for each sphere or plane. `@objects`
+//! begins the text before the first of them, which is left out without objects, and `@end` the text
+//! after the last.
+
+use std::ops::Range;
+
+use pinhole_core::arithmetic::unit;
+use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Viewport};
+
+use crate::error::is_hidden;
+use crate::format::{ExportObject, ExportScene, Unsupported};
+
+/// A text, and the parts whose sign is the opposite of Pinhole's.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Text {
+    /// The text.
+    pub text: String,
+    /// Byte ranges of the parts with the opposite sign, in order.
+    pub flipped: Vec<Range<usize>>,
+}
+
+/// Marks around a flipped part while the text is being written: characters of the private use area,
+/// which never occur in a number.
+const OPEN: char = '\u{e000}';
+const CLOSE: char = '\u{e001}';
+
+/// Placeholder for a number that is not finite, which no format allows.
+pub(crate) const BEYOND: char = '\u{e002}';
+
+impl Text {
+    /// Creates a text from a string with marks around the flipped parts.
+    pub(crate) fn from_marked(marked: &str) -> Text {
+        let mut made = Text::default();
+        let mut from = 0;
+        for c in marked.chars() {
+            match c {
+                OPEN => from = made.text.len(),
+                CLOSE => made.flipped.push(from..made.text.len()),
+                c => made.text.push(c),
+            }
+        }
+        made
+    }
+}
+
+/// Formats a number with the fewest digits that read back to the same number.
+pub(crate) fn n(x: f64) -> String {
+    if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
+}
+
+/// Formats a vector as `1, 2, 3`.
+pub(crate) fn commas(v: DVec3) -> String {
+    v.to_array().map(n).join(", ")
+}
+
+/// Returns an external text, such as a name, without characters that would end a line, are hidden,
+/// or serve as marks in this module.
+fn sanitized(text: &str) -> String {
+    text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
+}
+
+/// Returns a name that can be quoted in every format.
+pub(crate) fn quotable(name: &str) -> String {
+    sanitized(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
+}
+
+/// Returns a colour in linear light (with the sRGB curve of IEC 61966-2-1), rounded to six digits.
+pub(crate) fn light(color: Rgb) -> DVec3 {
+    DVec3::from_array(color.map(|byte| {
+        let s = f64::from(byte) / 255.0;
+        let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
+        (light * 1e6).round() / 1e6
+    }))
+}
+
+/// A value that replaces a name in a template.
+#[derive(Clone, Debug)]
+pub(crate) enum Value {
+    Numbers(Vec<f64>),
+    Text(String),
+}
+
+impl From<f64> for Value {
+    fn from(x: f64) -> Value {
+        Value::Numbers(vec![x])
+    }
+}
+
+impl From<DVec3> for Value {
+    fn from(v: DVec3) -> Value {
+        Value::Numbers(v.to_array().to_vec())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Value {
+        Value::Text(text)
+    }
+}
+
+impl Value {
+    fn written(self, style: &str) -> String {
+        let numbers = match self {
+            Value::Numbers(numbers) => numbers,
+            Value::Text(text) => return text,
+        };
+        let with_point = |text: String| if text.contains(['.', 'e']) { text } else { text + ".0" };
+        let number = |x: f64| match style {
+            "real" => with_point(n(x)),
+            // No reader needs to know of a negative zero.
+            "single" => with_point(format!("{:?}", x as f32 + 0.0)),
+            "flipped" => format!("{OPEN}{}{CLOSE}", n(x)),
+            _ => n(x),
+        };
+        let between = if style == "spaces" { " " } else { ", " };
+        numbers.into_iter().map(number).collect::<Vec<_>>().join(between)
+    }
+}
+
+/// Returns the filled template. `own` contains the values that only this format has.
+///
+/// # Errors
+/// Returns an error if a value does not exist for the scene.
+pub(crate) fn written(
+    template: &str,
+    subject: &ExportScene,
+    own: &[(&str, Value)],
+) -> Result<String, Unsupported> {
+    let value = |name: &str| match own.iter().find(|(known, _)| *known == name) {
+        Some((_, value)) => Ok(Some(value.clone())),
+        None => scene_value(subject, name),
+    };
+    let [sphere, plane] = ["\n@sphere\n", "\n@plane\n"].map(|line| section(template, line));
+    let mut objects = String::new();
+    for object in &subject.objects {
+        let section = if matches!(object.shape, Object::Sphere(_)) { sphere } else { plane };
+        objects += &filled(section, |name| Ok(object_value(subject, object, name)))?;
+    }
+    let mut text = filled(before_mark(template), value)?;
+    if !objects.is_empty() {
+        text += &filled(section(template, "\n@objects\n"), value)?;
+        text += &objects;
+    }
+    Ok(text + section(template, "\n@end\n"))
+}
+
+/// Returns the text after the line that begins a section; empty if there is no such line.
+fn section<'t>(template: &'t str, line: &str) -> &'t str {
+    template.split_once(line).map_or("", |(_, section)| before_mark(section))
+}
+
+fn before_mark(text: &str) -> &str {
+    text.find("\n@").map_or(text, |at| &text[..=at])
+}
+
+/// Returns a text in which each name in braces is replaced by its value, if it has one.
+pub(crate) fn filled(
+    template: &str,
+    value: impl Fn(&str) -> Result<Option<Value>, Unsupported>,
+) -> Result<String, Unsupported> {
+    let (mut text, mut rest) = (String::with_capacity(template.len()), template);
+    while let Some((before, after)) = rest.split_once('{') {
+        text += before;
+        let (inside, behind) = after.split_once('}').unwrap_or((after, ""));
+        let (name, style) = inside.split_once(':').unwrap_or((inside, ""));
+        match value(name)? {
+            Some(value) => (text, rest) = (text + &value.written(style), behind),
+            None => (text, rest) = (text + "{", after),
+        }
+    }
+    Ok(text + rest)
+}
+
+/// Returns the value of this name that a scene has without its objects; `None` if there is none.
+pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Value>, Unsupported> {
+    let (camera, resolved) = (&subject.document.camera, subject.resolve());
+    let Basis { u, v, w } = *resolved.basis();
+    let (eye, viewport, image) = (resolved.eye(), resolved.viewport(), resolved.image());
+    let Viewport { width, height, distance } = *viewport;
+    let (across, upwards) = (viewport.horizontal_fov(), viewport.vertical_fov());
+    let intrinsics = || Intrinsics::from_viewport(viewport, image);
+    let from_eye = || resolved.basis().to_camera_from_world(eye);
+    let row = |k: usize| Value::Numbers([u, v, w, eye].map(|column| column[k]).to_vec());
+    Ok(Some(match name {
+        "columns" => image.width().to_string().into(),
+        "rows" => image.height().to_string().into(),
+        "width" => width.into(),
+        "height" => height.into(),
+        "distance" => distance.into(),
+        "aspect" => (width / height).into(),
+        "focal" => (distance / width).into(),
+        "eye" => eye.into(),
+        "at" => subject.look_at()?[0].into(),
+        "up" => subject.look_at()?[1].into(),
+        "view" => camera.view().into(),
+        "given_up" => camera.up().into(),
+        "u" => u.into(),
+        "v" => v.into(),
+        "w" => w.into(),
+        "minus_v" => (-v).into(),
+        "minus_w" => (-w).into(),
+        "right" => (width * u).into(),
+        "upwards" => (height * v).into(),
+        "forwards" => (-distance * w).into(),
+        "row_x" => row(0),
+        "row_y" => row(1),
+        "row_z" => row(2),
+        "near" => subject.clip().0.into(),
+        "far" => subject.clip().1.into(),
+        "vertical_radians" => upwards.into(),
+        "vertical_degrees" => upwards.to_degrees().into(),
+        "horizontal_radians" => across.into(),
+        "horizontal_degrees" => across.to_degrees().into(),
+        "shorter_degrees" => across.min(upwards).to_degrees().into(),
+        "fx" => intrinsics().fx.into(),
+        "fy" => intrinsics().fy.into(),
+        "cx" => (intrinsics().cx - 0.5).into(),
+        "cy" => (intrinsics().cy - 0.5).into(),
+        "t_x" => (-from_eye().x).into(),
+        "t_y" => from_eye().y.into(),
+        "t_z" => from_eye().z.into(),
+        "background" => light(BACKGROUND).into(),
+        "-1" => (-1.0).into(),
+        _ => return Ok(None),
+    }))
+}
+
+/// Returns the value of this name that an object has; `None` if there is none. The square that
+/// replaces a plane has rows, the matrix from the unit square to the world, and corners.
+fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Option<Value> {
+    match name {
+        "title" => return Some(sanitized(&object.title).into()),
+        "name" => return Some(quotable(&object.title).into()),
+        "light" => return Some(light(object.color).into()),
+        _ => {}
+    }
+    let plane = match object.shape {
+        Object::Sphere(Sphere { center, radius }) => {
+            return Some(match name {
+                "center" => center.into(),
+                "x" => center.x.into(),
+                "y" => center.y.into(),
+                "z" => center.z.into(),
+                "radius" => radius.into(),
+                _ => return None,
+            });
+        }
+        Object::Plane(plane) => plane,
+    };
+    let normal = unit(plane.normal);
+    let (middle, half, [a, b]) = subject.square_of(&plane);
+    let columns = [half * a, half * b, a.cross(b), middle];
+    let row = |k: usize| Value::Numbers(columns.map(|column| column[k]).to_vec());
+    let corner = |x: f64, y: f64| (middle + half * (x * a + y * b)).into();
+    Some(match name {
+        "normal" => normal.into(),
+        "offset" => normal.dot(plane.point).into(),
+        "row_x" => row(0),
+        "row_y" => row(1),
+        "row_z" => row(2),
+        "corner_0" => corner(-1.0, -1.0),
+        "corner_1" => corner(1.0, -1.0),
+        "corner_2" => corner(-1.0, 1.0),
+        "corner_3" => corner(1.0, 1.0),
+        _ => return None,
+    })
+}
