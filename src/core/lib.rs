@@ -220,7 +220,7 @@ pub mod arithmetic {
 
 pub use fearless_simd::Level;
 
-pub use camera::basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
+pub use camera::basis::{Basis, BasisError, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::difference::CameraDifference;
 pub use camera::ray::{ExactRay, Ray, RayError};
 pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};

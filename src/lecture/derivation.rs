@@ -11,7 +11,7 @@ use pinhole_core::arithmetic::{
 };
 use pinhole_core::{
     AlongRay, Basis, BasisError, Camera, DVec2, DVec3, ExactRay, LineRoots, Object, ObjectError,
-    Orientation, Pixel, Plane, PlaneTerms, Ray, RayError, ResolvedCamera, Root, Sphere,
+    Orientation, Pixel, Plane, PlaneTerms, Ray, RayError, ResolvedCamera, Root, Selection, Sphere,
     SphereQuadratic,
 };
 
@@ -292,7 +292,7 @@ impl RayDerivation {
     /// Derives the view ray through a pixel's centre.
     pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
-        let parts = camera.direction_terms_of_pixel(pixel);
+        let parts = camera.direction_terms(Selection::Pixel(pixel));
         RayDerivation::new(parts, Some(pixel), camera.uv_of_pixel(pixel), direction)
     }
 
@@ -302,7 +302,7 @@ impl RayDerivation {
     /// Returns an error if u or v is not finite.
     pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
         let direction = camera.exact_ray_at(uv)?.rounded();
-        Ok(RayDerivation::new(camera.direction_terms_at(uv), None, uv, direction))
+        Ok(RayDerivation::new(camera.direction_terms(Selection::Uv(uv)), None, uv, direction))
     }
 
     fn new(

@@ -119,7 +119,7 @@ impl HandleDrag<'_> {
             Handle::Distance | Handle::Dolly => DragAlong::Axis(camera.basis()?.w),
             Handle::Corner(_) | Handle::Pixel | Handle::Roll => {
                 let Basis { u, v, .. } = camera.basis()?;
-                DragAlong::Plane(u, v)
+                DragAlong::Plane(u.cross(v))
             }
             _ => DragAlong::ViewPlane,
         })

@@ -1,13 +1,11 @@
-//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand; and its rotation
-//! as a unit quaternion.
-
-use std::fmt;
+//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand, or from
+//! a quaternion.
 
 use glam::{DMat3, DQuat, DVec3};
+use thiserror::Error;
 
 use crate::exact::dyadic::{Dyadic, dot, exact3};
-use crate::exact::scale::{length, unit};
-use crate::exact::scale::{shortest, triple};
+use crate::exact::scale::{length, shortest, triple, unit};
 
 /// Maximum deviation of a basis given by hand from orthonormal: the maximum of `| |a| - 1 |` and
 /// `|a . b|` of its vectors.
@@ -29,27 +27,6 @@ pub struct Basis {
     pub w: DVec3,
 }
 
-/// The name of a vector of a [`Basis`], for messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BasisVector {
-    /// Right in the image.
-    U,
-    /// Points up in the image.
-    V,
-    /// Backwards.
-    W,
-}
-
-impl fmt::Display for BasisVector {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            BasisVector::U => "u",
-            BasisVector::V => "v",
-            BasisVector::W => "w",
-        })
-    }
-}
-
 /// The angle between up and the view direction, and the conditioning of the basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpAngle {
@@ -60,10 +37,11 @@ pub struct UpAngle {
 }
 
 /// Reason why a camera has no basis. Each case carries the invalid numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BasisError {
     /// A coordinate of the named field is NaN or infinite.
+    #[error("{field} is {}: every coordinate must be a finite number", triple(*.value))]
     NotFinite {
         /// `eye`, `at`, `view`, `up`, or `basis.u`, `basis.v`, `basis.w`.
         field: &'static str,
@@ -71,15 +49,23 @@ pub enum BasisError {
         value: DVec3,
     },
     /// `at - eye` is zero, so there is no view direction.
+    #[error("eye and at are the same point {}: move one of them", triple(*.point))]
     EyeIsAt {
         /// The point where both eye and at are.
         point: DVec3,
     },
     /// The view direction given is `(0, 0, 0)`.
+    #[error("view is (0, 0, 0): it must point somewhere")]
     ViewIsZero,
     /// The up vector given is `(0, 0, 0)`.
+    #[error("up is (0, 0, 0): it must point somewhere")]
     UpIsZero,
-    /// `up x view` is zero: up does not say which way round the camera is.
+    /// `up x view` is zero, so up cannot keep the camera level.
+    #[error(
+        "up {} is parallel to the view direction {}: turn one of them",
+        triple(*.up),
+        triple(*.view)
+    )]
     UpParallelToView {
         /// The up vector.
         up: DVec3,
@@ -87,63 +73,27 @@ pub enum BasisError {
         view: DVec3,
     },
     /// A vector of a basis given by hand is not of length 1.
+    #[error("{vector} has length {}: it must be 1 within {ORTHONORMAL_TOLERANCE:e}", shortest(*.length))]
     NotUnit {
-        /// The name of the vector.
-        vector: BasisVector,
+        /// The name of the vector: `u`, `v` or `w`.
+        vector: &'static str,
         /// The length of the vector.
         length: f64,
     },
     /// Two vectors of a basis given by hand are not orthogonal.
+    #[error("{first} . {second} is {}: it must be 0 within {ORTHONORMAL_TOLERANCE:e}", shortest(*.dot))]
     NotOrthogonal {
-        /// The first of the two vectors.
-        first: BasisVector,
-        /// The second of the two vectors.
-        second: BasisVector,
+        /// The name of the first vector: `u`, `v` or `w`.
+        first: &'static str,
+        /// The name of the second vector: `u`, `v` or `w`.
+        second: &'static str,
         /// The dot product of the two vectors.
         dot: f64,
     },
     /// `u x v` of a basis given by hand is `-w`.
+    #[error("the basis is left-handed: u x v is -w and must be w, which points backwards")]
     LeftHanded,
 }
-
-impl fmt::Display for BasisError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            BasisError::NotFinite { field, value } => {
-                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
-            }
-            BasisError::EyeIsAt { point } => {
-                write!(f, "eye and at are the same point {}: move one of them", triple(*point))
-            }
-            BasisError::ViewIsZero => write!(f, "view is (0, 0, 0): it must point somewhere"),
-            BasisError::UpIsZero => write!(f, "up is (0, 0, 0): it must point somewhere"),
-            BasisError::UpParallelToView { up, view } => write!(
-                f,
-                "up {} is parallel to the view direction {}: turn one of them",
-                triple(*up),
-                triple(*view)
-            ),
-            BasisError::NotUnit { vector, length } => write!(
-                f,
-                "{vector} has length {}: it must be 1 within {ORTHONORMAL_TOLERANCE:e}",
-                shortest(*length)
-            ),
-            BasisError::NotOrthogonal { first, second, dot } => write!(
-                f,
-                "{first} . {second} is {}: it must be 0 within {ORTHONORMAL_TOLERANCE:e}",
-                shortest(*dot)
-            ),
-            BasisError::LeftHanded => {
-                write!(
-                    f,
-                    "the basis is left-handed: u x v is -w and must be w, which points backwards"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for BasisError {}
 
 impl Basis {
     /// Returns the distance of u, v and w from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
@@ -164,16 +114,15 @@ impl Basis {
     /// Returns an error that names the vector that is not finite or not of length 1, or the two vectors
     /// that are not orthogonal, or that says that the basis is left-handed.
     pub fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
-        use BasisVector::{U, V, W};
         for (field, value) in [("basis.u", u), ("basis.v", v), ("basis.w", w)] {
             check_finite(field, value)?;
         }
-        for (vector, value) in [(U, u), (V, v), (W, w)] {
+        for (vector, value) in [("u", u), ("v", v), ("w", w)] {
             if !is_unit(value) {
                 return Err(BasisError::NotUnit { vector, length: length(value) });
             }
         }
-        for (first, second, a, b) in [(U, V, u, v), (V, W, v, w), (W, U, w, u)] {
+        for (first, second, a, b) in [("u", "v", u, v), ("v", "w", v, w), ("w", "u", w, u)] {
             if !is_orthogonal(a, b) {
                 return Err(BasisError::NotOrthogonal { first, second, dot: a.dot(b) });
             }
@@ -230,16 +179,6 @@ pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
 }
 
 impl Basis {
-    /// Returns the rotation `[w, x, y, z]` that takes x to u, y to v and z to w: from camera to world.
-    /// Of the two unit quaternions, it is the one whose w is not negative.
-    ///
-    /// (S. W. Shepperd, *Quaternion from rotation matrix*, J. Guidance and Control 1, 1978.)
-    pub fn quaternion(&self) -> [f64; 4] {
-        let q = DQuat::from_mat3(&DMat3::from_cols(self.u, self.v, self.w)).normalize();
-        let q = if q.w < 0.0 { -q } else { q };
-        [q.w, q.x, q.y, q.z]
-    }
-
     /// Returns the basis to which a quaternion `[w, x, y, z]` of any length turns x, y, z; `None` if the
     /// quaternion is zero or not finite.
     pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {

@@ -3,10 +3,8 @@
 use glam::DVec3;
 
 use crate::camera::basis::{Basis, BasisError, check_finite};
-use crate::exact::bounded;
-use crate::exact::bounded::{Number, Vector, scaled};
-use crate::exact::double_double::difference_with_rest;
-use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::bounded::{self, Number, Vector, scaled};
+use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
 use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
 use crate::exact::scale::ldexp;
 use crate::exact::surd::Radicands;
@@ -18,7 +16,7 @@ pub(crate) struct FineBasis {
     pub(crate) v: Vector<DoubleDouble>,
     pub(crate) w: Vector<DoubleDouble>,
     /// Error bound of each vector.
-    doubt: f64,
+    pub(crate) doubt: f64,
 }
 
 /// A view direction, as the inputs give it: `at - eye` has digits that no `f64` holds.
@@ -151,11 +149,6 @@ impl FineBasis {
         1.74 * (self.doubt + DoubleDouble::DOT)
     }
 
-    /// Returns the error bound of each vector.
-    pub(crate) fn doubt(&self) -> f64 {
-        self.doubt
-    }
-
     /// Returns `x u + y v - z w`.
     pub(crate) fn direction(&self, [x, y, z]: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
         std::array::from_fn(|i| x * self.u[i] + y * self.v[i] - z * self.w[i])
@@ -207,7 +200,7 @@ pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
 }
 
 /// A checked view direction and up, neither of them zero.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Aim {
     pub(crate) view: ViewGiven,
     pub(crate) up: DVec3,

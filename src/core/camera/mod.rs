@@ -9,15 +9,14 @@ pub(crate) mod selection;
 pub(crate) mod viewport;
 
 use std::f64::consts::FRAC_PI_2;
-use std::fmt;
 
 use glam::DVec3;
+use thiserror::Error;
 
 use crate::camera::basis::{Basis, BasisError, UpAngle};
 use crate::camera::fine_basis::{Aim, FineBasis, angle_terms};
-use crate::camera::resolved::{AimGiven, ResolvedCamera};
-use crate::camera::viewport::{ImageError, ImageSize};
-use crate::camera::viewport::{Viewport, ViewportError};
+use crate::camera::resolved::ResolvedCamera;
+use crate::camera::viewport::{ImageError, ImageSize, Viewport, ViewportError};
 use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::unit;
 
@@ -74,45 +73,18 @@ pub struct Camera {
 }
 
 /// Reason why a camera cannot be resolved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CameraError {
     /// The camera has no basis.
-    Basis(BasisError),
+    #[error(transparent)]
+    Basis(#[from] BasisError),
     /// The viewport's width, height or distance is not positive and finite.
-    Viewport(ViewportError),
+    #[error(transparent)]
+    Viewport(#[from] ViewportError),
     /// The image has no pixels, or too many.
-    Image(ImageError),
-}
-
-impl fmt::Display for CameraError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            CameraError::Basis(e) => e.fmt(f),
-            CameraError::Viewport(e) => e.fmt(f),
-            CameraError::Image(e) => e.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for CameraError {}
-
-impl From<BasisError> for CameraError {
-    fn from(e: BasisError) -> Self {
-        CameraError::Basis(e)
-    }
-}
-
-impl From<ViewportError> for CameraError {
-    fn from(e: ViewportError) -> Self {
-        CameraError::Viewport(e)
-    }
-}
-
-impl From<ImageError> for CameraError {
-    fn from(e: ImageError) -> Self {
-        CameraError::Image(e)
-    }
+    #[error(transparent)]
+    Image(#[from] ImageError),
 }
 
 impl Camera {
@@ -136,8 +108,9 @@ impl Camera {
         Ok(self.aim()?.1.rounded())
     }
 
-    /// Returns the inputs of the basis, and the basis with all its digits.
-    fn aim(&self) -> Result<(AimGiven, FineBasis), BasisError> {
+    /// Returns the view direction and up, or `None` if the basis is given, and the basis with all its
+    /// digits.
+    fn aim(&self) -> Result<(Option<Aim>, FineBasis), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
         }
@@ -145,10 +118,10 @@ impl Camera {
             Orientation::At { at, up } => Aim::from_to(self.eye, at, up)?,
             Orientation::View { view, up } => Aim::along(view, up)?,
             Orientation::Basis(Basis { u, v, w }) => {
-                return Ok((AimGiven::Basis, FineBasis::given(&Basis::by_hand(u, v, w)?)));
+                return Ok((None, FineBasis::given(&Basis::by_hand(u, v, w)?)));
             }
         };
-        Ok((AimGiven::ViewUp(aim.view, aim.up), aim.fine_basis()?))
+        Ok((Some(aim), aim.fine_basis()?))
     }
 
     /// Returns the angle between up and the view direction, by `atan2(|up x view|, up . view)` (accurate
@@ -158,7 +131,7 @@ impl Camera {
     /// # Errors
     /// Returns an error if the camera has no basis.
     pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
-        let (AimGiven::ViewUp(view, up), _) = self.aim()? else {
+        let (Some(Aim { view, up }), _) = self.aim()? else {
             return Ok(UpAngle { angle: FRAC_PI_2, conditioning: 1.0 });
         };
         let (right, along, lengths) = angle_terms(&view, up);

@@ -1,18 +1,17 @@
 //! Rays in parametric form: with a direction in `f64`; and exact rays, as given or as a camera's view
 //! ray, whose direction no `f64` holds.
 
-use std::fmt;
-
 use glam::{DVec2, DVec3};
+use thiserror::Error;
 
-use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
+use crate::camera::resolved::ResolvedCamera;
+use crate::camera::selection::Selection;
 use crate::camera::viewport::Pixel;
 use crate::exact::big_ray::BigRay;
 use crate::exact::bounded::{Number, Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionTerms;
-use crate::exact::scale::triple;
-use crate::exact::scale::{ldexp, split};
+use crate::exact::scale::{ldexp, split, triple};
 
 /// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
 ///
@@ -27,10 +26,11 @@ pub struct Ray {
 }
 
 /// Reason why numbers do not make a ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RayError {
     /// A coordinate of the named field is NaN or infinite.
+    #[error("{field} is {}: every coordinate must be a finite number", triple(*.value))]
     NotFinite {
         /// `origin` or `direction`.
         field: &'static str,
@@ -38,23 +38,9 @@ pub enum RayError {
         value: DVec3,
     },
     /// The direction is `(0, 0, 0)`.
+    #[error("direction is (0, 0, 0): it must point somewhere")]
     DirectionIsZero,
 }
-
-impl fmt::Display for RayError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RayError::NotFinite { field, value } => {
-                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
-            }
-            RayError::DirectionIsZero => {
-                write!(f, "direction is (0, 0, 0): it must point somewhere")
-            }
-        }
-    }
-}
-
-impl std::error::Error for RayError {}
 
 impl Ray {
     /// Makes a checked ray. The arguments may be of any type that converts into [`DVec3`]: `[f64; 3]`,
@@ -134,7 +120,7 @@ pub struct ExactRay<'a> {
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
-    View(&'a ResolvedCamera, ViewportPoint),
+    View(&'a ResolvedCamera, Selection),
 }
 
 impl ResolvedCamera {
@@ -142,7 +128,7 @@ impl ResolvedCamera {
     /// `u = width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact
     /// basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
-        ExactRay::from_view(self, ViewportPoint::Pixel(pixel))
+        ExactRay::from_view(self, Selection::Pixel(pixel))
     }
 
     /// Returns the view ray through (u, v), for the numbers and the camera as given, with nothing
@@ -154,7 +140,7 @@ impl ResolvedCamera {
         if !uv.is_finite() {
             return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
         }
-        Ok(ExactRay::from_view(self, ViewportPoint::Uv(uv)))
+        Ok(ExactRay::from_view(self, Selection::Uv(uv)))
     }
 }
 
@@ -170,7 +156,7 @@ impl<'a> ExactRay<'a> {
     }
 
     /// Returns a camera's view ray through a point of its viewport.
-    pub(crate) fn from_view(camera: &'a ResolvedCamera, point: ViewportPoint) -> ExactRay<'a> {
+    pub(crate) fn from_view(camera: &'a ResolvedCamera, point: Selection) -> ExactRay<'a> {
         let (direction, scale) = camera.fine_direction(point);
         let (direction, more) = scaled(direction);
         let doubt = camera.fine_basis().direction_doubt();
@@ -203,7 +189,7 @@ impl<'a> ExactRay<'a> {
     /// Returns the pixel through whose centre this view ray passes; `None` for any other ray.
     pub fn pixel(&self) -> Option<Pixel> {
         match self.source {
-            Source::View(_, ViewportPoint::Pixel(pixel)) => Some(pixel),
+            Source::View(_, Selection::Pixel(pixel)) => Some(pixel),
             _ => None,
         }
     }
@@ -225,7 +211,7 @@ impl<'a> ExactRay<'a> {
         Ray { origin: self.origin, direction }
     }
 
-    fn rounded_direction(&self, camera: &ResolvedCamera, point: ViewportPoint) -> DVec3 {
+    fn rounded_direction(&self, camera: &ResolvedCamera, point: Selection) -> DVec3 {
         let stretch = DoubleDouble::from(self.stretch);
         let share = self.fine.doubt + DoubleDouble::QUOTIENT;
         let mut big = None;

@@ -3,14 +3,13 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::basis::Basis;
-use crate::camera::fine_basis::{BigBasis, FineBasis, ViewGiven};
+use crate::camera::fine_basis::{Aim, BigBasis, FineBasis};
 use crate::camera::ray::Ray;
-use crate::camera::viewport::Viewport;
-use crate::camera::viewport::{ImageSize, Pixel};
+use crate::camera::selection::Selection;
+use crate::camera::viewport::{ImageSize, Pixel, Viewport};
 use crate::exact::big_ray::BigRay;
 use crate::exact::bounded::{Vector, scaled};
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::double_double::difference_with_rest;
+use crate::exact::double_double::{DoubleDouble, difference_with_rest};
 use crate::exact::dyadic::{Dyadic, exact3, times};
 use crate::exact::scale::{exponent, ldexp};
 use crate::exact::surd::{Radicands, Surd};
@@ -19,39 +18,12 @@ use crate::exact::surd::{Radicands, Surd};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResolvedCamera {
     eye: DVec3,
-    aim: AimGiven,
+    /// The view direction and up that the basis was made of; `None` if the basis was given.
+    aim: Option<Aim>,
     basis: Basis,
     fine_basis: FineBasis,
     viewport: Viewport,
     image: ImageSize,
-}
-
-/// The inputs that the basis was made of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum AimGiven {
-    /// A view direction and up.
-    ViewUp(ViewGiven, DVec3),
-    /// u, v, w themselves.
-    Basis,
-}
-
-/// A point of the viewport through which a view ray passes exactly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum ViewportPoint {
-    /// A pixel's centre.
-    Pixel(Pixel),
-    /// A position (u, v).
-    Uv(DVec2),
-}
-
-impl ViewportPoint {
-    /// Returns the whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
-    pub(crate) fn stretch(self, image: ImageSize) -> f64 {
-        match self {
-            ViewportPoint::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
-            ViewportPoint::Uv(_) => 1.0,
-        }
-    }
 }
 
 /// The pixel in which a (u, v) lies, and the edges on which it lies.
@@ -109,7 +81,7 @@ impl ResolvedCamera {
     /// Makes the camera from parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
     pub(crate) fn new(
         eye: DVec3,
-        aim: AimGiven,
+        aim: Option<Aim>,
         fine_basis: FineBasis,
         viewport: Viewport,
         image: ImageSize,
@@ -206,11 +178,11 @@ impl ResolvedCamera {
     }
 
     /// Returns `(u, v, distance)` times the point's stretch, as three pairs whose products are exact.
-    fn coordinates(&self, point: ViewportPoint) -> [(f64, f64); 3] {
+    fn coordinates(&self, point: Selection) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
         match point {
-            ViewportPoint::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
-            ViewportPoint::Pixel(pixel) => {
+            Selection::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
+            Selection::Pixel(pixel) => {
                 let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
                 let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));
                 [
@@ -223,7 +195,7 @@ impl ResolvedCamera {
     }
 
     /// Returns the view ray's direction times the point's stretch, in units of `2^k`.
-    pub(crate) fn fine_direction(&self, point: ViewportPoint) -> (Vector<DoubleDouble>, i32) {
+    pub(crate) fn fine_direction(&self, point: Selection) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
         // By the products, not the measures: at the picture's centre width and height drop out.
         let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
@@ -234,19 +206,9 @@ impl ResolvedCamera {
         (self.fine_basis.direction(coordinates), k)
     }
 
-    /// Returns the terms `u U`, `v V` and `-distance W` of the direction of a pixel's view ray, each
-    /// coordinate rounded once.
-    pub fn direction_terms_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
-        self.direction_terms(ViewportPoint::Pixel(pixel))
-    }
-
-    /// Returns the terms `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each
-    /// coordinate rounded once.
-    pub fn direction_terms_at(&self, uv: DVec2) -> [DVec3; 3] {
-        self.direction_terms(ViewportPoint::Uv(uv))
-    }
-
-    fn direction_terms(&self, point: ViewportPoint) -> [DVec3; 3] {
+    /// Returns the terms `u U`, `v V` and `-distance W` of the direction of a pixel's view ray or of the
+    /// ray through a finite (u, v), each coordinate rounded once.
+    pub fn direction_terms(&self, point: Selection) -> [DVec3; 3] {
         let FineBasis { u, v, w, .. } = self.fine_basis;
         let [along_u, along_v, along_w] = self.coordinates(point);
         let stretch = DoubleDouble::from(point.stretch(self.image));
@@ -260,12 +222,12 @@ impl ResolvedCamera {
     }
 
     /// Returns a view ray in exact numbers.
-    pub(crate) fn big_ray(&self, point: ViewportPoint) -> BigRay {
+    pub(crate) fn big_ray(&self, point: Selection) -> BigRay {
         let coordinates = self.coordinates(point).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
         let [x, y, z] = &coordinates;
         let stretch = Dyadic::from(point.stretch(self.image));
         match self.aim {
-            AimGiven::ViewUp(view, up) => {
+            Some(Aim { view, up }) => {
                 // x R / sqrt B + y (R x f) / sqrt (A B) + z f / sqrt A, times sqrt (A B).
                 let BigBasis { view, right, upward, radicands } = BigBasis::new(&view, up);
                 let parts = [times(&upward, y), times(&right, x), times(&view, z)];
@@ -276,7 +238,7 @@ impl ResolvedCamera {
                 let scale = Radicands::root_of_product().scaled(&stretch);
                 BigRay::new(self.eye, direction, scale, radicands)
             }
-            AimGiven::Basis => {
+            None => {
                 let Basis { u, v, w } = self.basis;
                 let parts = [(u, x), (v, y), (w, z)].map(|(a, x)| times(&exact3(a), x));
                 let direction = std::array::from_fn(|i| {

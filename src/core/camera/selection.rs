@@ -2,11 +2,9 @@
 
 use glam::DVec2;
 
-use crate::camera::ray::ExactRay;
-use crate::camera::ray::RayError;
+use crate::camera::ray::{ExactRay, RayError};
 use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
-use crate::camera::viewport::Viewport;
-use crate::camera::viewport::{ImageSize, Pixel};
+use crate::camera::viewport::{ImageSize, Pixel, Viewport};
 
 /// The selected ray, given by a pixel, or by (u, v) if it passes through no pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +23,15 @@ impl Default for Selection {
 }
 
 impl Selection {
+    /// Returns the whole number that clears the denominators of (u, v): `2 W H` for a pixel, 1 for a
+    /// (u, v).
+    pub(crate) fn stretch(self, image: ImageSize) -> f64 {
+        match self {
+            Selection::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
+            Selection::Uv(_) => 1.0,
+        }
+    }
+
     /// Returns the position where the selected ray passes through the viewport.
     pub fn uv(self, camera: &ResolvedCamera) -> DVec2 {
         match self {

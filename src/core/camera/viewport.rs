@@ -2,7 +2,7 @@
 //! image is the grid of pixels into which it is divided. Computer vision writes both as K, the matrix of
 //! focal lengths and principal point.
 
-use std::fmt;
+use thiserror::Error;
 
 use crate::exact::scale::shortest;
 
@@ -19,7 +19,8 @@ pub struct Viewport {
 }
 
 /// The error of a viewport measure that is not a positive, finite number.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("viewport {field} is {}: it must be finite and greater than 0", shortest(*.value))]
 #[non_exhaustive]
 pub struct ViewportError {
     /// `width`, `height` or `distance`.
@@ -27,15 +28,6 @@ pub struct ViewportError {
     /// The invalid measure.
     pub value: f64,
 }
-
-impl fmt::Display for ViewportError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ViewportError { field, value } = self;
-        write!(f, "viewport {field} is {}: it must be finite and greater than 0", shortest(*value))
-    }
-}
-
-impl std::error::Error for ViewportError {}
 
 impl Viewport {
     /// The canonical camera's viewport: 1 x 1 at distance 1.
@@ -123,7 +115,8 @@ pub struct Pixel {
 }
 
 /// The error of an image measure outside 1 to [`ImageSize::MAX`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("image {field} is {value}: it must be 1 to {} pixels", ImageSize::MAX)]
 #[non_exhaustive]
 pub struct ImageError {
     /// `width` or `height`.
@@ -131,15 +124,6 @@ pub struct ImageError {
     /// The invalid measure.
     pub value: u32,
 }
-
-impl fmt::Display for ImageError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ImageError { field, value } = self;
-        write!(f, "image {field} is {value}: it must be 1 to {} pixels", ImageSize::MAX)
-    }
-}
-
-impl std::error::Error for ImageError {}
 
 impl ImageSize {
     /// The largest width and height of an image.

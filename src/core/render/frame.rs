@@ -1,7 +1,7 @@
 //! Frames: the first hit of every pixel's view ray, in buffers that bands of rows fill in parallel; the
 //! floating-point types that can hold `t`; and counts of the work that was left out.
 
-use std::ops::{Add, AddAssign, Range};
+use std::ops::Range;
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -298,53 +298,24 @@ pub(crate) fn or_own<'a, T: Copy>(
     &mut own[..len]
 }
 
-/// Counts of how much of a scene a frame had to examine. Rows and columns are those of the traced raster.
+/// Counts of the work that a frame left out. Rows are those of the traced raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
     /// Number of spheres in the scene.
     pub spheres: u64,
-    /// Number of spheres dropped because they lie wholly behind the eye.
-    pub behind: u64,
-    /// Number of spheres dropped because they lie outside the picture, or between two of its rows.
-    pub outside: u64,
-    /// Number of remaining spheres, hidden or not.
-    pub in_view: u64,
-    /// Number of times that a band of rows skipped a sphere because nearer spheres hide all of its part
-    /// in the band. The count depends on the drawing order, and so on the width of the processor's
-    /// vectors; the picture does not.
-    pub hidden: u64,
+    /// Number of spheres that were left out, because they lie wholly behind the eye, outside the picture,
+    /// or between two of its rows.
+    pub spheres_left_out: u64,
     /// Number of rows of the picture.
     pub rows: u64,
-    /// Number of rows that no object's outline can reach: they show only the background.
+    /// Number of rows that no object's outline can reach, so that they show only the background.
     pub rows_untouched: u64,
-}
-
-impl Add for Counts {
-    type Output = Counts;
-
-    fn add(self, other: Counts) -> Counts {
-        Counts {
-            spheres: self.spheres + other.spheres,
-            behind: self.behind + other.behind,
-            outside: self.outside + other.outside,
-            in_view: self.in_view + other.in_view,
-            hidden: self.hidden + other.hidden,
-            rows: self.rows + other.rows,
-            rows_untouched: self.rows_untouched + other.rows_untouched,
-        }
-    }
-}
-
-impl AddAssign for Counts {
-    fn add_assign(&mut self, other: Counts) {
-        *self = *self + other;
-    }
 }
 
 /// The floating-point type in which a frame keeps `t`: `f64`, correctly rounded from the exact value, or
 /// `f32`, within an ulp, in a fraction of the time.
-pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
+pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     /// Zero.
     #[doc(hidden)]
     const ZERO: Self;
@@ -364,6 +335,34 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
     /// Returns the buffer to fill once the objects are known: `t` itself, or an empty one.
     #[doc(hidden)]
     fn found(t: &mut [Self]) -> &mut [f64];
+
+    /// Traces a frame, see `render::fill`. This function is neither generic nor inlined, so it is compiled
+    /// once, with this crate, and not again with each crate that calls a function generic over
+    /// [`Depth`].
+    #[doc(hidden)]
+    fn fill(
+        frame: &mut Frame<Self>,
+        level: Level,
+        scene: &Scene,
+        finish: Option<Finish<'_, Self>>,
+        done: &(dyn Fn(usize) + Sync),
+    );
+}
+
+/// Implements [`Depth::fill`] for one type.
+macro_rules! fill {
+    () => {
+        #[inline(never)]
+        fn fill(
+            frame: &mut Frame<Self>,
+            level: Level,
+            scene: &Scene,
+            finish: Option<Finish<'_, Self>>,
+            done: &(dyn Fn(usize) + Sync),
+        ) {
+            crate::render::fill(frame, level, scene, finish, done);
+        }
+    };
 }
 
 impl Depth for f32 {
@@ -383,6 +382,8 @@ impl Depth for f32 {
     fn found(_: &mut [f32]) -> &mut [f64] {
         &mut []
     }
+
+    fill!();
 }
 
 impl Depth for f64 {
@@ -403,25 +404,9 @@ impl Depth for f64 {
     fn found(t: &mut [f64]) -> &mut [f64] {
         t
     }
+
+    fill!();
 }
 
 /// A callback for rows of a band, called as soon as they are traced, with the rows, `t` and the objects.
 pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
-
-pub(crate) mod sealed {
-    use super::*;
-
-    /// Selects the tracer of one precision.
-    pub trait Sealed: Sized {
-        /// See [`fill`](crate::render::fill). This function is neither generic nor inlined, so it is
-        /// compiled once, with this crate, and not again with each crate that calls a function generic
-        /// over [`Depth`].
-        fn fill(
-            frame: &mut Frame<Self>,
-            level: Level,
-            scene: &Scene,
-            finish: Option<Finish<'_, Self>>,
-            done: &(dyn Fn(usize) + Sync),
-        );
-    }
-}

@@ -49,13 +49,11 @@ use rayon::prelude::*;
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::steps::Steps;
-use crate::render::frame::Counts;
-use crate::render::frame::sealed::Sealed;
-use crate::render::frame::{BandBuffers, OwnBuffers, band_buffers, empty_frame, or_own};
-use crate::render::frame::{Depth, Finish};
-use crate::render::frame::{Frame, Outputs, Raster};
-use crate::render::plan::Plan;
-use crate::render::plan::SLICE_ROWS;
+use crate::render::frame::{
+    BandBuffers, Counts, Depth, Finish, Frame, Outputs, OwnBuffers, Raster, band_buffers,
+    empty_frame, or_own,
+};
+use crate::render::plan::{Plan, SLICE_ROWS};
 use crate::render::row_band::RowBand;
 use crate::render::row_band::fallback::fill_exactly;
 use crate::render::shade::paint::{Paint, Rgb, Shade};
@@ -203,7 +201,7 @@ pub fn retrace_at_level<T: Depth>(
 
 /// Traces the frame's camera and raster into those buffers of the frame that have room, band by band.
 /// Each band is finished while it is in the cache.
-fn fill<T: Depth>(
+pub(crate) fn fill<T: Depth>(
     frame: &mut Frame<T>,
     level: Level,
     scene: &Scene,
@@ -215,7 +213,6 @@ fn fill<T: Depth>(
         return;
     }
     let plan = Plan::new(level, scene, camera, raster);
-    *counts = plan.counts;
     let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
     let (width, bands, keeps_t) = (raster.columns().len(), plan.bands(), !t.is_empty());
     let buffers = band_buffers(t, object, normal, (&bands, width));
@@ -229,7 +226,7 @@ fn fill<T: Depth>(
             band.resolve_doubt();
         }
         band.draw_others();
-        let drawn = band.counted();
+        let (steps, left_out, untouched) = band.counted();
         let found = if needs_t { T::found(t) } else { &mut [] };
         let of_t = fill_exactly(&plan, rows.clone(), object, found, part.normal);
         let of_t = if keeps_t { of_t } else { Steps::default() };
@@ -237,43 +234,29 @@ fn fill<T: Depth>(
             finish(rows.clone(), t, object);
         }
         done(rows.len());
-        (drawn.0, drawn.1, of_t)
+        (steps, of_t, left_out, untouched)
     };
     let bands = bands.into_iter().zip(buffers);
-    let of_bands;
-    (*steps, of_bands, *steps_of_t) = if is_quick {
+    let (left_out, rows_untouched);
+    (*steps, *steps_of_t, left_out, rows_untouched) = if is_quick {
         let mut own = OwnBuffers::new();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
         // A thread takes the next band when it has finished one.
         bands.par_bridge().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
     };
-    *counts += of_bands;
-}
-
-type Counted = (Steps, Counts, Steps);
-
-fn sums(a: Counted, b: Counted) -> Counted {
-    (a.0 + b.0, a.1 + b.1, a.2 + b.2)
-}
-
-/// Implements the tracer of one precision.
-macro_rules! tracer {
-    ($real:ident) => {
-        impl Sealed for $real {
-            #[inline(never)]
-            fn fill(
-                frame: &mut Frame<$real>,
-                level: Level,
-                scene: &Scene,
-                finish: Option<Finish<'_, $real>>,
-                done: &(dyn Fn(usize) + Sync),
-            ) {
-                fill(frame, level, scene, finish, done);
-            }
-        }
+    *counts = Counts {
+        spheres: scene.spheres().len() as u64,
+        spheres_left_out: plan.left_out + left_out,
+        rows: raster.rows().len() as u64,
+        rows_untouched,
     };
 }
 
-tracer!(f32);
-tracer!(f64);
+/// The decisions of a band and the values of `t` that each step found, and the numbers of spheres left
+/// out and of rows untouched.
+type Counted = (Steps, Steps, u64, u64);
+
+fn sums(a: Counted, b: Counted) -> Counted {
+    (a.0 + b.0, a.1 + b.1, a.2 + b.2, a.3 + b.3)
+}

@@ -5,11 +5,10 @@ use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
-use rayon::prelude::*;
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::render::bvh::visible::VisibleSpheres;
-use crate::render::frame::{Counts, Raster};
+use crate::render::frame::Raster;
 use crate::render::outline::raster_axes::{CameraSpace, RasterAxes};
 use crate::render::outline::{Extent, Extents, MOST_LANES, Outlines};
 use crate::render::polynomial::frame_rays::FrameRays;
@@ -29,12 +28,12 @@ pub(crate) struct Plan<'a> {
     pub(crate) axes: RasterAxes,
     /// Spheres that are drawn by rows, near to far.
     pub(crate) spans: Vec<Span>,
-    /// The spheres not drawn by rows: for each run of spheres and each slice of rows, the spheres that
-    /// the slice can see.
-    others: Vec<Vec<Vec<(u32, Extent)>>>,
+    /// The spheres not drawn by rows that each slice of rows can see; empty if there are many spheres.
+    others: Vec<Vec<(u32, Extent)>>,
     /// The visible part of the index over the spheres; `None` if there are few.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
-    pub(crate) counts: Counts,
+    /// Number of spheres that were left out because they cannot be seen.
+    pub(crate) left_out: u64,
     /// True if there are so few spheres that pixels are not cleared before they are drawn.
     pub(crate) is_written_once: bool,
     /// True if the frame is finished before another thread would have started.
@@ -43,9 +42,6 @@ pub(crate) struct Plan<'a> {
     /// The planes; `None` for a plane that an earlier one hides completely.
     pub(crate) planes: Vec<Option<ObjectFromOrigin>>,
 }
-
-/// Number of spheres whose bounds one thread finds at a time.
-const SPHERES_PER_RUN: usize = 8192;
 
 /// Number of spheres up to which writing whole blocks, most of them once, costs less than clearing all
 /// pixels.
@@ -63,30 +59,20 @@ impl<'a> Plan<'a> {
         let space = CameraSpace::new(camera);
         let extents = Extents::new(camera, raster);
         let space = space.is_plain.then_some(space);
-        let mut counts = Counts { spheres: scene.spheres().len() as u64, ..Counts::default() };
         let visible = match (scene.index(), space) {
             (Some(index), Some(space)) => {
-                Some(VisibleSpheres::new(level, index, space, (&axes, &extents), &mut counts))
+                Some(VisibleSpheres::new(level, index, space, (&axes, &extents)))
             }
             _ => None,
         };
-        let (mut spans, mut others) = (Vec::new(), Vec::new());
-        if visible.is_none() {
-            let classifier = Classifier { level, space, extents: &extents, axes: &axes };
-            let runs = scene.spheres().chunks(SPHERES_PER_RUN).enumerate();
-            let classify = |(run, spheres)| classifier.classify(spheres, run * SPHERES_PER_RUN);
-            let classified: Vec<Classified> = if runs.len() > 1 {
-                runs.collect::<Vec<_>>().into_par_iter().map(classify).collect()
-            } else {
-                runs.map(classify).collect()
-            };
-            for run in classified {
-                counts += run.counts;
-                spans.extend(run.spans);
-                others.push(run.others);
+        let Classified { mut spans, others, left_out } = match &visible {
+            Some(VisibleSpheres { left_out, .. }) => {
+                Classified { left_out: *left_out, ..Classified::default() }
             }
-            spans.sort_unstable_by(|a, b| a.outline.nearest.total_cmp(&b.outline.nearest));
-        }
+            None => Classifier { level, space, extents: &extents, axes: &axes }
+                .classify(scene.spheres()),
+        };
+        spans.sort_unstable_by(|a, b| a.outline.nearest.total_cmp(&b.outline.nearest));
         let seen = |plane| ObjectFromOrigin::new(&Object::Plane(plane), camera.eye());
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes: Vec<Option<ObjectFromOrigin>> = planes.collect();
@@ -98,7 +84,7 @@ impl<'a> Plan<'a> {
             spans,
             others,
             visible,
-            counts,
+            left_out,
             is_written_once: false,
             is_quick: false,
             extents,
@@ -114,7 +100,7 @@ impl<'a> Plan<'a> {
     fn is_quick(&self) -> bool {
         const PIXELS: usize = 1 << 18;
         const SPANS: usize = 8;
-        let has_others = self.others.iter().flatten().any(|slice| !slice.is_empty());
+        let has_others = self.others.iter().any(|slice| !slice.is_empty());
         let is_simple = self.visible.is_none() && self.planes.is_empty() && !has_others;
         is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
     }
@@ -126,7 +112,7 @@ impl<'a> Plan<'a> {
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
         /// The last `rows / LAST` rows are in bands of one slice.
         const LAST: usize = 4;
-        let rows = self.axes.height();
+        let rows = self.axes.height;
         let mut bands = Vec::new();
         let mut first = 0;
         while first < rows {
@@ -141,7 +127,7 @@ impl<'a> Plan<'a> {
     /// Returns the spheres that a slice of rows can see, without the spheres drawn by rows
     /// and the spheres of an index.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
-        self.others.iter().flat_map(move |run| &run[slice]).copied()
+        self.others.get(slice).into_iter().flatten().copied()
     }
 }
 
@@ -157,13 +143,14 @@ fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
 /// Number of rows in a slice, for which one object's polynomials are made. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// A run of spheres, sorted by the way in which they are drawn.
+/// Spheres, sorted by the way in which they are drawn.
 #[derive(Default)]
 pub(crate) struct Classified {
     pub(crate) spans: Vec<Span>,
     /// The spheres not drawn by rows, for each slice of rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
-    pub(crate) counts: Counts,
+    /// Number of spheres that were left out because they cannot be seen.
+    pub(crate) left_out: u64,
 }
 
 /// The parts of a frame that are needed to classify spheres.
@@ -176,12 +163,12 @@ pub(crate) struct Classifier<'a> {
 }
 
 impl Classifier<'_> {
-    /// Sorts a run of spheres, the first of which has index `first`.
-    pub(crate) fn classify(&self, spheres: &[Sphere], first: usize) -> Classified {
+    /// Sorts the spheres of a scene.
+    pub(crate) fn classify(&self, spheres: &[Sphere]) -> Classified {
         let mut classified = Classified::default();
-        classified.others.resize_with(self.axes.height().div_ceil(SLICE_ROWS), Vec::new);
+        classified.others.resize_with(self.axes.height.div_ceil(SLICE_ROWS), Vec::new);
         let Some(space) = &self.space else {
-            for (index, sphere) in (first..).zip(spheres) {
+            for (index, sphere) in spheres.iter().enumerate() {
                 self.add_other(&mut classified, index, sphere);
             }
             return classified;
@@ -197,7 +184,7 @@ impl Classifier<'_> {
             let slots: SphereSlots = [&x, &y, &z, &radius];
             dispatch!(self.level, simd => outlines.find(simd, space, &slots));
             for (lane, sphere) in some.iter().enumerate() {
-                let index = first + group * lanes + lane;
+                let index = group * lanes + lane;
                 self.add(&mut classified, &outlines, lane, index, sphere);
             }
         }
@@ -212,16 +199,13 @@ impl Classifier<'_> {
         index: usize,
         sphere: &Sphere,
     ) {
-        if outlines.is_behind >> lane & 1 == 1 {
-            classified.counts.behind += 1;
-        } else if outlines.is_outside >> lane & 1 == 1 {
-            classified.counts.outside += 1;
+        if (outlines.is_behind | outlines.is_outside) >> lane & 1 == 1 {
+            classified.left_out += 1;
         } else if outlines.is_plain >> lane & 1 == 1 {
             let span = Span::new(index as u32, &outlines.one(lane));
             if span.rows(self.axes).is_empty() {
-                classified.counts.outside += 1;
+                classified.left_out += 1;
             } else {
-                classified.counts.in_view += 1;
                 classified.spans.push(span);
             }
         } else {
@@ -231,10 +215,9 @@ impl Classifier<'_> {
 
     fn add_other(&self, classified: &mut Classified, index: usize, sphere: &Sphere) {
         let Some(extent) = self.extents.find(sphere) else {
-            classified.counts.outside += 1;
+            classified.left_out += 1;
             return;
         };
-        classified.counts.in_view += 1;
         let rows = extent.rows();
         for seen_in in
             &mut classified.others[rows.start / SLICE_ROWS..rows.end.div_ceil(SLICE_ROWS)]

@@ -80,8 +80,8 @@ impl<'a> AlongRay<'a> {
             ObjectFromOrigin::Plane(seen) => self.plane_value(seen, t),
         };
         let value = sure.unwrap_or_else(|| match &self.seen {
-            ObjectFromOrigin::Sphere(seen) => self.ray.big().sphere_value(seen.sphere(), t),
-            ObjectFromOrigin::Plane(seen) => self.ray.big().plane_value(seen.plane(), t),
+            ObjectFromOrigin::Sphere(seen) => self.ray.big().sphere_value(&seen.sphere, t),
+            ObjectFromOrigin::Plane(seen) => self.ray.big().plane_value(&seen.plane, t),
         });
         value.to_f64()
     }
@@ -101,7 +101,7 @@ impl<'a> AlongRay<'a> {
                 let along = dot(offset, self.ray.fine.d) / self.stretch();
                 2.0 * ldexp(along.hi, seen.scale + self.ray.scale)
             }
-            None => self.ray.big().sphere_slope(seen.sphere(), t).to_f64(),
+            None => self.ray.big().sphere_slope(&seen.sphere, t).to_f64(),
         }
     }
 
@@ -177,9 +177,8 @@ impl<'a> AlongRay<'a> {
         let reach = length(seen.normal) * self.ray.fine.length * t.hi.abs();
         let value = rate * t - seen.offset;
         let doubt = (self.ray.fine.doubt + T::DOT + T::QUOTIENT + T::PRODUCT + T::SUM) * reach
-            + (seen.offset_doubt() + T::SUM) * seen.offset.hi.abs();
-        is_sure(value, 1.05 * doubt)
-            .then_some(Precise::new(value, seen.scale + seen.normal_scale()))
+            + (seen.offset_doubt + T::SUM) * seen.offset.hi.abs();
+        is_sure(value, 1.05 * doubt).then_some(Precise::new(value, seen.scale + seen.normal_scale))
     }
 
     /// Returns f at an infinite t: infinite, or the constant of a parallel plane.

@@ -200,7 +200,7 @@ impl Scene {
 
 /// Returns the certainty with which the ray's first hit is decided.
 fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
-    let scene = objects.scene();
+    let scene = objects.scene;
     let first = objects.first_hit(ray, &mut Steps::default());
     let is_known = ray.rough.doubt < 1.5 * UNIT;
     if scene.index().is_none() || !is_known {
@@ -224,7 +224,7 @@ pub(crate) fn certificate_among(
     first: Option<&Hit>,
     spheres: impl IntoIterator<Item = u32>,
 ) -> Certificate {
-    let scene = objects.scene();
+    let scene = objects.scene;
     let count = scene.spheres().len() as u32;
     let mut all = first.map_or(Certificate::SURE, |hit| is_hit(hit, ray));
     for index in spheres.into_iter().chain(count..scene.len() as u32) {

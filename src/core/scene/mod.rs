@@ -13,26 +13,20 @@ pub(crate) mod sphere;
 pub(crate) mod sphere_index;
 pub(crate) mod sphere_predicates;
 
-#[cfg(test)]
-mod tests;
-
 use std::cmp::Ordering;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::camera::ray::ExactRay;
-use crate::camera::ray::Ray;
+use crate::camera::ray::{ExactRay, Ray};
 use crate::exact::steps::Steps;
 use crate::scene::error::SceneError;
 use crate::scene::object::{Object, RankedRoot, Root};
 use crate::scene::object_from_origin::Hit;
-use crate::scene::objects_from_origin::Line;
-use crate::scene::objects_from_origin::ObjectsFromOrigin;
+use crate::scene::objects_from_origin::{Line, ObjectsFromOrigin};
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_index::SphereIndex;
-use crate::scene::sphere_index::Spheres;
+use crate::scene::sphere_index::{SphereIndex, Spheres};
 use crate::scene::sphere_predicates::RootSide;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -52,12 +46,10 @@ impl Scene {
     /// Returns the first invalid object: a centre, point or normal that is not finite, a radius that
     /// is not positive, a normal of zero.
     pub fn new(spheres: Vec<Sphere>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
-        for (index, sphere) in spheres.iter().enumerate() {
-            sphere.check().map_err(|error| SceneError::Sphere { index, error })?;
-        }
-        for (index, plane) in planes.iter().enumerate() {
-            let index = spheres.len() + index;
-            plane.check().map_err(|error| SceneError::Plane { index, error })?;
+        let objects = spheres.iter().copied().map(Object::Sphere);
+        let objects = objects.chain(planes.iter().copied().map(Object::Plane));
+        for (index, object) in objects.enumerate() {
+            object.check_at(index)?;
         }
         Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
     }
@@ -68,53 +60,40 @@ impl Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
     }
 
-    /// Replaces the sphere of this index.
+    /// Replaces the object of this index by another one of the same kind.
     ///
-    /// The new sphere takes about a microsecond, however many spheres there are: an existing index is
-    /// kept and updated. But if clones of this scene are alive, all spheres and their index are copied
-    /// first (80 bytes a sphere), so that the clones do not change.
+    /// This takes about a microsecond, however many spheres there are: an existing index is kept and
+    /// updated. But if clones of this scene are alive when a sphere is replaced, all spheres and their
+    /// index are copied first (80 bytes a sphere), so that the clones do not change.
     ///
     /// # Errors
-    /// Returns an error if the new sphere is invalid, or the index is not that of a sphere; the scene is
-    /// then unchanged.
+    /// Returns an error if the new object is invalid; the scene is then unchanged.
+    ///
+    /// # Panics
+    /// Panics if the scene has no object of that kind at the index.
     ///
     /// ```
     /// use pinhole_core::*;
     /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
     /// let mut scene = Scene::new(vec![ball], vec![])?;
-    /// scene.replace_sphere(0, Sphere { radius: 2.0, ..ball })?;
+    /// scene.replace(0, Object::Sphere(Sphere { radius: 2.0, ..ball }))?;
     /// assert_eq!(scene.first_hit(&Ray::new([0.0; 3], [0.0, 0.0, -1.0])?).unwrap().t, 3.0);
-    /// assert_eq!(scene.replace_sphere(1, ball), Err(SceneError::NoSphere { index: 1 }));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn replace_sphere(&mut self, index: u32, sphere: Sphere) -> Result<(), SceneError> {
+    pub fn replace(&mut self, index: u32, object: Object) -> Result<(), SceneError> {
         let k = index as usize;
-        if k >= self.spheres.list().len() {
-            return Err(SceneError::NoSphere { index: k });
+        object.check_at(k)?;
+        let before = self.spheres().len();
+        match object {
+            Object::Sphere(sphere) => Arc::make_mut(&mut self.spheres).replace(index, sphere),
+            Object::Plane(plane) => self.planes[k - before] = plane,
         }
-        sphere.check().map_err(|error| SceneError::Sphere { index: k, error })?;
-        Arc::make_mut(&mut self.spheres).replace(index, sphere);
-        Ok(())
-    }
-
-    /// Replaces the plane of this index, which counts the spheres before it. The cost is negligible.
-    ///
-    /// # Errors
-    /// Returns an error if the new plane is invalid, or the index is not that of a plane; the scene is then
-    /// unchanged.
-    pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
-        let index = index as usize;
-        let k = index.checked_sub(self.spheres().len());
-        let known = k.and_then(|k| self.planes.get_mut(k));
-        let known = known.ok_or(SceneError::NoPlane { index })?;
-        plane.check().map_err(|error| SceneError::Plane { index, error })?;
-        *known = plane;
         Ok(())
     }
 
     /// Returns the spheres, objects 0, 1, ...
     pub fn spheres(&self) -> &[Sphere] {
-        self.spheres.list()
+        &self.spheres.list
     }
 
     /// Returns the index over the spheres, or `None` if there are fewer than
@@ -187,19 +166,8 @@ impl Scene {
     }
 
     /// Returns every root of every object along the ray's line, including negative ones, by ascending
-    /// `t`; roots at equal `t` are in the order of the objects. A tangent's double root is listed once.
-    /// Order and ties are exact for the numbers as given; a ray that does not pass [`Ray::check`] has no
-    /// roots.
-    pub fn roots(&self, ray: &Ray) -> Vec<Root> {
-        ExactRay::from_ray(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
-    }
-
-    /// Returns the [roots](Scene::roots) of an exact ray: a camera's view ray, or any other.
-    pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
-        self.ranked_roots_of(ray).into_iter().map(|ranked| ranked.root).collect()
-    }
-
-    /// Returns the [roots](Scene::roots_of) of an exact ray, each with its rank and its distance.
+    /// `t`, each with its rank and its distance; roots at equal `t` are in the order of the objects. A
+    /// tangent's double root is listed once. Order and ties are exact for the numbers as given.
     pub fn ranked_roots_of(&self, ray: &ExactRay) -> Vec<RankedRoot> {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
@@ -253,7 +221,7 @@ impl Scene {
     ) -> Option<(u32, f64)> {
         let objects = ObjectsFromOrigin::for_one_ray(self, ray);
         let Hit { index, object, root } = objects.first_hit(ray, steps)?;
-        Some((index, object.rounded_t_counting(ray, root, steps_of_t)))
+        Some((index, object.rounded_t(ray, root, steps_of_t)))
     }
 
     /// Returns the spheres for which `may` is true, in ascending order. `may` is given the centre and
@@ -267,3 +235,6 @@ impl Scene {
         (0..).zip(self.spheres()).filter_map(|(i, sphere)| may(sphere).then_some(i)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::scene::error::ObjectError;
+use crate::scene::error::{ObjectError, SceneError};
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 
@@ -68,6 +68,15 @@ impl Object {
             Object::Sphere(sphere) => sphere.check(),
             Object::Plane(plane) => plane.check(),
         }
+    }
+
+    /// Checks the object, which has this index among all objects of a scene.
+    ///
+    /// # Errors
+    /// Returns an error that names the object if it is invalid.
+    pub fn check_at(&self, index: usize) -> Result<(), SceneError> {
+        let kind = if matches!(self, Object::Sphere(_)) { "sphere" } else { "plane" };
+        self.check().map_err(|error| SceneError { kind, index, error })
     }
 
     /// Returns the object's implicit function at a point, see [`Sphere::implicit`] and

@@ -86,19 +86,9 @@ impl ObjectFromOrigin {
         self.t_within(ray, root, T_DOUBT)
     }
 
-    /// Returns `t` at a root, rounded to `f64`, as it is reported.
-    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> f64 {
-        self.rounded_t_counting(ray, root, &mut Steps::default())
-    }
-
-    /// Returns the [rounded `t`](ObjectFromOrigin::rounded_t) at a root, and counts the step that
-    /// computed it.
-    pub(crate) fn rounded_t_counting(
-        &self,
-        ray: &ExactRay,
-        root: RootSide,
-        steps: &mut Steps,
-    ) -> f64 {
+    /// Returns the exact `t` at a root, rounded to the nearest `f64`, and counts the step that computed
+    /// it.
+    pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide, steps: &mut Steps) -> f64 {
         if let ObjectFromOrigin::Sphere(seen) = self
             && let Some(t) = seen.rounded_t(ray, root)
         {
@@ -139,10 +129,13 @@ impl ObjectFromOrigin {
 
     /// Returns every `t`, in ascending order.
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
-        match self.root_sides(ray, &mut Steps::default()) {
+        let steps = &mut Steps::default();
+        match *self.root_sides(ray, steps) {
             [] => Roots::None,
-            [root] => Roots::One(self.rounded_t(ray, *root)),
-            [near, far, ..] => Roots::Two(self.rounded_t(ray, *near), self.rounded_t(ray, *far)),
+            [root] => Roots::One(self.rounded_t(ray, root, steps)),
+            [near, far, ..] => {
+                Roots::Two(self.rounded_t(ray, near, steps), self.rounded_t(ray, far, steps))
+            }
         }
     }
 
@@ -157,10 +150,10 @@ impl ObjectFromOrigin {
     pub(crate) fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
             (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
-                one.sphere() == other.sphere()
+                one.sphere == other.sphere
             }
             (ObjectFromOrigin::Plane(one), ObjectFromOrigin::Plane(other)) => {
-                one.plane().is_same(other.plane())
+                one.plane.is_same(&other.plane)
             }
             _ => false,
         }
@@ -175,7 +168,7 @@ impl ObjectFromOrigin {
         let t = self.t(ray, root);
         let (point, normal) = match self {
             ObjectFromOrigin::Sphere(seen) => {
-                let (sphere, normal) = (seen.sphere(), seen.normal(ray, root));
+                let (sphere, normal) = (&seen.sphere, seen.normal(ray, root));
                 let coordinate = |i: usize| {
                     if ray.fine.d[i].hi == 0.0 {
                         return ray.origin()[i];
@@ -186,9 +179,9 @@ impl ObjectFromOrigin {
                 };
                 (DVec3::from_array(std::array::from_fn(coordinate)), normal)
             }
-            ObjectFromOrigin::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
+            ObjectFromOrigin::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane.normal)),
         };
-        Root { object: index, t: self.rounded_t(ray, root), point, normal }
+        Root { object: index, t: self.rounded_t(ray, root, &mut Steps::default()), point, normal }
     }
 }
 
@@ -234,13 +227,7 @@ pub(crate) struct Hit<'a> {
 }
 
 impl Hit<'_> {
-    /// Returns whether this hit comes strictly before `other`, the hit of an object listed earlier. The
-    /// comparison is exact, and in a tie the earlier object wins.
-    pub(crate) fn is_before(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> bool {
-        self.compare(other, ray, steps) == Ordering::Less
-    }
-
-    /// Compares the `t` of two hits.
+    /// Compares the `t` of two hits of a ray, exactly.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let rough = (self.object.rough_t(ray, self.root), other.object.rough_t(ray, other.root));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {

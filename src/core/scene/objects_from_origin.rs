@@ -2,6 +2,7 @@
 //! whose boxes the ray's line surely misses are skipped.
 
 use std::borrow::Cow;
+use std::cmp::Ordering;
 
 use glam::DVec3;
 
@@ -16,7 +17,7 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// A scene's objects as the rays of one origin see them. Each object is prepared when it is needed or,
 /// if there are many rays, once in advance.
 pub(crate) struct ObjectsFromOrigin<'a> {
-    scene: &'a Scene,
+    pub(crate) scene: &'a Scene,
     origin: DVec3,
     /// The objects prepared in advance: the first ones of the scene.
     made: Vec<ObjectFromOrigin>,
@@ -37,11 +38,6 @@ impl<'a> ObjectsFromOrigin<'a> {
         let objects = indices.filter_map(|index| scene.object(index));
         let made = objects.map(|object| ObjectFromOrigin::new(&object, origin)).collect();
         ObjectsFromOrigin { scene, origin, made }
-    }
-
-    /// Returns the scene.
-    pub(crate) fn scene(&self) -> &'a Scene {
-        self.scene
     }
 
     /// Returns the object of this index, or `None` if there is none.
@@ -80,7 +76,8 @@ impl<'a> ObjectsFromOrigin<'a> {
             }
             let Some(root) = object.first_root(ray, steps) else { continue };
             let hit = Hit { index, object, root };
-            if first.as_ref().is_none_or(|first| hit.is_before(first, ray, steps)) {
+            let is_nearer = |first: &Hit| hit.compare(first, ray, steps) == Ordering::Less;
+            if first.as_ref().is_none_or(is_nearer) {
                 let t = hit.object.rough_t(ray, root);
                 nearest = t.map_or(f64::INFINITY, |(t, off)| t + off * t);
                 first = Some(hit);

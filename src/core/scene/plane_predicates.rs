@@ -20,18 +20,18 @@ use crate::scene::plane::{Plane, PlaneTerms};
 /// The numbers of a plane that all rays of one origin share: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneFromOrigin {
-    plane: Plane,
+    pub(crate) plane: Plane,
     origin: DVec3,
     /// The normal in units of `2^normal_scale`; what the scaling may lose is negligible.
     pub(crate) normal: Vector<f64>,
     pub(crate) normal_length: f64,
-    normal_scale: i32,
+    pub(crate) normal_scale: i32,
     /// `normal . (point - origin)` in units of `2^scale`.
     pub(crate) offset: DoubleDouble,
     /// `offset / (|normal| |point - origin|)`, rounded.
     pub(crate) offset_share: f64,
     /// Relative error of the offset.
-    offset_doubt: f64,
+    pub(crate) offset_doubt: f64,
     /// The power of two of the offset's unit; 0 except at extreme distances.
     pub(crate) scale: i32,
     /// The side of the origin on which the plane lies: the exact sign of the offset.
@@ -201,26 +201,6 @@ impl PlaneFromOrigin {
     pub(crate) fn offset_given(&self) -> f64 {
         ldexp(self.offset.hi, self.scale + self.normal_scale)
     }
-
-    /// Returns the normal's scale, see [`PlaneFromOrigin::normal`].
-    pub(crate) fn normal_scale(&self) -> i32 {
-        self.normal_scale
-    }
-
-    /// Returns the relative error of the offset.
-    pub(crate) fn offset_doubt(&self) -> f64 {
-        self.offset_doubt
-    }
-
-    /// Returns the plane as given.
-    pub(crate) fn plane(&self) -> &Plane {
-        &self.plane
-    }
-
-    /// Returns the origin from which the plane is seen.
-    pub(crate) fn origin(&self) -> DVec3 {
-        self.origin
-    }
 }
 
 impl Plane {
@@ -284,7 +264,7 @@ pub(crate) struct PlaneOrder {
 impl PlaneOrder {
     pub(crate) fn new(one: &PlaneFromOrigin, other: &PlaneFromOrigin) -> PlaneOrder {
         let terms = |of: &PlaneFromOrigin, beside: &PlaneFromOrigin| {
-            times(&exact3(of.plane().normal), &big_offset(beside.plane(), beside.origin()))
+            times(&exact3(of.plane.normal), &big_offset(&beside.plane, beside.origin))
         };
         let (plus, minus) = (terms(other, one), terms(one, other));
         let exact: [Dyadic; 3] = std::array::from_fn(|i| &plus[i] - &minus[i]);
@@ -297,12 +277,8 @@ impl PlaneOrder {
     /// Compares the `t` of a ray that hits both planes; returns `None` if rounding could change the
     /// order.
     pub(crate) fn compare(&self, direction: &DirectionTerms<f64>) -> Option<Ordering> {
-        // A coordinate so small compared with the largest one that it is rounded to 0 is within the bound.
-        const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
-        let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
-        let value = dot(self.e, direction.d);
-        let share = f64::DOT + direction.doubt + 2.0 * UNIT;
-        let doubt = factor * share * self.length * direction.length + least;
-        (value.abs() > doubt).then(|| value.total_cmp(&0.0))
+        // e is off by its rounding, and by a coordinate that is so small that it is rounded to 0.
+        let direction = DirectionTerms { doubt: direction.doubt + 2.0 * UNIT, ..*direction };
+        Rate::new(&self.e, self.length, &direction).sign()
     }
 }

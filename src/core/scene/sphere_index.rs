@@ -2,7 +2,6 @@
 //! stored together, in boxes, so that a camera finds the visible ones without looking at every sphere.
 //! The index depends on the spheres alone, not on a camera, and is kept until they change.
 
-use std::fmt;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -231,19 +230,15 @@ pub(crate) const INDEX_FROM: usize = 256;
 
 /// Checked spheres, with an index that is made when first needed and kept. The index is derived from the
 /// spheres alone.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Spheres {
-    list: Vec<Sphere>,
+    pub(crate) list: Vec<Sphere>,
     index: OnceLock<SphereIndex>,
 }
 
 impl Spheres {
     pub(crate) fn new(list: Vec<Sphere>) -> Spheres {
         Spheres { list, index: OnceLock::new() }
-    }
-
-    pub(crate) fn list(&self) -> &[Sphere] {
-        &self.list
     }
 
     /// Returns the index, or `None` if there are fewer than [`INDEX_FROM`] spheres.
@@ -271,12 +266,6 @@ impl Spheres {
 impl PartialEq for Spheres {
     fn eq(&self, other: &Self) -> bool {
         self.list == other.list
-    }
-}
-
-impl fmt::Debug for Spheres {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.list.fmt(f)
     }
 }
 

@@ -38,7 +38,7 @@ impl RootSide {
 /// The numbers of a sphere that all rays of one origin share; lengths are in units of `2^scale`.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereFromOrigin {
-    sphere: Sphere,
+    pub(crate) sphere: Sphere,
     pub(crate) fine: SphereTerms<DoubleDouble>,
     pub(crate) rough: SphereTerms<f64>,
     /// c in units of `2^(2 scale)`; `Some` if [`PointPower::tiny`] is.
@@ -283,11 +283,6 @@ impl SphereFromOrigin {
             Ordering::Less => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
         };
         (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
-    }
-
-    /// Returns the sphere as given.
-    pub(crate) fn sphere(&self) -> &Sphere {
-        &self.sphere
     }
 }
 

@@ -34,12 +34,10 @@
 //! each other than to the origin, or up is nearly parallel to the view), the functions return
 //! [`SteerError::Unsteady`].
 
-use std::fmt;
-
 use glam::DVec3;
+use thiserror::Error;
 
-use crate::camera::basis::{Basis, BasisError};
-use crate::camera::viewport::ViewportError;
+use crate::camera::basis::Basis;
 use crate::camera::{Camera, CameraError};
 use crate::exact::scale::{angle_between, shortest, unit};
 
@@ -72,12 +70,14 @@ pub struct Steered {
 }
 
 /// Reason why a camera cannot be steered, or a point cannot be dragged.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SteerError {
     /// The camera is invalid before or after the change.
+    #[error(transparent)]
     Camera(CameraError),
     /// A number is NaN or infinite.
+    #[error("{field} is {}: it must be a finite number", shortest(*.value))]
     NotFinite {
         /// The number's name: `yaw`, `pitch`, `forward`, `value`.
         field: &'static str,
@@ -85,6 +85,7 @@ pub enum SteerError {
         value: f64,
     },
     /// A number is not positive and finite.
+    #[error("{field} is {}: it must be finite and greater than 0", shortest(*.value))]
     NotPositive {
         /// The number's name: `factor`, `scale`, `step`, `pixel`.
         field: &'static str,
@@ -92,83 +93,47 @@ pub enum SteerError {
         value: f64,
     },
     /// A coordinate would be beyond the range of `f64`.
+    #[error(
+        "the camera would be beyond the range of numbers: move eye, at and up nearer to the origin"
+    )]
     OutOfRange,
     /// The camera's basis is set by hand, so there is no up to drag.
+    #[error("the basis is set by hand: there is no up to drag")]
     NoUp,
     /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
+    #[error(
+        "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \
+         apart or nearer to the origin, or up away from the view direction"
+    )]
     Unsteady {
         /// The turn in radians.
         turn: f64,
     },
     /// The eye would be moved to `at` or past it.
+    #[error("the eye is moved towards at and never reaches it")]
     PastAt,
     /// The dragged point is not in front of the observer.
+    #[error("the handle is at depth {}: not in front", shortest(*.depth))]
     NotInFront {
         /// The point's depth, 0 or negative.
         depth: f64,
     },
-    /// The axis of a drag is zero, or the two axes of its plane are parallel.
-    NoDirection,
     /// The axis of a drag points at the observer, or its plane is seen from its edge.
+    #[error(
+        "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
+        .angle.to_degrees()
+    )]
     OnEdge {
         /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`].
         angle: f64,
     },
     /// The pointer is past the horizon of the drag's axis or plane, or nearly there.
+    #[error("past the horizon of the drag's axis or plane")]
     PastHorizon,
 }
 
-impl fmt::Display for SteerError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            SteerError::Camera(e) => e.fmt(f),
-            SteerError::NotFinite { field, value } => {
-                write!(f, "{field} is {}: it must be a finite number", shortest(*value))
-            }
-            SteerError::NotPositive { field, value } => {
-                write!(f, "{field} is {}: it must be finite and greater than 0", shortest(*value))
-            }
-            SteerError::OutOfRange => write!(
-                f,
-                "the camera would be beyond the range of numbers: move eye, at and up nearer to the origin"
-            ),
-            SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to drag"),
-            SteerError::Unsteady { turn } => write!(
-                f,
-                "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \
-                 apart or nearer to the origin, or up away from the view direction"
-            ),
-            SteerError::PastAt => write!(f, "the eye is moved towards at and never reaches it"),
-            SteerError::NotInFront { depth } => {
-                write!(f, "the handle is at depth {}: not in front", shortest(*depth))
-            }
-            SteerError::NoDirection => write!(f, "the axes are zero or parallel"),
-            SteerError::OnEdge { angle } => write!(
-                f,
-                "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
-                angle.to_degrees()
-            ),
-            SteerError::PastHorizon => write!(f, "past the horizon of the drag's axis or plane"),
-        }
-    }
-}
-
-impl std::error::Error for SteerError {}
-
-impl From<CameraError> for SteerError {
-    fn from(e: CameraError) -> Self {
-        SteerError::Camera(e)
-    }
-}
-
-impl From<BasisError> for SteerError {
-    fn from(e: BasisError) -> Self {
-        SteerError::Camera(e.into())
-    }
-}
-
-impl From<ViewportError> for SteerError {
-    fn from(e: ViewportError) -> Self {
+impl<E: Into<CameraError>> From<E> for SteerError {
+    fn from(e: E) -> Self {
         SteerError::Camera(e.into())
     }
 }

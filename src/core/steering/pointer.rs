@@ -21,10 +21,10 @@ pub const FARTHEST: f64 = 1000.0;
 pub enum DragAlong {
     /// The plane through the anchor that is parallel to the observer's picture.
     ViewPlane,
-    /// The line through the anchor in the given direction.
+    /// The line through the anchor in the given direction, which must not be zero.
     Axis(DVec3),
-    /// The plane through the anchor that contains these two directions.
-    Plane(DVec3, DVec3),
+    /// The plane through the anchor at right angles to the given direction, which must not be zero.
+    Plane(DVec3),
 }
 
 impl ResolvedCamera {
@@ -70,15 +70,8 @@ impl ResolvedCamera {
         let way = finite("pointer", (uv - begun_at).extend(0.0))?.truncate();
         let offset = match along {
             DragAlong::ViewPlane => seen.in_view_plane(way),
-            DragAlong::Axis(axis) => seen.along_axis(way, direction(axis)?)?,
-            DragAlong::Plane(a, b) => {
-                let (a, b) = (direction(a)?, direction(b)?);
-                let normal = a.cross(b);
-                if normal.length() < 1e-12 {
-                    return Err(SteerError::NoDirection);
-                }
-                seen.in_plane(way, unit(normal))?
-            }
+            DragAlong::Axis(axis) => seen.along_axis(way, unit(finite("axis", axis)?))?,
+            DragAlong::Plane(normal) => seen.in_plane(way, unit(finite("normal", normal)?))?,
         };
         finite("point", anchor + offset)
     }
@@ -164,11 +157,6 @@ impl ObserverAnchor<'_> {
 
 fn check_angle(angle: f64) -> Result<(), SteerError> {
     if angle >= LEAST_ANGLE { Ok(()) } else { Err(SteerError::OnEdge { angle }) }
-}
-
-fn direction(axis: DVec3) -> Result<DVec3, SteerError> {
-    finite("axis", axis)?;
-    if axis == DVec3::ZERO { Err(SteerError::NoDirection) } else { Ok(unit(axis)) }
 }
 
 fn finite(field: &'static str, value: DVec3) -> Result<DVec3, SteerError> {

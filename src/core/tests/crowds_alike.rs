@@ -170,7 +170,7 @@ fn replace_spheres(count: usize, scale: f64) {
         };
         let radius = scale * 10_f64.powf(numbers.between(-3.0, 0.3));
         spheres[index] = Sphere { center, radius };
-        crowd.scene.replace_sphere(index as u32, spheres[index]).unwrap();
+        crowd.scene.replace(index as u32, Object::Sphere(spheres[index])).unwrap();
         if step % 8 == 7 {
             let kept = crowd.trace();
             let anew = Crowd::new("anew", spheres.clone(), crowd.camera).trace();

@@ -144,7 +144,8 @@ fn coordinates_that_cancel_are_zero() {
     let resolved = camera.resolve().unwrap();
     let ray = resolved.exact_ray_at(DVec2::ZERO).unwrap();
     let objects = (vec![sphere([0.0, 0.3, 0.0], 0.3)], vec![plane([0.0; 3], [0.0, 1.0, 1.0])]);
-    let roots = Scene::new(objects.0, objects.1).unwrap().roots_of(&ray);
+    let ranked = Scene::new(objects.0, objects.1).unwrap().ranked_roots_of(&ray);
+    let roots: Vec<Root> = ranked.into_iter().map(|ranked| ranked.root).collect();
     let at_origin: Vec<_> = roots.iter().filter(|root| root.t > 7.0).collect();
     assert_eq!(at_origin.len(), 2);
     for root in at_origin {

@@ -7,7 +7,7 @@ use pinhole_reference::{
 
 use crate::common::bases::{self, BasisCase};
 use crate::common::seed::seed;
-use crate::common::{given, oracle};
+use crate::common::{given, oracle, roots_of};
 
 /// Rounded to the nearest.
 const T_ULPS: f64 = 0.5;
@@ -42,7 +42,7 @@ fn check_ray(case: &RayCase) -> Steps {
     let found = scene.first_hit_counting(&exact, &mut steps);
     let expected = pinhole_reference::first_hit(&case.objects, case.origin, case.direction);
     assert_hit(found.as_ref(), expected.as_ref(), case);
-    assert_eq!(scene.roots(&ray).into_iter().find(|root| root.t > 0.0), found);
+    assert_eq!(roots_of(&scene, &ray).into_iter().find(|root| root.t > 0.0), found);
     for (index, object) in case.objects.iter().enumerate() {
         let found = scene.object(index as u32).unwrap().roots(&ray);
         let expected = pinhole_reference::roots(object, case.origin, case.direction);

@@ -3,7 +3,7 @@
 use pinhole_core::methods::*;
 use pinhole_core::*;
 
-use crate::common::{Numbers, camera, first_hit_by, plane, sphere, vec3};
+use crate::common::{Numbers, camera, first_hit_by, plane, roots_of, sphere, vec3};
 
 fn lecture_scene() -> Scene {
     let spheres = vec![
@@ -50,7 +50,7 @@ fn on_an_ordinary_scene_all_methods_agree() {
         let ray = Ray { origin: numbers.point(0.5), direction: numbers.point(1.0) };
         let right = scene.first_hit(&ray).unwrap();
         // Where the outline or another object is too near, rounding may decide.
-        let is_clear = scene.roots(&ray).iter().filter(|root| root.t > 0.0).all(|root| {
+        let is_clear = roots_of(&scene, &ray).iter().filter(|root| root.t > 0.0).all(|root| {
             root.normal.dot(ray.direction.normalize()).abs() > 0.05
                 && (root.t == right.t || (root.t - right.t).abs() > 0.05 * right.t)
         });

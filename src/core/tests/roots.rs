@@ -4,7 +4,7 @@ use pinhole_core::*;
 use proptest::prelude::*;
 
 use crate::common::seed::config;
-use crate::common::{assert_ulps, exact, oracle, plane, root_on, roots_on, sphere, vec3};
+use crate::common::{assert_ulps, exact, oracle, plane, root_on, roots_of, roots_on, sphere, vec3};
 
 fn point() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0..1.0_f64].prop_map(DVec3::from_array)
@@ -193,7 +193,7 @@ proptest! {
         let planes = walls.into_iter().map(|(point, normal)| Plane { point, normal }).collect();
         let scene = Scene::new(spheres, planes).unwrap();
         let ray = ray.1;
-        let roots = scene.roots(&ray);
+        let roots = roots_of(&scene, &ray);
         prop_assert!(roots.is_sorted_by(|a, b| a.t <= b.t));
         prop_assert_eq!(scene.first_hit(&ray), roots.into_iter().find(|root| root.t > 0.0));
     }

@@ -1,7 +1,9 @@
 //! The observer of the world view, and the scene that its picture is traced with. The observer is a
 //! camera that moves around its target, independently of the edited camera.
 
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Sphere, Viewport, extent_of_fov};
+use pinhole_core::{
+    Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
+};
 
 pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize};
 
@@ -143,7 +145,7 @@ pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
         if let Some(sphere) = scene.spheres().get(index as usize) {
             // A valid sphere stays valid when hidden; if one is not replaced, the picture is still
             // correct.
-            let _ = seen.replace_sphere(index, hidden(sphere));
+            let _ = seen.replace(index, Object::Sphere(hidden(sphere)));
         }
     }
     seen

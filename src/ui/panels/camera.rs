@@ -2,8 +2,8 @@
 
 use egui::{Context, Grid, Label, RichText, Ui};
 use pinhole_core::{
-    BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Pixel,
-    ResolvedCamera, Selection, Viewport,
+    BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
+    Viewport,
 };
 use pinhole_lecture::numbers::written;
 
@@ -108,18 +108,14 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
 
 /// Returns true if the error message belongs under this field.
 fn is_at_fault(fault: &BasisError, field: &str) -> bool {
-    let of_vector = |vector: BasisVector| match vector {
-        BasisVector::U => "basis.u",
-        BasisVector::V => "basis.v",
-        BasisVector::W => "basis.w",
-    };
     let at_fault = match fault {
         BasisError::NotFinite { field, .. } => field,
         BasisError::EyeIsAt { .. } => "at",
         BasisError::ViewIsZero => "view",
         BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "up",
-        BasisError::NotUnit { vector, .. } => of_vector(*vector),
-        BasisError::NotOrthogonal { second, .. } => of_vector(*second),
+        BasisError::NotUnit { vector, .. } | BasisError::NotOrthogonal { second: vector, .. } => {
+            return field.strip_prefix("basis.") == Some(vector);
+        }
         _ => "basis.w",
     };
     at_fault == field

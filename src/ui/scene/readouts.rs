@@ -75,9 +75,9 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
 /// Shows what the renderer left out of the camera's picture; nothing if the camera has no basis.
 pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
-    let Counts { spheres, behind, outside, rows, rows_untouched, .. } = counts;
-    let skipped = behind + outside;
-    let text = format!("Left out: {skipped} of {spheres} spheres, {rows_untouched} of {rows} rows");
+    let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
+    let text =
+        format!("Left out: {spheres_left_out} of {spheres} spheres, {rows_untouched} of {rows} rows");
     ui.add_space(12.0);
     ui.weak(text).on_hover_text(LEFT_OUT);
 }

@@ -261,9 +261,7 @@ fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
 fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
     let DerivationInputs { document, settings, .. } = *inputs;
     let faulty = match settings.fault {
-        Some(Fault::Scene(
-            SceneError::Sphere { index, error } | SceneError::Plane { index, error },
-        )) => Some((index as u32, error)),
+        Some(Fault::Scene(SceneError { index, error, .. })) => Some((index as u32, error)),
         _ => None,
     };
     let count = document.object_count();

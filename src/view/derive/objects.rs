@@ -89,7 +89,7 @@ impl Objects {
                 for &index in known.iter().chain(&**enclosing) {
                     let sphere = scene.spheres()[index as usize];
                     // The spheres were checked, so they are valid.
-                    observed.replace_sphere(index, as_observed(sphere, index, enclosing)).ok()?;
+                    observed.replace(index, as_observed(sphere, index, enclosing)).ok()?;
                 }
                 *known = Arc::clone(enclosing);
             }
@@ -137,10 +137,10 @@ fn colors(document: &Document, scheme: Scheme) -> Vec<Rgb> {
 /// Checks the objects that can be edited. The spheres of the CSV file were checked when they were read.
 fn check(document: &Document) -> Result<(), SceneError> {
     for (index, item) in document.spheres.iter().enumerate() {
-        item.shape.check().map_err(|error| SceneError::Sphere { index, error })?;
+        Object::Sphere(item.shape).check_at(index)?;
     }
     for (index, item) in (document.sphere_count()..).zip(&document.planes) {
-        item.shape.check().map_err(|error| SceneError::Plane { index, error })?;
+        Object::Plane(item.shape).check_at(index)?;
     }
     Ok(())
 }
@@ -165,25 +165,23 @@ fn replace(
 ) -> Result<(), SceneError> {
     let scene = Arc::make_mut(&mut good.scene);
     for &(index, object) in changed {
-        match object {
-            Object::Sphere(sphere) => scene.replace_sphere(index, sphere)?,
-            Object::Plane(plane) => scene.replace_plane(index, plane)?,
-        }
+        scene.replace(index, object)?;
     }
     good.generation += 1;
     let Some((enclosing, observed)) = observed else { return Ok(()) };
     let observed = Arc::make_mut(observed);
     for &(index, object) in changed {
         if let Object::Sphere(sphere) = object {
-            observed.replace_sphere(index, as_observed(sphere, index, enclosing))?;
+            observed.replace(index, as_observed(sphere, index, enclosing))?;
         }
     }
     Ok(())
 }
 
 /// Returns a sphere as the observer's scene has it.
-fn as_observed(sphere: Sphere, index: u32, enclosing: &Enclosing) -> Sphere {
-    if enclosing.binary_search(&index).is_ok() { hidden(&sphere) } else { sphere }
+fn as_observed(sphere: Sphere, index: u32, enclosing: &Enclosing) -> Object {
+    let is_hidden = enclosing.binary_search(&index).is_ok();
+    Object::Sphere(if is_hidden { hidden(&sphere) } else { sphere })
 }
 
 /// Updates the colours of the objects that can be edited.

@@ -9,7 +9,6 @@ use fearless_simd::prelude::*;
 use crate::exact::lanes::lanes_of;
 use crate::render::bvh::occlusion::{Occlusion, strips};
 use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
-use crate::render::frame::Counts;
 use crate::render::outline::Outlines;
 use crate::render::outline::small_outlines::SmallOutlines;
 use crate::render::rows::small_spheres::{Runs, draw_small};
@@ -22,7 +21,8 @@ pub(crate) mod visible;
 /// Results of drawing a band's part of many spheres.
 #[derive(Default)]
 pub(crate) struct DrawnSpheres {
-    pub(crate) counts: Counts,
+    /// Number of spheres that were left out because they cannot be seen.
+    pub(crate) left_out: u64,
     /// Spheres that cannot be drawn by rows.
     pub(crate) others: Vec<u32>,
 }
@@ -43,7 +43,7 @@ pub(crate) fn draw_visible<S: Simd>(
         runs: Runs::new(),
         small: SmallOutlines::default(),
         outlines: None,
-        occlusion: Occlusion::new(target.axes.width(), target.rows.len(), is_drawn),
+        occlusion: Occlusion::new(target.axes.width, target.rows.len(), is_drawn),
         drawn,
     };
     for (number, group) in visible.groups.iter().enumerate().skip(first_group) {
@@ -53,9 +53,6 @@ pub(crate) fn draw_visible<S: Simd>(
             continue;
         }
         if drawing.is_hidden(target, &group.bounds) {
-            for block in &group.blocks[start..] {
-                drawing.count_hidden(target, block);
-            }
             continue;
         }
         for (k, block) in group.blocks.iter().enumerate().skip(start) {
@@ -64,7 +61,6 @@ pub(crate) fn draw_visible<S: Simd>(
             }
             // Where spheres overlap little, testing each block costs more than it saves.
             if visible.is_crowded && drawing.is_hidden(target, block) {
-                drawing.count_hidden(target, block);
                 continue;
             }
             drawing.block(simd, target, (block, group.has_others));
@@ -111,18 +107,6 @@ impl Drawing<'_> {
         self.occlusion.hides(target.t, &rows, &bounds.extent.columns(), bounds.nearest)
     }
 
-    /// Counts the spheres of a block that is passed over.
-    fn count_hidden(&mut self, target: &SpanTarget, block: &VisibleBox) {
-        if own_rows(target, &block.extent.rows()).is_empty() {
-            return;
-        }
-        let spheres = u64::from(self.visible.index.blocks[block.id as usize].count);
-        self.drawn.counts.hidden += spheres;
-        if is_first_band(target, block) {
-            self.drawn.counts.in_view += spheres;
-        }
-    }
-
     /// Draws the spheres of a block.
     #[inline(always)]
     fn block<S: Simd>(
@@ -167,15 +151,11 @@ impl Drawing<'_> {
         let (index, space) = (self.visible.index, &self.visible.space);
         self.small.find(simd, space, halves);
         let outlines = &self.small;
-        let behind = there & outlines.is_behind;
-        let beyond = there & outlines.is_outside & !behind;
-        let small = there & outlines.is_small & !behind & !beyond;
-        let in_view = small & outlines.rows_meet(simd, target.axes, 0..target.axes.height());
+        let unseen = there & (outlines.is_behind | outlines.is_outside);
+        let small = there & outlines.is_small & !unseen;
+        let in_view = small & outlines.rows_meet(simd, target.axes, 0..target.axes.height);
         if counts_here {
-            let counts = &mut self.drawn.counts;
-            counts.behind += u64::from(behind.count_ones());
-            counts.outside += u64::from((beyond | small & !in_view).count_ones());
-            counts.in_view += u64::from(in_view.count_ones());
+            self.drawn.left_out += u64::from((unseen | small & !in_view).count_ones());
         }
         let mut drawn = in_view & outlines.rows_meet(simd, target.axes, target.rows.clone());
         if self.visible.is_crowded {
@@ -185,7 +165,6 @@ impl Drawing<'_> {
                 let is_nowhere = rows.is_empty() || columns.is_empty();
                 let nearest = outlines.nearest[lane];
                 if is_nowhere || self.occlusion.hides(target.t, &rows, &columns, nearest) {
-                    self.drawn.counts.hidden += u64::from(!is_nowhere);
                     drawn &= !(1 << lane);
                 }
             }
@@ -212,7 +191,7 @@ impl Drawing<'_> {
                 self.occlusion.touch(&own_rows(target, &rows), &columns);
             }
         }
-        there & !behind & !beyond & !small
+        there & !unseen & !small
     }
 
     /// Draws the spheres from a slot on whose bits are set.
@@ -227,18 +206,14 @@ impl Drawing<'_> {
         let mut outlines = self.outlines.take().unwrap_or_default();
         outlines.find(simd, &self.visible.space, slots);
         let ids = &self.visible.index.ids[from..from + S::f64s::LEN];
-        let behind = there & outlines.is_behind;
         let between =
-            outlines.is_plain & !rows_meet(simd, &outlines, target, 0..target.axes.height());
-        let outside = there & (outlines.is_outside | between) & !behind;
-        let left = there & !behind & !outside;
+            outlines.is_plain & !rows_meet(simd, &outlines, target, 0..target.axes.height);
+        let unseen = there & (outlines.is_behind | outlines.is_outside | between);
+        let left = there & !unseen;
         let plain = left & outlines.is_plain;
         let plain_here = plain & rows_meet(simd, &outlines, target, target.rows.clone());
         if counts_here {
-            let counts = &mut self.drawn.counts;
-            counts.behind += u64::from(behind.count_ones());
-            counts.outside += u64::from(outside.count_ones());
-            counts.in_view += u64::from(left.count_ones());
+            self.drawn.left_out += u64::from(unseen.count_ones());
         }
         for lane in lanes_of(plain_here) {
             self.sphere(simd, target, &outlines, lane, ids[lane]);
@@ -264,7 +239,7 @@ impl Drawing<'_> {
         let span = Span::new(id, &outlines.one(lane));
         // Where spheres overlap little, a test costs more than it saves.
         if !self.visible.is_crowded {
-            let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
+            let (rows, columns) = (span.rows_in(target), 0..target.axes.width);
             return span.draw(simd, target, rows, &columns);
         }
         let (rows, columns) = extent(target, outlines, lane);
@@ -272,17 +247,14 @@ impl Drawing<'_> {
             return;
         }
         let nearest = span.outline.nearest as f32;
-        let mut is_hidden = true;
         for strip in strips(&rows) {
             let seen = self.occlusion.seen(target.t, &strip, &columns, nearest);
             if !seen.is_empty() {
-                is_hidden = false;
                 let first = target.rows.start;
                 span.draw(simd, target, first + strip.start..first + strip.end, &seen);
                 self.occlusion.touch(&strip, &seen);
             }
         }
-        self.drawn.counts.hidden += u64::from(is_hidden);
     }
 }
 

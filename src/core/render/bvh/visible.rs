@@ -4,14 +4,10 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
-use crate::render::frame::Counts;
-use crate::render::outline::Outlines;
-use crate::render::outline::raster_axes::CameraSpace;
-use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::raster_axes::{CameraSpace, RasterAxes};
 use crate::render::outline::small_outlines::SmallOutlines;
-use crate::render::outline::{Extent, Extents};
-use crate::scene::sphere_index::Bound;
-use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::render::outline::{Extent, Extents, Outlines};
+use crate::scene::sphere_index::{Bound, NO_SPHERE, SphereIndex};
 
 /// A group or a block of spheres, and the part of the raster that its spheres can cover.
 #[derive(Clone, Copy, Debug)]
@@ -40,12 +36,8 @@ pub(crate) struct VisibleSpheres<'a> {
     pub(crate) is_crowded: bool,
     /// Spheres that are not drawn by rows, of the groups that may contain such spheres.
     pub(crate) others: Vec<(u32, Extent)>,
-}
-
-/// Reason why nothing in a box is visible.
-enum Unseen {
-    Behind,
-    Outside,
+    /// Number of spheres in groups and blocks that cannot be seen.
+    pub(crate) left_out: u64,
 }
 
 impl<'a> VisibleSpheres<'a> {
@@ -54,41 +46,37 @@ impl<'a> VisibleSpheres<'a> {
         index: &'a SphereIndex,
         space: CameraSpace,
         (axes, extents): (&RasterAxes, &Extents),
-        counts: &mut Counts,
     ) -> VisibleSpheres<'a> {
         /// Average number of spheres behind one another from which testing whether one is hidden pays.
         const CROWDED: f64 = 2.5;
-        let mut dropped = Counts::default();
+        let mut left_out = 0;
         let mut groups = Vec::new();
         let mut covered = 0.0;
         for group in 0..index.groups.len() {
             match seen(&index.groups, group, &space, axes) {
-                Ok((bounds, area)) => {
+                Some((bounds, area)) => {
                     covered += area;
                     groups.push(bounds);
                 }
-                Err(why) => drop_box(&mut dropped, why, index.groups[group].count),
+                None => left_out += u64::from(index.groups[group].count),
             }
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
-        let found: Vec<(VisibleGroup, Counts)> = groups
+        let found: Vec<(VisibleGroup, u64)> = groups
             .into_par_iter()
             .with_min_len(16)
             .map(|bounds| {
-                let (blocks, dropped) =
+                let (blocks, left_out) =
                     dispatch!(level, simd => seen_blocks(simd, index, &bounds, &space, axes, is_crowded));
                 let has_others = may_have_others(&index.groups, &bounds, &space);
-                (VisibleGroup { bounds, blocks, has_others }, dropped)
+                (VisibleGroup { bounds, blocks, has_others }, left_out)
             })
             .collect();
-        let mut groups = Vec::with_capacity(found.len());
-        for (group, of_group) in found {
-            dropped += of_group;
-            groups.push(group);
-        }
-        *counts += dropped;
-        let mut visible = VisibleSpheres { index, space, groups, is_crowded, others: Vec::new() };
+        left_out += found.iter().map(|(_, left_out)| left_out).sum::<u64>();
+        let groups = found.into_iter().map(|(group, _)| group).collect();
+        let others = Vec::new();
+        let mut visible = VisibleSpheres { index, space, groups, is_crowded, others, left_out };
         visible.others = dispatch!(level, simd => visible.find_others(simd, extents));
         visible
     }
@@ -126,8 +114,8 @@ impl<'a> VisibleSpheres<'a> {
     }
 }
 
-/// Returns the visible blocks of a group, near to far if the spheres are crowded, and the counts of the
-/// spheres left out.
+/// Returns the visible blocks of a group, near to far if the spheres are crowded, and the number of
+/// spheres in the other blocks.
 #[inline(always)]
 fn seen_blocks<S: Simd>(
     _simd: S,
@@ -136,20 +124,20 @@ fn seen_blocks<S: Simd>(
     space: &CameraSpace,
     axes: &RasterAxes,
     is_crowded: bool,
-) -> (Vec<VisibleBox>, Counts) {
-    let mut dropped = Counts::default();
+) -> (Vec<VisibleBox>, u64) {
+    let mut left_out = 0;
     let range = index.blocks_of(group.id as usize);
     let mut blocks = Vec::with_capacity(range.len());
     for block in range {
         match seen(&index.blocks, block, space, axes) {
-            Ok((bounds, _)) => blocks.push(bounds),
-            Err(why) => drop_box(&mut dropped, why, index.blocks[block].count),
+            Some((bounds, _)) => blocks.push(bounds),
+            None => left_out += u64::from(index.blocks[block].count),
         }
     }
     if is_crowded {
         blocks.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
     }
-    (blocks, dropped)
+    (blocks, left_out)
 }
 
 /// Returns whether a group may contain a sphere so near or so large that it is not drawn by rows.
@@ -164,15 +152,8 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
     near <= NEAR * radius || radius > LARGE * slope * near
 }
 
-fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32) {
-    match why {
-        Unseen::Behind => counts.behind += u64::from(spheres),
-        Unseen::Outside => counts.outside += u64::from(spheres),
-    }
-}
-
 /// Finds the part of the raster that a box can cover, and roughly how many pixels its spheres cover
-/// together.
+/// together; returns `None` if no ray can meet the box.
 ///
 /// Each margin is 1e-9 of the quantity to which it is added: far more than the few roundings that it
 /// covers, and far too little to cost anything.
@@ -182,7 +163,7 @@ fn seen(
     id: usize,
     space: &CameraSpace,
     axes: &RasterAxes,
-) -> Result<(VisibleBox, f64), Unseen> {
+) -> Option<(VisibleBox, f64)> {
     const SHARE: f64 = 1e-9;
     let Bound { middle, half, area, radius, .. } = boxes[id];
     let q: [f64; 3] = std::array::from_fn(|i| middle[i] - space.eye[i]);
@@ -194,13 +175,11 @@ fn seen(
     let (x, y, z) = (along(space.u), along(space.v), -along(space.w));
     let [rx, ry, rz] = [space.u, space.v, space.w].map(|axis| reach(axis) + margin);
     let (near, far) = (z - rz, z + rz);
-    if far < 0.0 {
-        return Err(Unseen::Behind);
-    }
     let [wide, high] = space.widest;
     let is_beyond = |side: f64, reach: f64, widest: f64| side.abs() - reach > widest * far;
-    if is_beyond(x, rx, wide) || is_beyond(y, ry, high) {
-        return Err(Unseen::Outside);
+    // Behind the eye, or beyond a border of the image.
+    if far < 0.0 || is_beyond(x, rx, wide) || is_beyond(y, ry, high) {
+        return None;
     }
     let (rows, columns) = if near > 0.0 && near.is_finite() && far.is_finite() {
         let slopes = |side: f64, reach: f64| {
@@ -216,14 +195,14 @@ fn seen(
             axes.columns_range((column(left) - 1e-3).ceil(), (column(right) + 1e-3).floor());
         (axes.rows_between((row(top) - 1e-3).ceil(), (row(bottom) + 1e-3).floor()), columns)
     } else {
-        (0..axes.height(), 0..axes.width())
+        (0..axes.height, 0..axes.width)
     };
     if rows.is_empty() || columns.is_empty() {
-        return Err(Unseen::Outside);
+        return None;
     }
     let depth = z.max(radius).max(1e-3 * rz);
     let area = std::f64::consts::PI * area / (depth * depth * space.row_slope * space.column_slope);
     let nearest = (near / space.distance).max(0.0) as f32 * (1.0 - 1e-6);
     let extent = Extent::new(rows, columns);
-    Ok((VisibleBox { id: id as u32, nearest, extent }, area))
+    Some((VisibleBox { id: id as u32, nearest, extent }, area))
 }

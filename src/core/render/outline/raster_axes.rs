@@ -18,8 +18,8 @@ const PADDING: usize = MOST_SINGLE_LANES;
 pub(crate) struct RasterAxes {
     pub(crate) row_numbers: Vec<f64>,
     pub(crate) columns: Vec<f32>,
-    height: usize,
-    width: usize,
+    pub(crate) height: usize,
+    pub(crate) width: usize,
     /// True if the rows follow one another without a gap.
     rows_are_whole: bool,
     /// True if the columns follow one another without a gap.
@@ -47,14 +47,6 @@ impl RasterAxes {
             rows_are_whole: are_whole(rows),
             columns_are_whole: are_whole(columns),
         }
-    }
-
-    pub(crate) fn width(&self) -> usize {
-        self.width
-    }
-
-    pub(crate) fn height(&self) -> usize {
-        self.height
     }
 
     /// Returns whether the rows and the columns each follow one another without a gap.

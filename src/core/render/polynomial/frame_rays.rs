@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::camera::resolved::{ResolvedCamera, ViewportPoint};
+use crate::camera::resolved::ResolvedCamera;
 use crate::camera::viewport::Pixel;
 use crate::exact::bounded::{Number, UNIT, Vector, length, near};
 use crate::exact::double_double::DoubleDouble;
@@ -18,7 +18,7 @@ use crate::render::frame::Raster;
 /// ```
 #[derive(Clone, Debug)]
 pub(crate) struct FrameRays<'a> {
-    camera: &'a ResolvedCamera,
+    pub(crate) camera: &'a ResolvedCamera,
     raster: &'a Raster,
     /// n of each column of the raster.
     pub(crate) n: Vec<f64>,
@@ -64,7 +64,7 @@ impl<'a> FrameRays<'a> {
             e: near(along(basis.u, viewport.width, h)),
             g: near(along(basis.v, viewport.height, w)),
             z,
-            vector_doubt: basis.doubt() + DoubleDouble::PRODUCT + UNIT,
+            vector_doubt: basis.doubt + DoubleDouble::PRODUCT + UNIT,
             least_length: 0.99 * length(z),
         };
         let n: Vec<f64> = raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect();
@@ -78,13 +78,9 @@ impl<'a> FrameRays<'a> {
             n,
             l,
             steppers,
-            stretch: ViewportPoint::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
+            stretch: 2.0 * w * h,
             scale,
         }
-    }
-
-    pub(crate) fn camera(&self) -> &'a ResolvedCamera {
-        self.camera
     }
 
     /// Returns the patch of these rows and columns of the raster.

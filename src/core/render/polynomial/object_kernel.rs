@@ -190,7 +190,7 @@ impl PlaneKernel {
         let step = f64::PRODUCT + f64::SUM;
         let share = SECOND_ORDER * (f64::DOT + 2.0 * step + rays.doubt());
         let doubt = share * length(seen.normal) * reach + UNDERFLOW;
-        let left = T_SHARE - seen.offset_doubt() - f64::QUOTIENT - 2.0 * f64::PRODUCT;
+        let left = T_SHARE - seen.offset_doubt - f64::QUOTIENT - 2.0 * f64::PRODUCT;
         PlaneKernel {
             offset: seen.offset.hi * factor,
             rate: vectors.map(|v| dot(seen.normal, v)),

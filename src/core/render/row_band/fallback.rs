@@ -110,7 +110,7 @@ impl RowBand<'_> {
 
 fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
     let sphere = Object::Sphere(plan.scene.spheres()[index as usize]);
-    ObjectFromOrigin::new(&sphere, plan.rays.camera().eye())
+    ObjectFromOrigin::new(&sphere, plan.rays.camera.eye())
 }
 
 impl PixelLadder<'_> {
@@ -156,7 +156,7 @@ impl PixelLadder<'_> {
         }
         let known = self.object[offset];
         let known_sphere = plan.scene.spheres().get(known as usize);
-        if known_sphere == Some(seen.sphere()) {
+        if known_sphere == Some(&seen.sphere) {
             // The same sphere is listed twice, with the same t.
             self.object[offset] = known.min(index);
             self.steps.f64 += 1;
@@ -268,7 +268,7 @@ impl PixelLadder<'_> {
     /// Decides a pixel by all steps of the ladder.
     fn decide_exactly(&mut self, query: &PixelQuery) {
         let PixelQuery { index, seen, row, column, t } = *query;
-        let (camera, offset) = (self.plan.rays.camera(), self.offset(query));
+        let (camera, offset) = (self.plan.rays.camera, self.offset(query));
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
         let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
         let hit = Hit { index, object: Cow::Borrowed(seen), root };
@@ -346,7 +346,7 @@ pub(crate) fn fill_exactly(
     if t.is_empty() && normals.is_empty() {
         return steps;
     }
-    let (camera, width) = (plan.rays.camera(), plan.axes.width());
+    let (camera, width) = (plan.rays.camera, plan.axes.width);
     let mut known: Option<(u32, ObjectFromOrigin)> = None;
     for (offset, object) in object.iter().copied().enumerate() {
         if object == NO_OBJECT {
@@ -366,11 +366,11 @@ pub(crate) fn fill_exactly(
         let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
         let root = seen.root_of_hit();
         if let Some(t) = t.get_mut(offset) {
-            *t = seen.rounded_t_counting(&ray, root, &mut steps);
+            *t = seen.rounded_t(&ray, root, &mut steps);
         }
         if let Some(normal) = normals.get_mut(offset) {
             *normal = match seen {
-                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
+                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane.normal),
                 ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
             };
         }

@@ -12,7 +12,6 @@ use fearless_simd::{Simd, dispatch};
 use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::exact::steps::Steps;
 use crate::render::bvh::{DrawnSpheres, draw_visible};
-use crate::render::frame::Counts;
 use crate::render::outline::Extent;
 use crate::render::plan::Plan;
 use crate::render::plan::SLICE_ROWS;
@@ -75,7 +74,7 @@ impl<'a> RowBand<'a> {
         t: &'a mut [f32],
         object: &'a mut [u32],
     ) -> Self {
-        let size = (rows.len(), plan.axes.width());
+        let size = (rows.len(), plan.axes.width);
         let written = if plan.is_written_once {
             let new = dispatch!(plan.level, simd => WrittenBlocks::new(simd, size, t, object));
             Some(new)
@@ -117,7 +116,7 @@ impl<'a> RowBand<'a> {
         self.next = self.draw_spans(from, &mut doubts, &mut drawn);
         (self.doubts, self.drawn) = (doubts, drawn);
         if let Some(written) = self.written.take() {
-            let (width, t, object) = (self.plan.axes.width(), &mut *self.t, &mut *self.object);
+            let (width, t, object) = (self.plan.axes.width, &mut *self.t, &mut *self.object);
             dispatch!(self.plan.level, simd => written.clear_others(simd, width, t, object));
         }
         true
@@ -144,13 +143,11 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Returns the number of decisions at each step, and the counts of the work that was left out.
-    pub(crate) fn counted(self) -> (Steps, Counts) {
+    /// Returns the number of decisions at each step, the number of spheres that were left out here, and
+    /// the number of rows that no outline reaches.
+    pub(crate) fn counted(self) -> (Steps, u64, u64) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
-        let mut counts = self.drawn.counts;
-        counts.rows = self.rows.len() as u64;
-        counts.rows_untouched = untouched as u64;
-        (self.steps, counts)
+        (self.steps, self.drawn.left_out, untouched as u64)
     }
 
     /// Returns the slices of rows that make up the band.
@@ -207,7 +204,7 @@ impl<'a> RowBand<'a> {
     fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
-        let eye = self.plan.rays.camera().eye();
+        let eye = self.plan.rays.camera.eye();
         let parts = SphereFromOrigin::rough_terms(&sphere, eye);
         let is_per_pixel = rows.len() * columns.len() <= FEW_PIXELS;
         if is_per_pixel
@@ -357,7 +354,7 @@ fn draw<S: Simd>(
         return draw_visible(simd, visible, from, target, drawn);
     }
     for (offset, span) in plan.spans.iter().enumerate().skip(from.0) {
-        let (rows, columns) = (span.rows_in(target), 0..target.axes.width());
+        let (rows, columns) = (span.rows_in(target), 0..target.axes.width);
         span.draw(simd, target, rows, &columns);
         if target.is_full() {
             return Some((offset + 1, 0));

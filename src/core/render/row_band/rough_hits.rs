@@ -137,7 +137,7 @@ impl RoughHit {
         if self.scale != 0 || other.scale != 0 || self.side != other.side {
             return None;
         }
-        let others = other.sphere();
+        let others = &other.sphere;
         let e = (others.center - own.center).to_array();
         let (wider, both) = (others.radius - own.radius, others.radius + own.radius);
         let (ee, eo) = (dot(e, e), dot(e, self.from_center));

@@ -130,7 +130,7 @@ impl OwnRows {
         first.store_slice(&mut own.first[..n]);
         last.store_slice(&mut own.last[..n]);
         let row = S::i32s::truncate_from(first - above);
-        let width = S::i32s::splat(simd, target.axes.width() as i32);
+        let width = S::i32s::splat(simd, target.axes.width as i32);
         row.store_slice(&mut own.row[..n]);
         (row * width).store_slice(&mut own.offset[..n]);
         if target.axes.are_whole() {
@@ -172,7 +172,7 @@ impl OwnRows {
         self.steps = all.len();
         let first = all.start - target.rows.start;
         self.row.fill(first as i32);
-        self.offset.fill((first * target.axes.width()) as i32);
+        self.offset.fill((first * target.axes.width) as i32);
     }
 
     #[inline(always)]
@@ -186,7 +186,7 @@ impl OwnRows {
             let row = target.rows.start + self.row[0] as usize + step;
             S::f32s::splat(simd, target.axes.row_numbers[row] as f32)
         };
-        let to_step = S::i32s::splat(simd, (step * target.axes.width()) as i32);
+        let to_step = S::i32s::splat(simd, (step * target.axes.width) as i32);
         RowStep {
             number,
             offset: S::i32s::from_slice(simd, &self.offset[..n]) + to_step,
@@ -340,7 +340,7 @@ impl Runs {
             let end = offset + count;
             loop {
                 if !are_whole {
-                    let column = offset % target.axes.width();
+                    let column = offset % target.axes.width;
                     let numbers = &target.axes.columns[column..column + PIXELS];
                     columns =
                         f32x8::from_slice(simd, numbers) - f32x8::splat(simd, self.first[run]);
@@ -423,7 +423,7 @@ fn note_ties(
     index: u32,
 ) -> usize {
     let mut count = 0;
-    let width = target.axes.width();
+    let width = target.axes.width;
     for lane in lanes_of(doubtful) {
         let offset = offset + lane;
         if target.is_same_as_known(offset, index) {

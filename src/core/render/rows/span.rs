@@ -181,7 +181,7 @@ impl Span {
         columns: (usize, usize),
     ) -> bool {
         let lanes = SpanLanes::new(simd, self, span_row);
-        let start = (row - target.rows.start) * target.axes.width();
+        let start = (row - target.rows.start) * target.axes.width;
         let mut buffers = RowBuffers {
             columns: &target.axes.columns,
             t: &mut target.t[start..],
@@ -223,7 +223,7 @@ impl Span {
         span_row: &SpanRow,
     ) {
         let lanes = SpanLanes::new(simd, self, span_row);
-        let start = (row - target.rows.start) * target.axes.width();
+        let start = (row - target.rows.start) * target.axes.width;
         for at in (from..=to).step_by(S::f32s::LEN) {
             // A function that is not inlined does not get the level's instructions automatically.
             let found = simd.vectorize(

@@ -7,12 +7,12 @@ mod certificate;
 use glam::DVec3;
 use proptest::prelude::*;
 
-use crate::camera::ray::Ray;
+use crate::camera::ray::{ExactRay, Ray};
 use crate::exact::dyadic::Dyadic;
 use crate::exact::scale::exponent;
 use crate::scene::Scene;
 use crate::scene::error::SceneError;
-use crate::scene::object::Roots;
+use crate::scene::object::{Object, Roots};
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::Bound;
 use crate::scene::sphere_index::INDEX_FROM;
@@ -202,11 +202,11 @@ fn a_scene_keeps_its_index_and_its_clones_keep_theirs() {
     let first = std::ptr::from_ref(scene.index().unwrap());
     assert_eq!(first, std::ptr::from_ref(scene.index().unwrap()), "made once");
     let moved = Sphere { center: DVec3::new(3.0, 4.0, 5.0), radius: 2.0 };
-    scene.replace_sphere(17, moved).unwrap();
+    scene.replace(17, Object::Sphere(moved)).unwrap();
     assert_eq!(first, std::ptr::from_ref(scene.index().unwrap()), "updated in place");
     let clone = scene.clone();
     assert_eq!(first, std::ptr::from_ref(clone.index().unwrap()), "shared by clones");
-    scene.replace_sphere(18, moved).unwrap();
+    scene.replace(18, Object::Sphere(moved)).unwrap();
     assert_is_index_of(scene.index().unwrap(), scene.spheres());
     assert_is_index_of(clone.index().unwrap(), clone.spheres());
     assert_eq!(clone.spheres()[17], moved);
@@ -220,10 +220,8 @@ fn what_is_no_sphere_changes_nothing() {
     let mut scene = Scene::new(spheres.clone(), vec![]).unwrap();
     let index = scene.index().unwrap().clone();
     let none = Sphere { center: DVec3::ZERO, radius: -1.0 };
-    let refused = scene.replace_sphere(5, none);
-    assert!(matches!(refused, Err(SceneError::Sphere { index: 5, .. })), "{refused:?}");
-    let refused = scene.replace_sphere(300, spheres[0]);
-    assert_eq!(refused, Err(SceneError::NoSphere { index: 300 }));
+    let refused = scene.replace(5, Object::Sphere(none));
+    assert!(matches!(refused, Err(SceneError { index: 5, .. })), "{refused:?}");
     assert_eq!(scene.spheres(), spheres);
     assert_eq!(*scene.index().unwrap(), index);
 }
@@ -239,7 +237,8 @@ proptest! {
         let point = DVec3::from(point);
         let mut scene = Scene::new(spheres, vec![]).unwrap();
         // So that there is one at least.
-        scene.replace_sphere(7, Sphere { center: point, radius: 1e-100 }).unwrap();
+        let tiny = Sphere { center: point, radius: 1e-100 };
+        scene.replace(7, Object::Sphere(tiny)).unwrap();
         let is_around = |sphere: &&Sphere| sphere.implicit(point) < 0.0;
         let around = scene.spheres_around(point);
         prop_assert!(around.contains(&7) && around.is_sorted());
@@ -274,11 +273,12 @@ proptest! {
             let beside = radius * direction.any_orthogonal_vector().normalize_or_zero();
             let center = ray.origin + t * direction + beside;
             if let Ok(sphere) = Sphere::new(center, radius) {
-                scene.replace_sphere(k, sphere).unwrap();
+                scene.replace(k, Object::Sphere(sphere)).unwrap();
             }
         }
+        let ranked = scene.ranked_roots_of(&ExactRay::from_ray(&ray).unwrap());
         let mut found: Vec<(u32, u64)> =
-            scene.roots(&ray).iter().map(|root| (root.object, root.t.to_bits())).collect();
+            ranked.iter().map(|ranked| (ranked.root.object, ranked.root.t.to_bits())).collect();
         found.sort_unstable();
         let mut expected = Vec::new();
         for (index, sphere) in (0..).zip(scene.spheres()) {

@@ -61,14 +61,20 @@ pub(crate) fn assert_ulps3(actual: DVec3, expected: DVec3, most: u64) {
     }
 }
 
+/// All roots of a scene; none for a ray that is refused.
+pub(crate) fn roots_of(scene: &Scene, ray: &Ray) -> Vec<Root> {
+    let Ok(ray) = ExactRay::from_ray(ray) else { return Vec::new() };
+    scene.ranked_roots_of(&ray).into_iter().map(|ranked| ranked.root).collect()
+}
+
 /// The roots of one sphere with their points and normals.
 pub(crate) fn roots_on(sphere: Sphere, ray: &Ray) -> Vec<Root> {
-    Scene::new(vec![sphere], vec![]).unwrap().roots(ray)
+    roots_of(&Scene::new(vec![sphere], vec![]).unwrap(), ray)
 }
 
 /// The root of one plane with its point and normal.
 pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
-    Scene::new(vec![], vec![plane]).unwrap().roots(ray)[0]
+    roots_of(&Scene::new(vec![], vec![plane]).unwrap(), ray)[0]
 }
 
 /// The first hit of one ray by a method.

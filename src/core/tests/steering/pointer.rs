@@ -54,7 +54,7 @@ fn what_is_far_moves_farther() {
     assert!((oblique - vec3(3.0, 0.0, 4.0)).length() < 1e-14);
     // On the floor the ray (0.25, -0.5, -1) comes down one unit at z = 8.
     let (anchor, begun_at) = (vec3(0.0, -1.0, 6.0), DVec2::new(0.0, -0.25));
-    let plane = DragAlong::Plane(DVec3::X, DVec3::Z);
+    let plane = DragAlong::Plane(DVec3::Y);
     let moved = straight().dragged(anchor, begun_at, DVec2::new(0.25, -0.5), plane).unwrap();
     assert!((moved - vec3(0.5, -1.0, 8.0)).length() < 1e-14);
     assert_eq!(straight().dragged(anchor, begun_at, begun_at, plane), Ok(anchor));
@@ -80,16 +80,13 @@ fn nothing_jumps_to_infinity() {
     for v in [-9e-5, 0.0, 0.3] {
         assert_eq!(to(v, away), Err(SteerError::PastHorizon));
     }
-    assert!(to(-0.0875, DragAlong::Plane(DVec3::X, DVec3::Z)).is_ok());
-    let on_edge = to(-0.08, DragAlong::Plane(DVec3::X, DVec3::Z));
+    assert!(to(-0.0875, DragAlong::Plane(DVec3::Y)).is_ok());
+    let on_edge = to(-0.08, DragAlong::Plane(DVec3::Y));
     assert!(matches!(on_edge, Err(SteerError::OnEdge { .. })));
-    let wall = DragAlong::Plane(DVec3::X, vec3(0.0, 1.0, -1.0));
+    let wall = DragAlong::Plane(vec3(0.0, 1.0, 1.0));
     assert_eq!(to(2.0, wall), Err(SteerError::PastHorizon));
     let towards = DragAlong::Axis(vec3(0.0, 1.0, 10.0));
     assert!(matches!(to(0.3, towards), Err(SteerError::OnEdge { angle }) if angle < 1e-9));
-    for along in [DragAlong::Axis(DVec3::ZERO), DragAlong::Plane(DVec3::X, -3.0 * DVec3::X)] {
-        assert_eq!(to(0.3, along), Err(SteerError::NoDirection));
-    }
     let behind = vec3(0.0, 0.0, 11.0);
     let refused = straight().dragged(behind, begun_at, DVec2::ZERO, DragAlong::ViewPlane);
     assert_eq!(refused, Err(SteerError::NotInFront { depth: -1.0 }));
@@ -104,13 +101,13 @@ proptest! {
         (observer, uv, anchor) in observed(),
         beside in (-0.02..0.02_f64, -0.02..0.02_f64).prop_map(DVec2::from),
         way in (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(DVec2::from),
-        (a, b) in (direction(), direction()),
+        normal in direction(),
     ) {
         // Rounding of the anchor and of the point: both may be near an observer far from the origin.
         let near = observer.project(anchor).depth.min(1e300);
         let rounding = 1e-9 + 1e-14 * observer.eye().length() / near;
         let uv = uv + beside;
-        for along in [DragAlong::ViewPlane, DragAlong::Plane(a, b)] {
+        for along in [DragAlong::ViewPlane, DragAlong::Plane(normal)] {
             let Ok(point) = observer.dragged(anchor, uv, uv + way, along) else {
                 prop_assert!(along != DragAlong::ViewPlane);
                 continue;
@@ -118,9 +115,9 @@ proptest! {
             let nearer = near / observer.project(point).depth;
             let off = image(&observer, point) + beside - (uv + way);
             prop_assert!(off.length() <= rounding * nearer.max(1.0), "{:?} {}", along, off);
-            if let DragAlong::Plane(a, b) = along {
+            if let DragAlong::Plane(normal) = along {
                 let moved = point - anchor;
-                let off = a.cross(b).normalize().dot(moved);
+                let off = normal.normalize().dot(moved);
                 prop_assert!(off.abs() <= 1e-9 * moved.length() + 1e-14 * observer.eye().length());
             }
             // Unless the plane is seen from its edge there.

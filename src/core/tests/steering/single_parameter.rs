@@ -142,7 +142,7 @@ proptest! {
         let off = (one.direction * factor - other.direction).length();
         prop_assert!(off <= 2e-15 * other.direction.length());
         let scene = Scene::new(vec![], vec![Plane { point: camera.eye + camera.view(), normal: camera.view() }]).unwrap();
-        let t = |camera: &ResolvedCamera| scene.roots_of(&camera.exact_ray(pixel))[0].t;
+        let t = |camera: &ResolvedCamera| scene.ranked_roots_of(&camera.exact_ray(pixel))[0].root.t;
         prop_assert!((t(&before) / t(&after) / factor - 1.0).abs() <= 1e-14);
     }
 
