@@ -199,14 +199,6 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-#[cfg(test)]
-#[path = "tests/common/levels.rs"]
-mod test_levels;
-
-#[cfg(test)]
-#[path = "tests/common/seed.rs"]
-mod test_seed;
-
 /// Arithmetic for the derivations that other crates show; not for general use.
 #[doc(hidden)]
 pub mod arithmetic {
@@ -246,3 +238,11 @@ pub use scene::error::{ObjectError, SceneError};
 pub use scene::object::{LineRoots, Object, RankedRoot, Root, Roots};
 pub use scene::plane::{Plane, PlaneTerms};
 pub use scene::sphere::{Sphere, SphereQuadratic};
+
+#[cfg(test)]
+#[path = "tests/common/levels.rs"]
+mod test_levels;
+
+#[cfg(test)]
+#[path = "tests/common/seed.rs"]
+mod test_seed;

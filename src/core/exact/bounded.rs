@@ -11,16 +11,29 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::scale::exponent;
 
-/// A number that the formulas are computed in.
-pub(crate) trait Number:
+/// A type with the five operations of arithmetic.
+pub(crate) trait Arithmetic:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
-    + From<f64>
 {
+}
+
+impl<T> Arithmetic for T where
+    T: Copy
+        + Add<Output = T>
+        + Sub<Output = T>
+        + Mul<Output = T>
+        + Div<Output = T>
+        + Neg<Output = T>
+{
+}
+
+/// A number that the formulas are computed in, with bounds of its rounding errors.
+pub(crate) trait Number: Arithmetic + From<f64> {
     /// A bound of the relative error of a sum or difference.
     const SUM: f64;
     /// A bound of the relative error of a product.
@@ -94,17 +107,16 @@ pub(crate) const UNDERFLOW: f64 = 1e-190;
 /// A vector of numbers.
 pub(crate) type Vector<T> = [T; 3];
 
-/// Returns `a . b`: error at most `DOT |a| |b|`.
+/// Returns `a . b`. The error is at most `DOT |a| |b|`, see [`Number::DOT`].
 #[inline(always)]
-pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
+pub(crate) fn dot<T: Arithmetic>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Returns `a x b`: error at most `CROSS |a| |b|`.
+/// Returns `a x b`. The error is at most `CROSS |a| |b|`, see [`Number::CROSS`].
 #[inline(always)]
-pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
-    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
+pub(crate) fn cross<T: Arithmetic>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Returns a vector rounded to `f64`.

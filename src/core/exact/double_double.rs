@@ -10,6 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
 
+use crate::exact::bounded::Arithmetic;
 use crate::exact::scale::ldexp;
 
 /// `hi + lo` with `|lo| <= ulp(hi) / 2`.
@@ -150,14 +151,7 @@ impl From<f64> for DoubleDouble {
 ///
 /// The same operations give the same bits whatever the width, because none of them fuses a product
 /// with a sum but where the result is exact.
-pub(crate) trait Lane:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
+pub(crate) trait Lane: Arithmetic {
     /// Returns the rounded square root.
     fn sqrt(self) -> Self;
 
@@ -243,19 +237,13 @@ impl Lane for f64 {
     }
 }
 
-/// Returns `(d, e)` with `d = fl(a - b)` and `a - b = d + e` exactly, for each coordinate, by
-/// [`two_sum`].
-fn two_difference(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
-    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
-    (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
-}
-
 /// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless
 /// the difference overflows.
 pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
     let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
-    let (difference, rest) = two_difference(shrink * a, shrink * b);
-    (difference, rest, k)
+    let (a, b) = (shrink * a, shrink * b);
+    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
+    (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1), k)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@
 //! let ray = Ray::new([0.0; 3], [0.25, -0.25, -1.0])?;
 //! let t = |name| {
 //!     let mut kernel = ray_kernel(Method::from_name(name)?, &[(scene.clone(), ray)])?;
-//!     kernel.intersect();
+//!     kernel.run();
 //!     kernel.hit(0).map(|hit| hit.t)
 //! };
 //! let (right, textbook) = (t("ladder").unwrap(), t("textbook-f32").unwrap());
@@ -25,7 +25,7 @@
 
 use std::fmt;
 
-pub use dispatch::{FrameKernel, MethodHit, RayKernel, Traced, frame_kernel, ray_kernel, trace_by};
+pub use dispatch::{MethodHit, MethodKernel, Traced, frame_kernel, ray_kernel, trace_by};
 
 mod dispatch;
 mod formulas;
@@ -116,34 +116,18 @@ pub enum Method {
 }
 
 impl Method {
-    /// All methods for single rays: the ladder, double-double, then the known formulas, beginning with
-    /// the plainest, `f32` before `f64`.
-    pub const ALL: &'static [Method] = {
+    /// Returns all methods for single rays: the ladder, double-double, then the known formulas, beginning
+    /// with the plainest, `f32` before `f64`.
+    pub fn all() -> impl Iterator<Item = Method> {
         use Formula::*;
-        use Precision::*;
-        &[
-            Method::Ladder,
-            Method::DoubleDouble,
-            Method::Known(Textbook, F32),
-            Method::Known(Textbook, F64),
-            Method::Known(HalfB, F32),
-            Method::Known(HalfB, F64),
-            Method::Known(Kahan, F32),
-            Method::Known(Kahan, F64),
-            Method::Known(Perpendicular, F32),
-            Method::Known(Perpendicular, F64),
-            Method::Known(ClosestPoint, F32),
-            Method::Known(ClosestPoint, F64),
-            Method::Known(Recentred, F32),
-            Method::Known(Recentred, F64),
-            Method::Known(Lagrange, F32),
-            Method::Known(Lagrange, F64),
-        ]
-    };
+        let formulas = [Textbook, HalfB, Kahan, Perpendicular, ClosestPoint, Recentred, Lagrange];
+        let of = |formula| [Precision::F32, Precision::F64].map(|p| Method::Known(formula, p));
+        [Method::Ladder, Method::DoubleDouble].into_iter().chain(formulas.into_iter().flat_map(of))
+    }
 
-    /// Returns all methods for whole frames: [`Method::LadderF32`], then [`Method::ALL`].
+    /// Returns all methods for whole frames: [`Method::LadderF32`], then [`Method::all`].
     pub fn of_frames() -> impl Iterator<Item = Method> {
-        std::iter::once(Method::LadderF32).chain(Method::ALL.iter().copied())
+        std::iter::once(Method::LadderF32).chain(Method::all())
     }
 
     /// Returns the method's name in commands, files and tables.

@@ -1,29 +1,19 @@
-//! The kinds of numbers in which the [methods](crate::methods) compute, and vectors of such numbers.
+//! The kinds of numbers in which the [methods](crate::methods) compute, and rays and objects rounded to
+//! such numbers.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
 
 use crate::camera::ray::Ray;
+use crate::exact::bounded::{Arithmetic, Vector, dot};
 use crate::exact::double_double::DoubleDouble;
 use crate::scene::Scene;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 
 /// A floating-point number in which a method computes. Every operation rounds to this precision.
-pub(crate) trait Real:
-    Copy
-    + PartialOrd
-    + Send
-    + Sync
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + 'static
-{
+pub(crate) trait Real: Arithmetic + PartialOrd + Send + Sync + 'static {
     const ZERO: Self;
     /// The `t` that stands for no hit, greater than every number.
     const INFINITY: Self;
@@ -36,11 +26,7 @@ pub(crate) trait Real:
     fn sqrt(self) -> Self;
     /// Returns `|self|` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-}
-
-/// A number with a fused multiply-add.
-pub(crate) trait Fused: Real {
-    /// Returns `self * factor + term`, rounded once.
+    /// Returns `self * factor + term`, in `f32` and `f64` rounded once.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 }
 
@@ -66,9 +52,6 @@ macro_rules! implement_real {
             fn copysign(self, sign: Self) -> Self {
                 $real::copysign(self, sign)
             }
-        }
-
-        impl Fused for $real {
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {
                 $real::mul_add(self, factor, term)
@@ -94,8 +77,8 @@ impl Real for DoubleDouble {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        // The algorithm divides by the root; of 0, and of what has none, f64's is right. Choices of
-        // numbers, not of ways, so that a loop over them can be vectorized.
+        // The algorithm divides by the root, so of 0 and negative numbers the root of `f64` is taken. Both
+        // are computed and one is selected, without a branch, so that a loop can be vectorized.
         let (root, plain, has_root) = (self.square_root(), self.hi.sqrt(), self.hi > 0.0);
         DoubleDouble {
             hi: if has_root { root.hi } else { plain },
@@ -106,6 +89,10 @@ impl Real for DoubleDouble {
     fn copysign(self, sign: Self) -> Self {
         let turn = 1_f64.copysign(self.hi) * 1_f64.copysign(sign.hi);
         DoubleDouble { hi: self.hi * turn, lo: self.lo * turn }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
     }
 }
 
@@ -130,86 +117,45 @@ impl PartialOrd for DoubleDouble {
     }
 }
 
-/// A point or direction in a method's precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Vector<R> {
-    pub(crate) x: R,
-    pub(crate) y: R,
-    pub(crate) z: R,
+/// Returns the nearest vector of a method's precision.
+#[inline(always)]
+pub(crate) fn rounded<R: Real>(v: DVec3) -> Vector<R> {
+    [R::from_f64(v.x), R::from_f64(v.y), R::from_f64(v.z)]
 }
 
-impl<R: Real> Vector<R> {
-    /// Returns the nearest vector of this precision.
-    #[inline(always)]
-    pub(crate) fn rounded(v: DVec3) -> Self {
-        Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
-    }
-
-    /// Returns the nearest vector of `f64`.
-    pub(crate) fn to_f64(self) -> DVec3 {
-        DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
-    }
-
-    #[inline(always)]
-    pub(crate) fn dot(self, other: Self) -> R {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-
-    #[inline(always)]
-    pub(crate) fn cross(self, other: Self) -> Self {
-        Vector {
-            x: self.y * other.z - self.z * other.y,
-            y: self.z * other.x - self.x * other.z,
-            z: self.x * other.y - self.y * other.x,
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn times(self, factor: R) -> Self {
-        Vector { x: factor * self.x, y: factor * self.y, z: factor * self.z }
-    }
-
-    #[inline(always)]
-    pub(crate) fn divided_by(self, divisor: R) -> Self {
-        Vector { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
-    }
+/// Returns `a + b`.
+#[inline(always)]
+pub(crate) fn plus<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-impl<R: Real> Add for Vector<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Vector { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
-    }
+/// Returns `a - b`.
+#[inline(always)]
+pub(crate) fn minus<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-impl<R: Real> Sub for Vector<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Vector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
-    }
+/// Returns `x v`.
+#[inline(always)]
+pub(crate) fn times<R: Real>(x: R, v: Vector<R>) -> Vector<R> {
+    [x * v[0], x * v[1], x * v[2]]
 }
 
 /// A [`Ray`] rounded to a method's precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundedRay<R> {
     pub(crate) origin: Vector<R>,
     pub(crate) direction: Vector<R>,
 }
 
 impl<R: Real> RoundedRay<R> {
-    #[inline(always)]
     pub(crate) fn new(ray: &Ray) -> Self {
-        RoundedRay {
-            origin: Vector::rounded(ray.origin),
-            direction: Vector::rounded(ray.direction),
-        }
+        RoundedRay { origin: rounded(ray.origin), direction: rounded(ray.direction) }
     }
 }
 
 /// A [`Sphere`] rounded to a method's precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundedSphere<R> {
     pub(crate) center: Vector<R>,
     /// The radius; 0 if it is too small for the precision.
@@ -217,51 +163,48 @@ pub(crate) struct RoundedSphere<R> {
 }
 
 /// A [`Plane`] rounded to a method's precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundedPlane<R> {
     pub(crate) point: Vector<R>,
     pub(crate) normal: Vector<R>,
 }
 
 /// A [`Scene`] rounded to a method's precision; objects are counted as in the scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct RoundedScene<R> {
     pub(crate) spheres: Vec<RoundedSphere<R>>,
     pub(crate) planes: Vec<RoundedPlane<R>>,
 }
 
-impl<R: Real> RoundedSphere<R> {
-    #[inline(always)]
-    pub(crate) fn new(sphere: &Sphere) -> Self {
-        let Sphere { center, radius } = *sphere;
-        RoundedSphere { center: Vector::rounded(center), radius: R::from_f64(radius) }
-    }
-
-    /// Returns the outward unit normal where the ray meets the sphere at t, by the formula taught in
-    /// courses: `(p + t d - center) / radius`.
-    pub(crate) fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
-        let point = ray.origin + ray.direction.times(t);
-        (point - self.center).divided_by(self.radius)
-    }
-}
-
-impl<R: Real> RoundedPlane<R> {
-    #[inline(always)]
-    pub(crate) fn new(plane: &Plane) -> Self {
-        RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
-    }
-
-    /// Returns the unit normal, `n / |n|`.
-    pub(crate) fn unit_normal(&self) -> Vector<R> {
-        self.normal.divided_by(self.normal.dot(self.normal).sqrt())
-    }
-}
-
 impl<R: Real> RoundedScene<R> {
     pub(crate) fn new(scene: &Scene) -> Self {
+        let sphere = |&Sphere { center, radius }: &Sphere| RoundedSphere {
+            center: rounded(center),
+            radius: R::from_f64(radius),
+        };
+        let plane = |&Plane { point, normal }: &Plane| RoundedPlane {
+            point: rounded(point),
+            normal: rounded(normal),
+        };
         RoundedScene {
-            spheres: scene.spheres().iter().map(RoundedSphere::new).collect(),
-            planes: scene.planes().iter().map(RoundedPlane::new).collect(),
+            spheres: scene.spheres().iter().map(sphere).collect(),
+            planes: scene.planes().iter().map(plane).collect(),
         }
+    }
+
+    /// Returns the outward unit normal of an object where the ray meets it at t, by the formulas taught in
+    /// courses: `(p + t d - center) / radius` of a sphere, `n / |n|` of a plane.
+    pub(crate) fn normal(&self, object: u32, ray: &RoundedRay<R>, t: R) -> DVec3 {
+        let (vector, length) = match self.spheres.get(object as usize) {
+            Some(sphere) => {
+                let point = plus(ray.origin, times(t, ray.direction));
+                (minus(point, sphere.center), sphere.radius)
+            }
+            None => {
+                let normal = self.planes[object as usize - self.spheres.len()].normal;
+                (normal, dot(normal, normal).sqrt())
+            }
+        };
+        DVec3::from_array(vector.map(|x| (x / length).to_f64()))
     }
 }

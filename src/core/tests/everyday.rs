@@ -182,7 +182,7 @@ impl Case {
 /// The methods of one precision, across, and the cases, down.
 fn table(precision: Precision, cases: &[Case]) -> String {
     let methods: Vec<Method> =
-        Method::ALL.iter().copied().filter(|method| method.precision() == precision).collect();
+        Method::all().filter(|method| method.precision() == precision).collect();
     let mut text = format!("{:43} {:>12}", "", "t");
     let short = |method: &Method| {
         let name = method.name();

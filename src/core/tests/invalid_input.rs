@@ -108,7 +108,7 @@ fn assert_meets_nothing(scene: &Scene, ray: &Ray, what: &str) {
     for object in scene.objects() {
         assert_eq!(object.roots(ray), Roots::None, "{what}");
     }
-    for &method in Method::ALL {
+    for method in Method::all() {
         if let Some(hit) = first_hit_by(method, scene, ray) {
             assert!(hit.t > 0.0 && hit.t.is_finite(), "{method} on {what}");
         }

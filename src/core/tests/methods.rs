@@ -58,7 +58,7 @@ fn on_an_ordinary_scene_all_methods_agree() {
             continue;
         }
         hits += 1;
-        for &method in Method::ALL {
+        for method in Method::all() {
             let hit = first_hit_by(method, &scene, &ray).unwrap();
             let tolerance = tolerance(method.precision());
             assert_eq!(hit.object, right.object, "{method} on {ray:?}");
@@ -77,11 +77,11 @@ fn a_picture_is_what_each_pixel_says() {
     for method in Method::of_frames() {
         let picture = trace_by(method, &scene, &camera, &raster);
         let mut kernel = frame_kernel(method, &scene, &camera, &raster);
-        kernel.trace();
+        kernel.run();
         let mut seen = std::collections::BTreeSet::new();
         for (index, object) in picture.object.iter().enumerate() {
             let (row, column) = (index / 29, index % 29);
-            let hit = kernel.hit(row, column);
+            let hit = kernel.hit(index);
             let expected = hit.map_or((NO_OBJECT, f64::INFINITY), |hit| (hit.object, hit.t));
             assert_eq!((*object, picture.t[index]), expected, "{method} at {row}, {column}");
             seen.insert(*object);
@@ -104,10 +104,10 @@ fn a_list_of_rays_is_what_each_ray_says() {
             (lecture_scene(), ray)
         })
         .collect();
-    for &method in Method::ALL {
+    for method in Method::all() {
         let mut kernel = ray_kernel(method, &cases).unwrap();
         assert_eq!(kernel.hit(0), None);
-        kernel.intersect();
+        kernel.run();
         for (index, (scene, ray)) in cases.iter().enumerate() {
             assert_eq!(kernel.hit(index), first_hit_by(method, scene, ray), "{method}");
         }
@@ -120,7 +120,7 @@ fn among_equals_the_object_listed_first_wins() {
     let touching = plane([0.0, 0.0, -4.0], [0.0, 0.0, 1.0]);
     let scene = Scene::new(twice, vec![touching; 2]).unwrap();
     let ray = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z };
-    for &method in Method::ALL {
+    for method in Method::all() {
         let hit = first_hit_by(method, &scene, &ray).unwrap();
         assert_eq!((hit.object, hit.t, hit.normal), (0, 4.0, DVec3::Z), "{method}");
     }
@@ -129,7 +129,7 @@ fn among_equals_the_object_listed_first_wins() {
 #[test]
 fn a_tangent_is_a_hit_and_behind_is_none() {
     let scene = Scene::new(vec![sphere([0.0, 1.0, -5.0], 1.0)], vec![]).unwrap();
-    for &method in Method::ALL {
+    for method in Method::all() {
         let first =
             |direction| first_hit_by(method, &scene, &Ray { origin: DVec3::ZERO, direction });
         assert_eq!(first(DVec3::NEG_Z).map(|hit| hit.t), Some(5.0), "{method}");
@@ -156,7 +156,7 @@ fn the_courses_floor_shows_what_the_textbook_loses_in_f32() {
     };
     let textbook = median_error("textbook-f32");
     assert!((3e-5..1e-3).contains(&textbook), "{textbook:e}");
-    for method in Method::ALL.iter().copied().filter(|m| m.precision() == Precision::F64) {
+    for method in Method::all().filter(|m| m.precision() == Precision::F64) {
         let error = median_error(method.name());
         assert!(error < 1e-11, "{method}: {error:e}");
     }
@@ -175,7 +175,7 @@ fn whatever_is_not_a_number_is_no_hit() {
     let directions =
         [vec3(0.0, 0.0, -1.0), vec3(1e-200, 1e-200, -1e-200), vec3(huge, huge, -huge), DVec3::ZERO];
     // The ladder decides such rays rightly, whatever f64 can hold of their t.
-    for method in Method::ALL.iter().copied().filter(|method| *method != Method::Ladder) {
+    for method in Method::all().filter(|method| *method != Method::Ladder) {
         for direction in directions.into_iter().chain([vec3(f64::NAN, 0.0, 1.0)]) {
             let ray = Ray { origin: vec3(0.0, 0.0, 1e-300), direction };
             if let Some(hit) = first_hit_by(method, &scene, &ray) {
@@ -183,7 +183,7 @@ fn whatever_is_not_a_number_is_no_hit() {
             }
         }
     }
-    for &method in Method::ALL {
+    for method in Method::all() {
         let empty = Scene::default();
         let picture =
             trace_by(method, &empty, &resolve(3, 2), &Raster::full(resolve(3, 2).image()));

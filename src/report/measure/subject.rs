@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
+use pinhole_core::methods::{Method, MethodHit, MethodKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
     Basis, Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
     Steps, Viewport,
@@ -58,13 +58,13 @@ pub(super) type Populations = [usize; 2];
 /// One method at work on a subject.
 pub(super) enum Kernel {
     Rays {
-        kernel: Box<dyn RayKernel>,
+        kernel: Box<dyn MethodKernel>,
         /// Number of passes through the list in one time measurement.
         repeats: u32,
     },
     Frames {
-        of_pixels: Vec<Box<dyn FrameKernel>>,
-        timed: Vec<Box<dyn FrameKernel>>,
+        of_pixels: Vec<Box<dyn MethodKernel>>,
+        timed: Vec<Box<dyn MethodKernel>>,
     },
 }
 
@@ -144,7 +144,7 @@ impl CaseSubject {
             CaseSubject::Rays(cases) => {
                 let mut kernel = ray_kernel(method, cases)?;
                 let start = Instant::now();
-                kernel.intersect();
+                kernel.run();
                 let fitting = MEASUREMENT.div_duration_f64(start.elapsed());
                 Kernel::Rays { kernel, repeats: (fitting as u32).clamp(1, 100) }
             }
@@ -166,7 +166,7 @@ impl CaseSubject {
             (CaseSubject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
                 let (number, picture, pixel) = CaseSubject::locate(pictures, index)?;
                 let (row, column) = picture.sample.pixels[pixel];
-                of_pixels[number].hit(row, column)
+                of_pixels[number].hit(row * picture.raster.columns().len() + column)
             }
             (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
             (CaseSubject::Rays(_), Kernel::Frames { .. }) => None,
@@ -188,8 +188,8 @@ impl CaseSubject {
         let mut measure = || {
             let start = Instant::now();
             match kernel {
-                Kernel::Rays { kernel, repeats } => (0..*repeats).for_each(|_| kernel.intersect()),
-                Kernel::Frames { timed, .. } => timed.iter_mut().for_each(|kernel| kernel.trace()),
+                Kernel::Rays { kernel, repeats } => (0..*repeats).for_each(|_| kernel.run()),
+                Kernel::Frames { timed, .. } => timed.iter_mut().for_each(|kernel| kernel.run()),
             }
             start.elapsed()
         };

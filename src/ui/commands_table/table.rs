@@ -315,7 +315,7 @@ fn looks() -> Vec<UiCommand> {
             LookAction::Scheme(scheme),
         ));
     }
-    for &method in Method::ALL {
+    for method in Method::all() {
         let action = LookAction::Method(method);
         commands.push(command(Group::Method, method.name(), method.about(), action));
     }

@@ -250,7 +250,7 @@ fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.separator();
     ui.menu_button("Renderer", |ui| {
         ui.label("The camera's picture is drawn by");
-        for &method in Method::ALL {
+        for method in Method::all() {
             let hint = format!("{}\n{}", method.about(), method.source());
             ui.radio_value(&mut settings.method, method, method.name()).on_hover_text(hint);
         }

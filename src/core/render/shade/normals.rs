@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use crate::camera::ray::{ExactRay, Ray};
+use crate::exact::bounded::{cross, dot};
 use crate::exact::double_double::Lane;
 use crate::exact::scale::{is_plain_direction, unit};
 use crate::exact::steps::Steps;
@@ -126,16 +127,6 @@ impl Ball {
         let is_plain = away < far * far && (1e-60..1e60).contains(&radius);
         is_plain.then_some(Ball { q, radius, is_near: away < near * near })
     }
-}
-
-#[inline(always)]
-pub(crate) fn dot<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-fn cross<L: Lane>(a: [L; 3], b: [L; 3]) -> [L; 3] {
-    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
 }
 
 #[inline(always)]

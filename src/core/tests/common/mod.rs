@@ -80,7 +80,7 @@ pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
 /// The first hit of one ray by a method.
 pub(crate) fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHit> {
     let mut kernel = ray_kernel(method, &[(scene.clone(), *ray)])?;
-    kernel.intersect();
+    kernel.run();
     kernel.hit(0)
 }
 
