@@ -76,8 +76,9 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
 pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
     let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
-    let text =
-        format!("Left out: {spheres_left_out} of {spheres} spheres, {rows_untouched} of {rows} rows");
+    let text = format!(
+        "Left out: {spheres_left_out} of {spheres} spheres, {rows_untouched} of {rows} rows"
+    );
     ui.add_space(12.0);
     ui.weak(text).on_hover_text(LEFT_OUT);
 }
