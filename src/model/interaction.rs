@@ -11,13 +11,9 @@ pub const CLICK: f32 = 2.0;
 
 /// Minimum length, in points, of the steps by which keys move a handle and to which values snap.
 pub const STEP_POINTS: f64 = 10.0;
-/// Step to which angles snap, in degrees.
-pub const STEP_DEGREES: f64 = 15.0;
 
 /// Angle by which a key turns the camera or the observer, in radians.
 pub const KEY_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// Angle by which a key rolls the camera, in degrees.
-pub const KEY_ROLL: f64 = 5.0;
 /// Logarithm of the factor by which a key dollies or zooms the camera.
 pub const KEY_NEARER: f64 = 0.1;
 /// Distance by which a key pans the observer, as a share of the picture's height.

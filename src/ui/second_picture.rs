@@ -28,12 +28,12 @@ pub(crate) fn show(
     [area, rect]: [Rect; 2],
 ) {
     let (derived, session) = (context.derived, &mut *context.session);
-    let view = derived.second_view();
+    let view = derived.second_view.as_ref();
     let (mut spoken, mut why_not) = (None, None);
     match second {
         SecondPicture::ErrorMap => {
             accuracy::strip(ui, area, &mut session.settings);
-            if let (Some(compared), Some(_)) = (derived.compared(), view) {
+            if let (Some(compared), Some(_)) = (derived.compared.as_deref(), view) {
                 spoken = Some(accuracy::summary(compared));
                 accuracy::legend(ui, area, compared);
             }
@@ -42,14 +42,14 @@ pub(crate) fn show(
         SecondPicture::WrongCamera => {
             let mistakes_view = &mut session.mistakes_view;
             mistakes::strip(ui, area, mistakes_view);
-            if let Some(wrong) = derived.wrong_camera() {
+            if let Some(wrong) = derived.wrong_camera.as_deref() {
                 spoken = Some(mistakes::spoken(wrong, mistakes_view));
                 why_not = mistakes::why_not(wrong, mistakes_view);
             }
         }
         SecondPicture::Ghost => {
             compare::strip(ui, area, &mut session.ghost);
-            spoken = Some(compare::spoken(derived.against_ghost()));
+            spoken = Some(compare::spoken(derived.against_ghost.as_deref()));
             why_not = Some(compare::why_not(session.ghost.as_ref()));
         }
         SecondPicture::Answers => {

@@ -1,8 +1,6 @@
 //! The effect of dragging a handle: converts the pointer's position to a point of the world, and the point to
 //! the values that the handle changes.
 
-use std::f64::consts::PI;
-
 use pinhole_core::steering::{
     DragAlong, Keep, SteerError, Steered, nice_step, pixel_in_world, rounded_to, snapped,
 };
@@ -11,7 +9,7 @@ use pinhole_core::{
     Viewport,
 };
 
-use crate::model::interaction::{STEP_DEGREES, STEP_POINTS};
+use crate::model::interaction::STEP_POINTS;
 use crate::model::session::Settings;
 use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
@@ -53,13 +51,6 @@ pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Result<f64, 
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at)?)
 }
 
-/// Returns the position of the tip of v after the camera rolls by `degrees`.
-pub fn turned_by(drag: &Drag, degrees: f64) -> Option<DVec3> {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    let Basis { u, v, .. } = drag.before.camera.basis().ok()?;
-    Some(drag.before.camera.eye + drag.length * (cos * v - sin * u))
-}
-
 impl HandleDrag<'_> {
     /// Returns the result of dragging the handle to `uv` in the observer's viewport.
     ///
@@ -89,15 +80,13 @@ impl HandleDrag<'_> {
                 steered.camera
             }
             Handle::Up => self.up(point)?,
-            Handle::Roll => self.roll(point)?,
-            Handle::Dolly => self.dolly(point)?,
             Handle::Corner(corner) => self.corner(corner, point)?,
             Handle::Distance => self.distance(point)?,
             Handle::Pixel => {
                 dragged.values.selection = self.pixel(point)?;
                 return Ok(dragged);
             }
-            Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) | Handle::Normal(_) => {
+            Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => {
                 return self.object(point, dragged);
             }
         };
@@ -116,8 +105,8 @@ impl HandleDrag<'_> {
             Handle::Corner(_) | Handle::Distance if self.settings.keep_picture => {
                 DragAlong::Axis(self.drag.at - camera.eye)
             }
-            Handle::Distance | Handle::Dolly => DragAlong::Axis(camera.basis()?.w),
-            Handle::Corner(_) | Handle::Pixel | Handle::Roll => {
+            Handle::Distance => DragAlong::Axis(camera.basis()?.w),
+            Handle::Corner(_) | Handle::Pixel => {
                 let Basis { u, v, .. } = camera.basis()?;
                 DragAlong::Plane(u.cross(v))
             }
@@ -128,11 +117,10 @@ impl HandleDrag<'_> {
     /// Rounds a number to the precision of the pointer, or snaps it; `per` is the number's change per world
     /// unit.
     fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
-        match (self.snaps, self.handle) {
-            (false, _) => rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?),
-            (true, Handle::Roll) => snapped(value, STEP_DEGREES),
-            (true, _) => snapped(value, step_of(self.observer, self.drag.at, self.scale)?),
+        if self.snaps {
+            return snapped(value, step_of(self.observer, self.drag.at, self.scale)?);
         }
+        rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?)
     }
 
     /// Rounds or snaps a number if the drag changed it; otherwise returns it unchanged, to the last bit.
@@ -195,27 +183,6 @@ impl HandleDrag<'_> {
         Ok(Camera { orientation, ..camera })
     }
 
-    /// Returns the camera rolled until v points to the tip.
-    fn roll(&self, tip: DVec3) -> Result<Camera, SteerError> {
-        let camera = self.drag.before.camera;
-        let Basis { u, v, .. } = camera.basis()?;
-        let along = tip - camera.eye;
-        let degrees = (-along.dot(u)).atan2(along.dot(v)).to_degrees();
-        camera.swung(self.number(degrees, 180.0 / (PI * self.drag.length))?)
-    }
-
-    /// Returns the camera moved along w by the same distance as the tip of w.
-    fn dolly(&self, tip: DVec3) -> Result<Camera, SteerError> {
-        let camera = self.drag.before.camera;
-        let back = self.number((tip - self.drag.at).dot(camera.basis()?.w), 1.0)?;
-        let reach = camera.pivot()?.distance(camera.eye);
-        camera.dollied(match camera.orientation {
-            Orientation::At { .. } if reach + back <= 0.0 => return Err(SteerError::PastAt),
-            Orientation::At { .. } => (reach / (reach + back)).ln(),
-            _ => -back / reach,
-        })
-    }
-
     /// Returns the camera with a corner of its viewport at a point, or as close to it as possible; the
     /// viewport's centre stays. To keep the pixels' shape, the corner moves to the point of the diagonal
     /// nearest to the pointer. An invalid size is kept as it is, so that the fields show the fault.
@@ -271,7 +238,7 @@ impl HandleDrag<'_> {
 
     /// Returns the result of moving or changing a sphere or a plane.
     fn object(&self, point: DVec3, mut dragged: Dragged) -> Result<Dragged, SteerError> {
-        let Drag { at, length, .. } = *self.drag;
+        let at = self.drag.at;
         match (&mut dragged.values.object, self.handle) {
             (Some((_, Object::Sphere(sphere))), Handle::Radius(_)) => {
                 let out = point - sphere.center;
@@ -280,10 +247,6 @@ impl HandleDrag<'_> {
             }
             (Some((_, Object::Sphere(sphere))), _) => {
                 sphere.center = self.readable(at, point, 1.0)?
-            }
-            (Some((_, Object::Plane(plane))), Handle::Normal(_)) => {
-                let normal = (point - plane.point) / length;
-                plane.normal = self.readable(plane.normal, normal, 1.0 / length)?;
             }
             (Some((_, Object::Plane(plane))), _) => plane.point = self.readable(at, point, 1.0)?,
             (None, _) => {}

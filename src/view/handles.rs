@@ -7,7 +7,7 @@
 //! No gizmo crate is used: the gizmos for egui edit one transform at a time, but a viewport has corners and a
 //! sphere has a radius. They also do not draw through the overlay, whose marks go into figures.
 
-use pinhole_core::{Basis, DVec2, DVec3, Object, Orientation, Plane, ResolvedCamera, Selection};
+use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written;
 
@@ -49,7 +49,7 @@ pub struct PlacedHandle {
     pub at: DVec3,
     /// The position on the observer's screen, in dots.
     pub spot: DVec2,
-    /// If this handle is the tip of an arrow: the length in the world at which an arrow of length 1 is drawn.
+    /// The length in the world at which an up vector of length 1 is drawn; 1 for all handles but the tip of up.
     pub length: f64,
     /// Unit vector from a sphere's centre to its radius handle.
     pub toward: DVec3,
@@ -70,14 +70,11 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     if !stage.items.shows(Item::Handles) {
         return Vec::new();
     }
-    let of_camera = [Handle::Eye, Handle::At, Handle::Up, Handle::Roll, Handle::Dolly];
+    let of_camera = [Handle::Eye, Handle::At, Handle::Up];
     let corners = Corner::ALL.map(Handle::Corner);
-    let of_object = |k: usize| {
-        if k < stage.document.sphere_count() {
-            [Handle::Center(k), Handle::Radius(k)]
-        } else {
-            [Handle::Point(k), Handle::Normal(k)]
-        }
+    let of_object = |k| match k < stage.document.sphere_count() {
+        true => vec![Handle::Center(k), Handle::Radius(k)],
+        false => vec![Handle::Point(k)],
     };
     // A user who has chosen an object wants to move it, even if at lies in its centre.
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
@@ -92,7 +89,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
         }
         let (length, toward) = match held {
             Some(drag) => (drag.length, drag.toward),
-            None => (stage.length(handle)?, stage.observer.basis().u),
+            None if handle == Handle::Up => (stage.up_length()?, DVec3::ZERO),
+            None => (1.0, stage.observer.basis().u),
         };
         let at = stage.position(handle, length, toward)?;
         Some(PlacedHandle { handle, at, spot: stage.spot(at)?, length, toward })
@@ -129,34 +127,20 @@ impl Stage<'_> {
         a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
     }
 
-    /// Returns the distance in the world between a handle and the tip of its arrow; it keeps the arrowhead
-    /// visible.
-    fn beyond(&self, base: DVec3) -> f64 {
-        overlay::length_of_points(self.observer, base, BEYOND, self.scale)
+    /// Returns the distance in the world between the handle of up and the tip of its arrow, which keeps the
+    /// arrowhead visible.
+    fn beyond_up(&self) -> f64 {
+        let eye = self.document.camera.eye;
+        overlay::length_of_points(self.observer, eye, BEYOND, self.scale)
     }
 
-    /// Returns the length in the world of an arrow of length 1 if this handle is the tip of an arrow, and 1
-    /// for other handles; `None` if the arrow is not visible.
-    fn length(&self, handle: Handle) -> Option<f64> {
-        let per_length = |drawn: f64, vector: DVec3| {
-            let length = vector.length();
-            (length > 0.0 && length.is_finite()).then_some(drawn / length)
-        };
+    /// Returns the length in the world at which an up vector of length 1 is drawn; `None` if it is not visible.
+    fn up_length(&self) -> Option<f64> {
         let camera = &self.document.camera;
-        let arrow = || {
-            let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
-            (arrow > 0.0 && arrow.is_finite()).then_some(arrow)
-        };
-        match handle {
-            Handle::Up => per_length(UP_LENGTH * arrow()? + self.beyond(camera.eye), camera.up()),
-            Handle::Roll | Handle::Dolly => Some(arrow()? + self.beyond(camera.eye)),
-            Handle::Normal(k) => {
-                let Plane { point, normal } = self.plane(k)?;
-                let arrow = overlay::normal_length(self.observer, point, self.scale);
-                per_length(arrow + self.beyond(point), normal)
-            }
-            _ => Some(1.0),
-        }
+        let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
+        let length = camera.up().length();
+        let is_drawn = [arrow, length].iter().all(|x| *x > 0.0 && x.is_finite());
+        is_drawn.then(|| (UP_LENGTH * arrow + self.beyond_up()) / length)
     }
 
     /// Returns the position of a handle in the world.
@@ -165,19 +149,12 @@ impl Stage<'_> {
         let on_viewport = |uv: DVec2| Some(self.resolved?.viewport_point(uv));
         match handle {
             Handle::Eye => Some(camera.eye),
-            Handle::At => match camera.orientation {
-                Orientation::At { at, .. } => Some(at),
-                Orientation::View { view, .. } => Some(camera.eye + view),
-                Orientation::Basis(_) => None,
+            Handle::At | Handle::Up => match (camera.orientation, handle) {
+                (Orientation::Basis(_), _) => None,
+                (_, Handle::Up) => Some(camera.eye + length * camera.up()),
+                (Orientation::At { at, .. }, _) => Some(at),
+                (Orientation::View { view, .. }, _) => Some(camera.eye + view),
             },
-            Handle::Up => match camera.orientation {
-                Orientation::At { up, .. } | Orientation::View { up, .. } => {
-                    Some(camera.eye + length * up)
-                }
-                Orientation::Basis(_) => None,
-            },
-            Handle::Roll => Some(camera.eye + length * self.resolved?.basis().v),
-            Handle::Dolly => Some(camera.eye + length * self.resolved?.basis().w),
             Handle::Corner(corner) => on_viewport(corner.uv(&camera.viewport)),
             Handle::Distance => on_viewport(DVec2::new(0.0, -0.5 * camera.viewport.height)),
             Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.resolved?)),
@@ -186,17 +163,11 @@ impl Stage<'_> {
                 let sphere = self.document.spheres.get(k)?.shape;
                 Some(sphere.center + sphere.radius * toward)
             }
-            Handle::Point(k) => Some(self.plane(k)?.point),
-            Handle::Normal(k) => {
-                let plane = self.plane(k)?;
-                Some(plane.point + length * plane.normal)
+            Handle::Point(k) => {
+                let position = k.checked_sub(self.document.sphere_count())?;
+                Some(self.document.planes.get(position)?.shape.point)
             }
         }
-    }
-
-    fn plane(&self, k: usize) -> Option<Plane> {
-        let position = k.checked_sub(self.document.sphere_count())?;
-        Some(self.document.planes.get(position)?.shape)
     }
 
     /// Returns the position of a point on the observer's screen, in dots; `None` outside the
@@ -223,8 +194,6 @@ pub fn label(handle: Handle, document: &Document) -> String {
             _ => "at",
         },
         Handle::Up => "up",
-        Handle::Roll => "roll around w",
-        Handle::Dolly => "dolly along w",
         Handle::Corner(Corner { is_right, is_top }) => {
             let row = if is_top { "top" } else { "bottom" };
             let column = if is_right { "right" } else { "left" };
@@ -235,7 +204,6 @@ pub fn label(handle: Handle, document: &Document) -> String {
         Handle::Center(k) => return titled(k, "centre"),
         Handle::Radius(k) => return titled(k, "radius"),
         Handle::Point(k) => return titled(k, "point"),
-        Handle::Normal(k) => return titled(k, "normal"),
     };
     name.to_owned()
 }
@@ -262,17 +230,6 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
         Handle::Eye => named("eye", camera.eye),
         Handle::At => at,
         Handle::Up => named("up", camera.up()),
-        Handle::Roll => match camera.orientation {
-            Orientation::Basis(basis) => named("𝐯", basis.v),
-            _ => named("up", camera.up()),
-        },
-        Handle::Dolly => match camera.orientation {
-            Orientation::At { at, .. } => {
-                let far = number(at.distance(camera.eye));
-                format!("{}, {far} from at", named("eye", camera.eye))
-            }
-            _ => named("eye", camera.eye),
-        },
         Handle::Corner(_) => {
             format!("width = {}, height = {}", number(viewport.width), number(viewport.height))
         }
@@ -284,19 +241,14 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
             }
             Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
         },
-        Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) | Handle::Normal(_) => {
-            match (part.object, handle) {
-                (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
-                    named("centre", sphere.center)
-                }
-                (Some((_, Object::Sphere(sphere))), _) => {
-                    format!("radius = {}", number(sphere.radius))
-                }
-                (Some((_, Object::Plane(plane))), Handle::Point(_)) => named("point", plane.point),
-                (Some((_, Object::Plane(plane))), _) => named("normal", plane.normal),
-                (None, _) => String::new(),
+        Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => match (part.object, handle) {
+            (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
+                named("centre", sphere.center)
             }
-        }
+            (Some((_, Object::Sphere(sphere))), _) => format!("radius = {}", number(sphere.radius)),
+            (Some((_, Object::Plane(plane))), _) => named("point", plane.point),
+            (None, _) => String::new(),
+        },
     }
 }
 
@@ -325,22 +277,13 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
             _ => KnobState::Plain,
         },
     });
-    let camera = &stage.document.camera;
-    let beyond = stage.beyond(camera.eye);
-    let stems = placed.iter().filter_map(|one| {
-        let Handle::Normal(k) = one.handle else { return None };
-        let point = stage.plane(k)?.point;
-        let way = one.at - point;
-        let length = way.length();
-        (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])
-    });
-    let length_of = |handle| held.filter(|held| held.handle == handle).map(|held| held.length);
+    let up = stage.document.camera.up().length();
     Handles {
         marks: marks.collect(),
-        stems: stems.collect(),
         guides: over.map_or(Vec::new(), |over| guides(stage, over)),
-        arrow: length_of(Handle::Dolly).map(|length| length - beyond),
-        up: length_of(Handle::Up).map(|length| length * camera.up().length() - beyond),
+        up: held
+            .filter(|held| held.handle == Handle::Up)
+            .map(|held| held.length * up - stage.beyond_up()),
     }
 }
 
@@ -359,8 +302,6 @@ fn belong_together(handle: Handle, other: Handle) -> bool {
 /// Returns true if the handle changes the value that the concept names.
 fn is_about(handle: Handle, concept: Concept) -> bool {
     match handle {
-        Handle::Roll => concept == Concept::V,
-        Handle::Dolly => concept == Concept::W,
         Handle::Corner(_) => concept == Concept::Viewport,
         Handle::Distance => matches!(concept, Concept::Viewport | Concept::Distance),
         Handle::Pixel => matches!(concept, Concept::Pixel | Concept::Ray | Concept::Direction),
@@ -371,7 +312,7 @@ fn is_about(handle: Handle, concept: Concept) -> bool {
 fn knob(handle: Handle) -> Knob {
     match handle {
         Handle::Corner(_) | Handle::Pixel => Knob::Square,
-        Handle::Distance | Handle::Dolly | Handle::Radius(_) => Knob::Diamond,
+        Handle::Distance | Handle::Radius(_) => Knob::Diamond,
         _ => Knob::Round,
     }
 }
@@ -380,23 +321,22 @@ fn knob(handle: Handle) -> Knob {
 fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
     let PlacedHandle { handle, at, .. } = *over;
     let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);
-    let ring = |center: DVec3, radius: f64, basis: &Basis| {
-        vec![Guide::Ring { center, a: radius * basis.u, b: radius * basis.v }]
-    };
     let line = |axis: usize| {
         let basis = stage.resolved?.basis();
         let direction = length * [basis.u, basis.v, basis.w][axis];
         Some(Guide::Line { from: at - direction, to: at + direction, axis })
     };
     match handle {
-        Handle::Roll => {
-            let eye = stage.document.camera.eye;
-            stage.resolved.map_or(Vec::new(), |camera| ring(eye, at.distance(eye), camera.basis()))
+        Handle::Radius(k) => {
+            let basis = stage.observer.basis();
+            let ring = |Sphere { center, radius }| Guide::Ring {
+                center,
+                a: radius * basis.u,
+                b: radius * basis.v,
+            };
+            stage.document.spheres.get(k).map(|item| ring(item.shape)).into_iter().collect()
         }
-        Handle::Radius(k) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {
-            ring(item.shape.center, item.shape.radius, stage.observer.basis())
-        }),
-        Handle::Dolly | Handle::Distance => line(2).into_iter().collect(),
+        Handle::Distance => line(2).into_iter().collect(),
         Handle::Corner(_) | Handle::Pixel => [0, 1].into_iter().filter_map(line).collect(),
         _ => Vec::new(),
     }

@@ -81,8 +81,7 @@ pub(crate) fn drive(setting: &Setting) {
     assert!(moved.camera.eye.distance(before.camera.eye) > 0.05, "{:?}", moved.camera);
     assert_eq!((at(&moved), moved.camera.up()), (at(&before), before.camera.up()));
 
-    let rolled =
-        drag((&window, &mut memory), "roll around w handle", vec2(40.0, 24.0), &scene, &moved);
+    let rolled = drag((&window, &mut memory), "up handle", vec2(40.0, 24.0), &scene, &moved);
     assert_eq!((rolled.camera.eye, at(&rolled)), (moved.camera.eye, at(&moved)));
     let [old, new] = [&moved, &rolled].map(|document| document.camera.basis().unwrap());
     assert!(old.w.distance(new.w) < 1e-12 && old.v.angle_between(new.v) > 0.1, "{old:?} {new:?}");

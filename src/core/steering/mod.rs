@@ -109,9 +109,6 @@ pub enum SteerError {
         /// The turn in radians.
         turn: f64,
     },
-    /// The eye would be moved to `at` or past it.
-    #[error("the eye is moved towards at and never reaches it")]
-    PastAt,
     /// The dragged point is not in front of the observer.
     #[error("the handle is at depth {}: not in front", shortest(*.depth))]
     NotInFront {

@@ -14,10 +14,6 @@ pub enum Handle {
     At,
     /// The tip of up.
     Up,
-    /// The tip of v, which turns about w: rolls the camera.
-    Roll,
-    /// The tip of w, which moves along w: dollies the camera.
-    Dolly,
     /// A corner of the viewport: changes width and height.
     Corner(Corner),
     /// The middle of the viewport's lower edge: changes the distance.
@@ -28,8 +24,6 @@ pub enum Handle {
     Radius(usize),
     /// The point that defines a plane.
     Point(usize),
-    /// The tip of a plane's normal.
-    Normal(usize),
     /// The selected pixel.
     Pixel,
 }
@@ -68,7 +62,7 @@ impl Handle {
     /// Returns the index of the object that the handle belongs to.
     pub fn object(self) -> Option<usize> {
         match self {
-            Handle::Center(k) | Handle::Radius(k) | Handle::Point(k) | Handle::Normal(k) => Some(k),
+            Handle::Center(k) | Handle::Radius(k) | Handle::Point(k) => Some(k),
             _ => None,
         }
     }
@@ -80,10 +74,9 @@ impl Handle {
             Handle::Eye => Item::Eye,
             Handle::At => Item::At,
             Handle::Up => Item::ViewAndUp,
-            Handle::Roll | Handle::Dolly => Item::Basis,
             Handle::Corner(_) | Handle::Distance => Item::Viewport,
             Handle::Center(_) | Handle::Radius(_) => Item::Handles,
-            Handle::Point(_) | Handle::Normal(_) => Item::Planes,
+            Handle::Point(_) => Item::Planes,
             Handle::Pixel => Item::Ray,
         }
     }
@@ -131,8 +124,8 @@ pub struct Drag {
     pub begun_at: DVec2,
     /// Position of the handle in the world.
     pub at: DVec3,
-    /// Length in the world at which an arrow of length 1 was drawn, if its tip is dragged. With it,
-    /// the tip stays under the pointer.
+    /// Length in the world at which an up vector of length 1 was drawn. With this length, the tip of up stays
+    /// under the pointer. 1 for other handles.
     pub length: f64,
     /// Unit vector from a sphere's centre to the dragged point of its surface. It follows the
     /// pointer.

@@ -78,7 +78,7 @@ fn legend(ui: &mut Ui, whole: bool) {
 
 /// Returns the description of the map for screen readers.
 pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
-    match (derived.grading(), &session.answers) {
+    match (derived.grading.as_ref(), &session.answers) {
         (_, None) => NONE.to_owned(),
         (None, Some(_)) => not_graded(derived).to_owned(),
         (Some(Err(error)), _) => error.to_string(),
@@ -88,7 +88,7 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
 
 /// Returns the reason why there is no map.
 pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
-    match (derived.grading(), &session.answers) {
+    match (derived.grading.as_ref(), &session.answers) {
         (_, None) => NONE,
         (None, Some(_)) => not_graded(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
@@ -105,7 +105,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
         if session.answers.is_none() {
             return;
         }
-        match derived.grading() {
+        match derived.grading.as_ref() {
             None => {
                 ui.label(RichText::new(not_graded(derived)).strong());
             }

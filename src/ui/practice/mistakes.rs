@@ -116,7 +116,7 @@ pub(crate) fn ui(
         ui.ctx().request_discard("a vote was opened after its picture was drawn");
     }
     if mistakes_view.open_vote.is_some() {
-        return vote::ui(ui, mistakes_view, derived.wrong_camera(), seen);
+        return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), seen);
     }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
@@ -130,7 +130,7 @@ pub(crate) fn ui(
         vote::button(ui, mistakes_view, seen);
         list(ui, mistakes_view);
     });
-    let Some(wrong) = derived.wrong_camera() else { return };
+    let Some(wrong) = derived.wrong_camera.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
         if is_narrow {
             ui.spacing_mut().item_spacing.y = 1.0;

@@ -69,7 +69,7 @@ pub(crate) fn ui(
     actions: &mut Vec<Action>,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let against = derived.against_ghost();
+    let against = derived.against_ghost.as_deref();
     // More digits do not fit side by side.
     let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ui.horizontal(|ui| {

@@ -14,9 +14,7 @@ use pinhole_core::{Basis, Camera, DVec2, DVec3, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{HoverSource, Hovered};
-use crate::model::interaction::{
-    HANDLE_REACH, KEY_NEARER, KEY_ROLL, KEY_TURN, LOUPE_SCROLL, PAUSE,
-};
+use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
 use crate::model::overlay_items::Item;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
@@ -27,7 +25,7 @@ use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::widgets::fault_text;
 use crate::ui::widgets::{Spoken as _, keep_arrows};
 use crate::view::derive::Derived;
-use crate::view::handle_drag::{step_of, turned_by};
+use crate::view::handle_drag::step_of;
 use crate::view::handles::{PlacedHandle, label, value};
 
 /// The effect of a drag, the keys or the wheel in the camera view.
@@ -82,8 +80,7 @@ impl WorldArea<'_> {
         let forward = steps.x + steps.y + steps.z;
         let basis = drag.before.camera.basis();
         let way = match handle {
-            Handle::Roll => return turned_by(drag, -KEY_ROLL * forward),
-            Handle::Dolly | Handle::Distance => -forward * basis.ok()?.w,
+            Handle::Distance => -forward * basis.ok()?.w,
             Handle::Radius(_) => forward * drag.toward,
             Handle::Corner(_) => {
                 let Basis { u, v, .. } = basis.ok()?;
@@ -319,7 +316,7 @@ impl Dragging {
             CameraMove::Orbit if by_at => ("orbit around at", Handle::Eye),
             CameraMove::Orbit => ("orbit", Handle::Eye),
             CameraMove::Zoom => ("zoom: the field of view", corner),
-            CameraMove::Dolly => ("dolly: the eye along 𝐰", Handle::Dolly),
+            CameraMove::Dolly => ("dolly: the eye along 𝐰", Handle::Eye),
         };
         let lines = [title.to_owned(), value_of(changed, 5, document, session)];
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);

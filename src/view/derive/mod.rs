@@ -6,6 +6,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 use pinhole_core::{Counts, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::mistakes::ComparedCamera;
 
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
@@ -21,9 +22,7 @@ use crate::view::overlay::{Drawing, Highlighted, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
-pub use crate::view::derive::second_picture::{
-    AgainstGhost, Grading, Second, SecondData, SecondPicture,
-};
+pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};
 
 mod memo;
 mod objects;
@@ -237,8 +236,17 @@ pub struct Derived {
     pub derivation: Option<Arc<Derivation>>,
     /// The functions f(p + t d) of all objects, if the layout shows them.
     pub plot: Option<Plot>,
-    /// The second picture, if the page has one.
-    pub second: Option<Second>,
+    /// The second picture, if the page has one and there is a picture.
+    pub second_view: Option<Shown>,
+    /// The method of the error map, and its errors, if the second picture is an error map.
+    pub compared: Option<Arc<Compared>>,
+    /// The wrong camera and the right one, if the second picture is a wrong camera's.
+    pub wrong_camera: Option<Arc<ComparedCamera>>,
+    /// The camera compared with the ghost, if the second picture is the ghost's.
+    pub against_ghost: Option<Arc<AgainstGhost>>,
+    /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade them
+    /// against.
+    pub grading: Option<Grading>,
     /// The answers that the world view draws: a student's, and the right ones.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The observer's traced frame in the world view.

@@ -44,28 +44,6 @@ pub enum SecondPicture {
     Answers,
 }
 
-/// A second picture with the data behind it.
-#[derive(Clone, Debug)]
-pub struct Second {
-    /// The data, or the reason why there is no picture.
-    pub data: SecondData,
-    /// The picture.
-    pub view: Option<Shown>,
-}
-
-/// The data behind a second picture.
-#[derive(Clone, Debug)]
-pub enum SecondData {
-    /// The method of the error map, and its errors.
-    ErrorMap(Arc<Compared>),
-    /// The wrong camera and the right one, or the reason why there is no wrong camera.
-    WrongCamera(Arc<ComparedCamera>),
-    /// The camera compared with the ghost.
-    Ghost(Arc<AgainstGhost>),
-    /// The grade of a student's answers.
-    Answers(Grading),
-}
-
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
@@ -83,72 +61,34 @@ pub struct AgainstGhost {
 /// A grade, or the reason why there is none.
 pub type Grading = Result<Arc<Graded>, Arc<str>>;
 
-impl Derived {
-    /// Returns the second picture.
-    pub fn second_view(&self) -> Option<&Shown> {
-        self.second.as_ref()?.view.as_ref()
-    }
+/// The inputs of the pictures of a wrong camera: the right camera, the generation numbers of the objects and of
+/// their colours, the pixels, the shading, and the mistake.
+type WrongKey = (Camera, [u64; 2], Raster, Shade, Mistake);
 
-    /// Returns the method of the error map, and its errors.
-    pub fn compared(&self) -> Option<&Compared> {
-        match &self.second.as_ref()?.data {
-            SecondData::ErrorMap(compared) => Some(compared),
-            _ => None,
-        }
-    }
+/// The inputs of the pictures of the ghost, as in [`WrongKey`]: both cameras, the objects, the pixels, the
+/// shading, and the selected ray.
+type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
 
-    /// Returns the wrong camera and the right one.
-    pub fn wrong_camera(&self) -> Option<&ComparedCamera> {
-        match &self.second.as_ref()?.data {
-            SecondData::WrongCamera(wrong) => Some(wrong),
-            _ => None,
-        }
-    }
-
-    /// Returns the camera compared with the ghost.
-    pub fn against_ghost(&self) -> Option<&AgainstGhost> {
-        match &self.second.as_ref()?.data {
-            SecondData::Ghost(against) => Some(against),
-            _ => None,
-        }
-    }
-
-    /// Returns the grade of a student's answers; `None` if there are no answers, or no valid scene to
-    /// grade them against.
-    pub fn grading(&self) -> Option<&Grading> {
-        match &self.second.as_ref()?.data {
-            SecondData::Answers(grading) => Some(grading),
-            _ => None,
-        }
-    }
-}
-
-/// The inputs of a second picture; the objects and their colours are identified by generation numbers.
-#[derive(Debug, PartialEq)]
-enum SecondKey {
-    ErrorMap(Same<Compared>),
-    WrongCamera(Camera, [u64; 2], Raster, Shade, Mistake),
-    Ghost([Camera; 2], [u64; 2], Raster, Shade, Selection),
-    Answers(Camera, [u64; 2], StudentAnswers),
-}
-
-/// The data of a second picture, and the picture itself. When two cameras are compared, there is also the map
-/// of the pixels that differ. The map of answers depends on the size of the view, and so has its own cache.
-type SecondMade = (SecondData, Vec<Arc<Picture>>);
+/// The picture of another camera, and the map of the pixels that differ from the edited camera's picture.
+type Pair = [Arc<Picture>; 2];
 
 /// A cache of the second pictures: the last one of each kind, and the view of the current one.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
-    made: [Memo<SecondKey, Option<(u64, SecondMade)>>; 4],
+    error_map: Memo<Same<Compared>, Arc<Picture>>,
+    wrong_camera: Memo<WrongKey, (Arc<ComparedCamera>, Option<Pair>)>,
+    ghost: Memo<GhostKey, Option<(Arc<AgainstGhost>, Pair)>>,
+    grading: Memo<(Document, StudentAnswers), Grading>,
+    answers_map: Memo<(Same<Graded>, [u32; 2]), Option<Arc<Picture>>>,
+    answer_marks: Memo<(Same<Graded>, Selection), Arc<[AnswerMark]>>,
     view: Memo<CameraView, Shown>,
-    answers_map: Memo<(u64, [u32; 2]), Option<Arc<Picture>>>,
-    marks: Memo<(u64, Selection), Arc<[AnswerMark]>>,
-    /// Number of pictures made so far; it identifies the current one.
+    /// Number of pictures made so far.
     pub(super) count: u64,
 }
 
 impl SecondPictures {
-    /// Updates the second picture, if the page has one. `world` is `None` while there is a fault.
+    /// Updates the second picture and the data behind it, if the page has one. `world` is `None` while there is
+    /// a fault.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -156,114 +96,8 @@ impl SecondPictures {
         good: &GoodPicture,
         world: Option<&GoodWorld>,
     ) {
-        let Some((kind, size)) = inputs.sizes.second else { return };
-        let Some((number, made)) = self.made(kind, inputs, good, world) else { return };
-        if let Some(world) = world {
-            derived.answer_marks = self.marks(number, &made.0, inputs, good, world);
-        }
-        let view = self.view((number, &made), size, inputs, good, world);
-        derived.second = Some(Second { data: made.0, view });
-    }
-
-    fn made(
-        &mut self,
-        kind: SecondPicture,
-        inputs: Inputs<'_>,
-        good: &GoodPicture,
-        world: Option<&GoodWorld>,
-    ) -> Option<(u64, SecondMade)> {
-        let Inputs { document, session, sizes, watch } = inputs;
-        let memo = &mut self.made[kind as usize];
-        let (camera, shade) = (document.camera, session.settings.shade);
-        let mistake = session.mistakes_view.shown();
-        let numbers = world.map(|world| [world.generation, world.palette]);
-        let raster =
-            || good.subsampling.raster(good.resolved.image(), sizes.second.map_or([1; 2], |s| s.1));
-        let key = match (kind, numbers) {
-            (SecondPicture::ErrorMap, _) => {
-                SecondKey::ErrorMap(Same(good.others.compared.clone()?))
-            }
-            (SecondPicture::WrongCamera, Some(numbers)) => {
-                SecondKey::WrongCamera(camera, numbers, raster(), shade, mistake)
-            }
-            // Shows an older picture only if it belongs to the same mistake.
-            (SecondPicture::WrongCamera, None) => {
-                let of_mistake = |key: &SecondKey| matches!(key, SecondKey::WrongCamera(.., of) if *of == mistake);
-                return memo.known(of_mistake)?.clone();
-            }
-            (SecondPicture::Ghost, Some(numbers)) => {
-                let cameras = [camera, session.ghost.as_ref()?.camera];
-                SecondKey::Ghost(cameras, numbers, raster(), shade, session.selection)
-            }
-            (SecondPicture::Answers, Some(numbers)) => {
-                let key = SecondKey::Answers(camera, numbers, session.answers.clone()?);
-                // Grading traces many variants of the student's program, so it waits until the drag rests.
-                if sizes.under_hand && memo.known(|known| *known == key).is_none() {
-                    return None;
-                }
-                key
-            }
-            (SecondPicture::Ghost | SecondPicture::Answers, None) => return None,
-        };
-        let count = &mut self.count;
-        memo.get(key, |key| {
-            *count += 1;
-            let made = match (key, world) {
-                (SecondKey::ErrorMap(Same(compared)), _) => Some(error_map(compared)),
-                (SecondKey::WrongCamera(.., raster, shade, mistake), Some(world)) => {
-                    let camera = (&camera, &good.resolved, *mistake);
-                    Some(wrong_camera(camera, world, raster, *shade, watch))
-                }
-                (SecondKey::Ghost([_, ghost], _, raster, shade, selection), Some(world)) => {
-                    let cameras = ((&camera, &good.resolved), ghost);
-                    ghost_picture(cameras, world, raster, *shade, *selection, watch)
-                }
-                (SecondKey::Answers(.., answers), Some(world)) => {
-                    Some((SecondData::Answers(graded(document, world, answers)), Vec::new()))
-                }
-                (_, None) => None,
-            };
-            made.map(|made| (*count, made))
-        })
-    }
-
-    /// Returns the answers and rays that the world view draws next to the right ones.
-    fn marks(
-        &mut self,
-        number: u64,
-        data: &SecondData,
-        Inputs { session, .. }: Inputs<'_>,
-        good: &GoodPicture,
-        world: &GoodWorld,
-    ) -> Arc<[AnswerMark]> {
-        let selection = session.shown_selection();
-        let camera = match data {
-            SecondData::Answers(Ok(_)) => None,
-            // A mark would give away the answer.
-            SecondData::WrongCamera(wrong) if session.mistakes_view.is_revealed() => {
-                wrong.camera.as_ref().ok()
-            }
-            _ => return Arc::default(),
-        };
-        self.marks.get((number, selection), |_| match (data, camera) {
-            (SecondData::Answers(Ok(graded)), _) => {
-                of_answers(graded, &good.resolved, &world.scene, selection).into()
-            }
-            (_, Some(wrong)) => of_mistake(wrong, &world.scene, selection).into(),
-            _ => Arc::default(),
-        })
-    }
-
-    /// Draws the picture at a size of `size` dots, with the overlay items that belong to its camera.
-    fn view(
-        &mut self,
-        (number, (data, pictures)): (u64, &SecondMade),
-        size: [u32; 2],
-        inputs: Inputs<'_>,
-        good: &GoodPicture,
-        world: Option<&GoodWorld>,
-    ) -> Option<Shown> {
         let Inputs { session, sizes, watch, .. } = inputs;
+        let Some((kind, size)) = sizes.second else { return };
         let items = session.settings.items;
         let mut view = CameraView {
             resolved: good.resolved,
@@ -277,47 +111,148 @@ impl SecondPictures {
             loupe: None,
             is_apart: false,
         };
-        let mut shows_differences = false;
-        match data {
-            // A highlighted concept belongs to the current document.
-            SecondData::ErrorMap(_) => {
+        let picture = match kind {
+            SecondPicture::ErrorMap => {
+                // A highlighted concept belongs to the current document.
                 view.highlighted = highlighted(inputs).filter(|_| world.is_some());
+                self.error_map(derived, good)
             }
-            SecondData::WrongCamera(_) => {
-                shows_differences = session.mistakes_view.shows_differences();
+            SecondPicture::WrongCamera => {
                 // Both items belong to the right camera; in this picture their positions would be wrong.
                 view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
+                self.wrong_camera(derived, inputs, good, world)
             }
-            SecondData::Ghost(against) => {
-                shows_differences = session.ghost.is_some_and(|ghost| ghost.shows_differences);
-                view.items = items.with(Item::Hit, items.shows(Item::Hit) && !shows_differences);
-                view.resolved = against.ghost;
-                view.inspection = Some(Same(Arc::clone(&against.inspection)));
+            SecondPicture::Ghost => {
+                world.and_then(|world| self.ghost(derived, inputs, good, world, &mut view))
             }
-            SecondData::Answers(_) => {}
-        }
-        let picture = match data {
-            SecondData::Answers(graded) => self.answers_map.get((number, size), |_| {
-                Some(Arc::new(answers_map(graded.as_ref().ok()?, size)?))
-            })?,
-            _ => Arc::clone(pictures.get(usize::from(shows_differences))?),
+            SecondPicture::Answers => {
+                world.and_then(|world| self.answers(derived, inputs, &good.resolved, world))
+            }
         };
+        let Some(picture) = picture else { return };
         view.picture = Same(picture);
-        let scene = world.map(|world| &*world.scene);
-        let shown = self.view.get(view, |view| {
+        let (scene, compared) = (world.map(|world| &*world.scene), derived.compared.as_ref());
+        derived.second_view = Some(self.view.get(view, |view| {
             watched(watch, WorkKind::Overlay, || {
                 let mut pixels = blank(size);
                 let drawing = overlay::camera(view, scene, &mut pixels);
-                if let SecondData::ErrorMap(compared) = data {
-                    let (comparison, width) = (&compared.comparison, size[0] as usize);
-                    let raster = &view.picture.raster;
+                if let Some(Compared { comparison, .. }) = compared.map(|compared| &**compared) {
+                    let (raster, width) = (&view.picture.raster, size[0] as usize);
                     accuracy::mark_wrong(comparison, raster, width, sizes.scale, &mut pixels);
                 }
                 view.style.finish(&mut pixels);
                 Shown::new(size, pixels, drawing)
             })
+        }));
+    }
+
+    fn error_map(&mut self, derived: &mut Derived, good: &GoodPicture) -> Option<Arc<Picture>> {
+        derived.compared.clone_from(&good.others.compared);
+        let compared = Same(good.others.compared.clone()?);
+        Some(self.error_map.get(compared, |compared| {
+            self.count += 1;
+            let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
+            picture(raster, image, accuracy::colors(&compared.comparison))
+        }))
+    }
+
+    fn wrong_camera(
+        &mut self,
+        derived: &mut Derived,
+        inputs: Inputs<'_>,
+        good: &GoodPicture,
+        world: Option<&GoodWorld>,
+    ) -> Option<Arc<Picture>> {
+        let Inputs { document: Document { camera, .. }, session, watch, .. } = inputs;
+        let mistakes_view = &session.mistakes_view;
+        let mistake = mistakes_view.shown();
+        let Some(world) = world else {
+            // Shows an older picture only if it belongs to the same mistake.
+            let (wrong, pictures) = self.wrong_camera.known(|key| key.4 == mistake)?;
+            derived.wrong_camera = Some(Arc::clone(wrong));
+            let index = usize::from(mistakes_view.shows_differences());
+            return pictures.as_ref().map(|pictures| Arc::clone(&pictures[index]));
+        };
+        let numbers = [world.generation, world.palette];
+        let key = (*camera, numbers, raster(inputs, good), session.settings.shade, mistake);
+        let (wrong, pictures) = self.wrong_camera.get(key, |(.., raster, shade, mistake)| {
+            self.count += 1;
+            watched(watch, WorkKind::Trace, || {
+                let color_of = |i: u32| world.colors[i as usize];
+                let paint = Paint { shade: *shade, color_of, to_pixel: opaque };
+                let (resolved, scene) = (&good.resolved, &world.scene);
+                let (wrong, compared) =
+                    ComparedCamera::new(camera, resolved, scene, *mistake, raster, paint);
+                let pictures = compared.map(|ComparedPicture { pixels, wrong, right }| {
+                    let differences = difference_map(&wrong, &right);
+                    [pixels, differences].map(|pixels| picture(raster, camera.image, pixels))
+                });
+                (Arc::new(wrong), pictures)
+            })
         });
-        Some(shown)
+        // A mark would give away the answer to a vote.
+        if let Some(camera) = wrong.camera.as_ref().ok().filter(|_| mistakes_view.is_revealed()) {
+            derived.answer_marks =
+                of_mistake(camera, &world.scene, session.shown_selection()).into();
+        }
+        derived.wrong_camera = Some(wrong);
+        let [picture, differences] = pictures?;
+        Some(if mistakes_view.shows_differences() { differences } else { picture })
+    }
+
+    fn ghost(
+        &mut self,
+        derived: &mut Derived,
+        inputs: Inputs<'_>,
+        good: &GoodPicture,
+        world: &GoodWorld,
+        view: &mut CameraView,
+    ) -> Option<Arc<Picture>> {
+        let Inputs { document, session, watch, .. } = inputs;
+        let ghost = session.ghost.as_ref()?;
+        let (cameras, numbers) =
+            ([document.camera, ghost.camera], [world.generation, world.palette]);
+        let (raster, shade) = (raster(inputs, good), session.settings.shade);
+        let key = (cameras, numbers, raster, shade, session.selection);
+        let (against, [picture, differences]) =
+            self.ghost.get(key, |([camera, ghost], _, raster, shade, selection)| {
+                self.count += 1;
+                let cameras = ((camera, &good.resolved), ghost);
+                ghost_picture(cameras, world, raster, *shade, *selection, watch)
+            })?;
+        let shows_hit = view.items.shows(Item::Hit) && !ghost.shows_differences;
+        view.items = view.items.with(Item::Hit, shows_hit);
+        view.resolved = against.ghost;
+        view.inspection = Some(Same(Arc::clone(&against.inspection)));
+        derived.against_ghost = Some(against);
+        Some(if ghost.shows_differences { differences } else { picture })
+    }
+
+    fn answers(
+        &mut self,
+        derived: &mut Derived,
+        Inputs { document, session, sizes, .. }: Inputs<'_>,
+        resolved: &ResolvedCamera,
+        world: &GoodWorld,
+    ) -> Option<Arc<Picture>> {
+        // The document's own colours count, even if the window shows others.
+        let key = (document.clone(), session.answers.clone()?);
+        // Grading traces many variants of the student's program, so it waits until the drag rests.
+        if sizes.under_hand && self.grading.known(|known| *known == key).is_none() {
+            return None;
+        }
+        let grading = self.grading.get(key, |(document, answers)| {
+            self.count += 1;
+            graded(document, world, answers)
+        });
+        derived.grading = Some(grading.clone());
+        let graded = Same(grading.ok()?);
+        let key = (graded.clone(), session.shown_selection());
+        derived.answer_marks = self.answer_marks.get(key, |(graded, selection)| {
+            of_answers(graded, resolved, &world.scene, *selection).into()
+        });
+        let key = (graded, sizes.second?.1);
+        self.answers_map.get(key, |(graded, size)| answers_map(graded, *size).map(Arc::new))
     }
 }
 
@@ -325,33 +260,13 @@ fn picture(raster: &Raster, image: ImageSize, pixels: Vec<Color32>) -> Arc<Pictu
     Arc::new(Picture { raster: raster.clone(), image, pixels })
 }
 
-fn error_map(compared: &Arc<Compared>) -> SecondMade {
-    let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
-    let map = picture(raster, image, accuracy::colors(&compared.comparison));
-    (SecondData::ErrorMap(Arc::clone(compared)), vec![map])
+/// Returns the pixels to trace for the second picture.
+fn raster(inputs: Inputs<'_>, good: &GoodPicture) -> Raster {
+    let size = inputs.sizes.second.map_or([1; 2], |(_, size)| size);
+    good.subsampling.raster(good.resolved.image(), size)
 }
 
-fn wrong_camera(
-    (camera, resolved, mistake): (&Camera, &ResolvedCamera, Mistake),
-    world: &GoodWorld,
-    raster: &Raster,
-    shade: Shade,
-    watch: OnWork<'_>,
-) -> SecondMade {
-    watched(watch, WorkKind::Trace, || {
-        let color_of = |i: u32| world.colors[i as usize];
-        let paint = Paint { shade, color_of, to_pixel: opaque };
-        let (wrong, compared) =
-            ComparedCamera::new(camera, resolved, &world.scene, mistake, raster, paint);
-        let pictures = compared.map_or(Vec::new(), |ComparedPicture { pixels, wrong, right }| {
-            let differences = difference_map(&wrong, &right);
-            [pixels, differences].map(|pixels| picture(raster, camera.image, pixels)).into()
-        });
-        (SecondData::WrongCamera(Arc::new(wrong)), pictures)
-    })
-}
-
-/// Traces both cameras; `None` if the ghost sees nothing.
+/// Traces both cameras; returns `None` if the ghost sees nothing.
 fn ghost_picture(
     ((camera, now), ghost): ((&Camera, &ResolvedCamera), &Camera),
     world: &GoodWorld,
@@ -359,7 +274,7 @@ fn ghost_picture(
     shade: Shade,
     selection: Selection,
     watch: OnWork<'_>,
-) -> Option<SecondMade> {
+) -> Option<(Arc<AgainstGhost>, Pair)> {
     let resolved = resolve(ghost, camera).ok()?;
     let colors = (shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
@@ -368,19 +283,16 @@ fn ghost_picture(
     let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
     let pairs = now_frame.object.iter().zip(&frame.object);
     let differing = pairs.filter(|(a, b)| a != b).count();
+    let selection = selection.inside(resolved.image());
     let against = AgainstGhost {
         ghost: resolved,
         difference: camera.difference_from(ghost).ok()?,
         seen: ComparedPixels { pixels: now_frame.object.len(), differing },
-        inspection: Arc::new(Inspection::new(
-            &resolved,
-            &world.scene,
-            selection.inside(resolved.image()),
-        )),
+        inspection: Arc::new(Inspection::new(&resolved, &world.scene, selection)),
     };
     let differences = difference_map(&now_frame.object, &frame.object);
     let pictures = [pixels, differences].map(|pixels| picture(raster, camera.image, pixels));
-    Some((SecondData::Ghost(Arc::new(against)), pictures.into()))
+    Some((Arc::new(against), pictures))
 }
 
 /// Returns the map of differences between the pictures of two cameras. Pixels with equal objects are pale,
@@ -402,7 +314,6 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
     let camera = &document.camera;
     let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
         .map_err(|error| Arc::from(error.to_string()))?;
-    // The document's colours, even if the window shows others.
     let color_of = |object| document.color_of(object);
     let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
     let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
@@ -435,7 +346,8 @@ pub(super) fn ghost_camera(
     if session.settings.layout == ViewLayout::Mistakes {
         // The ghost would give away the answer to the class.
         let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
-        let wrong = derived.wrong_camera().filter(|_| !is_secret && derived.fault.is_none())?;
+        let is_shown = !is_secret && derived.fault.is_none();
+        let wrong = derived.wrong_camera.as_ref().filter(|_| is_shown)?;
         return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
     }
     let ghost = session.ghost.as_ref()?;

@@ -37,7 +37,7 @@ pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
 pub use world_view::handles::{
-    Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
+    Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points,
 };
 pub use world_view::highlighted::Highlighted;
 pub use world_view::{Backdrop, Below, WorldView, pick, t_towards, world, world_position_of};

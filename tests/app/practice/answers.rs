@@ -86,7 +86,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     assert_eq!((pixel.row, pixel.column), (199, 199));
     // The map shows the image as the camera view does, and is clicked likewise.
     let rect = window.get_by_role_and_label(Role::Image, "Answers").rect();
-    let image = &window.state().derived().second_view().unwrap().image;
+    let image = &window.state().derived().second_view.as_ref().unwrap().image;
     assert_eq!(image.size, window.state().derived().camera_view.clone().unwrap().image.size);
     let wrong = egui::Color32::from_rgb(0xd5, 0x5e, 0x00);
     let share = image.pixels.iter().filter(|color| **color == wrong).count() as f32
@@ -117,7 +117,7 @@ fn the_grade_follows_the_camera() {
     // While another layout is shown, nothing is graded.
     type_into(&mut window, "at z", "-1");
     show(&mut window, ViewLayout::Camera);
-    assert!(window.state().derived().second.is_none());
+    assert!(window.state().derived().second_view.is_none());
     click(&mut window, "Practice");
     click(&mut window, "Answers");
     assert_says(&window, "Mistake: w-as-printed");

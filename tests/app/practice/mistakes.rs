@@ -46,7 +46,7 @@ fn values(window: &Harness<'_, App>, part: &str) -> Vec<String> {
 fn a_closed_gallery_makes_no_wrong_picture() {
     let window = window("look-at");
     let derived = window.state().derived();
-    assert!(derived.second.is_none());
+    assert!(derived.second_view.is_none());
 }
 
 #[test]
@@ -58,13 +58,13 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
         assert_says(&window, mistake.formula());
         assert_says(&window, mistake.shows());
         let derived = window.state().derived().clone();
-        let wrong = derived.wrong_camera().unwrap();
+        let wrong = derived.wrong_camera.as_deref().unwrap();
         assert_eq!(wrong.mistake, mistake);
         match &wrong.camera {
             Ok(_) => {
                 let seen = wrong.seen.unwrap();
                 let right = &derived.camera_view.as_ref().unwrap().image;
-                let wrong_view = &derived.second_view().unwrap().image;
+                let wrong_view = &derived.second_view.as_ref().unwrap().image;
                 assert_eq!(wrong_view.size, right.size);
                 let differs = wrong_view.pixels != right.pixels;
                 assert!(seen.differing > 0 && differs, "{mistake}: {seen:?}");
@@ -75,7 +75,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
             }
             Err(why) => {
                 assert_eq!(*why, NoWrongCamera::ChangesNothing(mistake));
-                assert!(derived.second_view().is_none(), "two equal pictures, silently");
+                assert!(derived.second_view.is_none(), "two equal pictures, silently");
                 assert_says(&window, &why.to_string());
                 assert!(why.to_string().contains(mistake.hint()));
             }
@@ -105,7 +105,7 @@ fn a_distance_of_one_says_what_to_change_and_then_it_shows() {
     type_into(&mut window, "distance", "2");
     assert_eq!(texts_with(&window, "This changes nothing here"), Vec::<String>::new());
     assert_says(&window, "distance 2, taken as 1");
-    assert!(window.state().derived().second_view().is_some());
+    assert!(window.state().derived().second_view.is_some());
 }
 
 #[test]
@@ -114,20 +114,20 @@ fn no_image_is_too_large_for_a_wrong_picture() {
     // Rows for columns: 9000 of them to the right, where there are 400.
     click(&mut window, Mistake::RowsColumnsSwapped.name());
     type_into(&mut window, "H", "9000");
-    assert!(window.state().derived().second_view().is_some());
+    assert!(window.state().derived().second_view.is_some());
     assert!(wrong_says(&window).starts_with(Mistake::RowsColumnsSwapped.name()));
     // A corner more than the widest image has.
     click(&mut window, Mistake::PixelCorner.name());
     type_into(&mut window, "H", "300");
     type_into(&mut window, "W", "16384");
-    assert!(window.state().derived().second_view().is_some());
+    assert!(window.state().derived().second_view.is_some());
     assert_eq!(texts_with(&window, "must be 1 to 16384"), Vec::<String>::new());
 }
 
 #[test]
 fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let mut window = open("look-at");
-    let before = window.state().derived().second_view().unwrap().clone();
+    let before = window.state().derived().second_view.as_ref().unwrap().clone();
     let rect = window.get_by_role_and_label(Role::Image, "Wrong camera").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
     click_at(&mut window, at);
@@ -135,7 +135,7 @@ fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
         panic!("no pixel is selected")
     };
     assert!(pixel.row.abs_diff(300) <= 1 && pixel.column.abs_diff(100) <= 1, "{pixel:?}");
-    let after = window.state().derived().second_view().unwrap().clone();
+    let after = window.state().derived().second_view.as_ref().unwrap().clone();
     assert_ne!(before.image.pixels, after.image.pixels, "it is marked");
 }
 
@@ -144,7 +144,7 @@ fn a_fault_keeps_the_last_pictures() {
     let mut window = open("look-at");
     type_into(&mut window, "up y", "0");
     let derived = window.state().derived();
-    assert!(derived.fault.is_some() && derived.second_view().is_some());
+    assert!(derived.fault.is_some() && derived.second_view.is_some());
     type_into(&mut window, "up y", "1");
     assert!(window.state().derived().fault.is_none());
 }
@@ -184,9 +184,9 @@ fn a_mistakes_camera_stands_in_the_world_view_as_a_ghost() {
 fn the_pixels_that_differ_are_a_map_beside_the_right_picture() {
     let mut window = open("look-at");
     click(&mut window, Mistake::VIsUCrossW.name());
-    let picture = window.state().derived().second_view().unwrap().image.clone();
+    let picture = window.state().derived().second_view.as_ref().unwrap().image.clone();
     click(&mut window, "Differences");
-    let map = window.state().derived().second_view().unwrap().image.clone();
+    let map = window.state().derived().second_view.as_ref().unwrap().image.clone();
     assert_eq!(map.size, picture.size);
     let differs =
         [[0xc8, 0x10, 0x58], [0x00, 0x4a, 0x86]].map(|[r, g, b]| egui::Color32::from_rgb(r, g, b));
@@ -196,7 +196,7 @@ fn the_pixels_that_differ_are_a_map_beside_the_right_picture() {
     };
     assert!(share(&map) > 0.1 && share(&picture) == 0.0, "{} {}", share(&map), share(&picture));
     click(&mut window, "Differences");
-    assert_eq!(window.state().derived().second_view().unwrap().image.clone(), picture);
+    assert_eq!(window.state().derived().second_view.as_ref().unwrap().image.clone(), picture);
 }
 
 fn open_vote(window: &Harness<'_, App>) -> OpenVote {

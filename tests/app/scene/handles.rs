@@ -72,7 +72,7 @@ fn assert_near(a: Pos2, b: Pos2) {
 }
 
 /// Handles that go wherever they are dragged, in which scene, and what a drag of each is called.
-const FREE: [(&str, &str, &str); 11] = [
+const FREE: [(&str, &str, &str); 10] = [
     ("canonical", "eye handle", "move eye"),
     ("canonical", "at handle", "move at"),
     ("canonical", "up handle", "turn up"),
@@ -83,7 +83,6 @@ const FREE: [(&str, &str, &str); 11] = [
     ("look-at", "up handle", "turn up"),
     ("canonical", "viewport, top right corner handle", "change the field of view"),
     ("canonical", "plane 2 “back wall”: point handle", "move plane 2 “back wall”"),
-    ("canonical", "plane 2 “back wall”: normal handle", "turn plane 2 “back wall”"),
 ];
 
 /// Chooses a handle's object in the list, where it has one.
@@ -190,37 +189,6 @@ fn control_snaps_to_round_numbers() {
 }
 
 #[test]
-fn the_camera_is_rolled_by_the_tip_of_v() {
-    let mut harness = window("canonical");
-    let before = camera(&harness);
-    let from = take(&mut harness, "roll around w handle");
-    with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
-    pull(&mut harness, from + vec2(-45.0, 20.0));
-    drop_it(&mut harness, from + vec2(-45.0, 20.0));
-    with_modifiers(&mut harness, Modifiers::NONE);
-    let after = camera(&harness);
-    let (v, old) = (after.basis().unwrap().v, before.basis().unwrap());
-    let degrees = (-v.dot(old.u)).atan2(v.dot(old.v)).to_degrees();
-    let steps = degrees / 15.0;
-    assert!(steps.abs() >= 1.0 && (steps - steps.round()).abs() < 1e-9, "rolled by {degrees}");
-    assert_eq!((after.eye, after.view()), (before.eye, before.view()));
-}
-
-#[test]
-fn the_camera_dollies_along_w() {
-    let mut harness = window("look-at");
-    let before = camera(&harness);
-    let w = before.basis().unwrap().w;
-    let from = node_at(&harness, "dolly along w handle");
-    let out = (from - node_at(&harness, "eye handle")).normalized();
-    drag(&mut harness, "dolly along w handle", 25.0 * out);
-    let after = camera(&harness);
-    assert_eq!(at_of(&after), at_of(&before));
-    let way = after.eye - before.eye;
-    assert!(way.dot(w) > 0.1 && way.cross(w).length() < 1e-12 * after.eye.length(), "{way:?}");
-}
-
-#[test]
 fn corners_keep_the_pixels_shape_and_distance_the_picture_on_wish() {
     let mut harness = window("canonical");
     drag(&mut harness, "viewport, top right corner handle", vec2(18.0, -11.0));
@@ -324,8 +292,6 @@ fn every_handle_is_moved_by_keys() {
     let names = [
         "at handle",
         "up handle",
-        "roll around w handle",
-        "dolly along w handle",
         "viewport, bottom left corner handle",
         "viewport's distance handle",
         "sphere 0 “ball”: centre handle",
@@ -363,7 +329,7 @@ fn handles_that_are_switched_off_are_not_there() {
 fn pointing_at_handles_traces_no_picture() {
     let mut harness = window("canonical");
     let traced = harness.state().pictures_traced();
-    for handle in ["eye handle", "roll around w handle", "viewport, top left corner handle"] {
+    for handle in ["eye handle", "up handle", "viewport, top left corner handle"] {
         let at = node_at(&harness, handle);
         harness.hover_at(at);
         harness.run();

@@ -39,8 +39,6 @@ fn only_eye_at_and_up_have_handles_until_another_is_reached_for() {
     assert_eq!(drawn_handles(&harness), 3, "eye, at and the tip of up");
     // Those that are not drawn can be reached by Tab, and are drawn then.
     for (handle, count) in [
-        ("roll around w handle", 4),
-        ("dolly along w handle", 4),
         ("viewport, top right corner handle", 8),
         ("viewport's distance handle", 8),
         ("selected pixel handle", 4),

@@ -61,7 +61,7 @@ fn map_says(window: &Harness<'_, App>) -> String {
 fn a_closed_view_measures_nothing_and_takes_no_room() {
     let window = window("planet");
     let derived = window.state().derived();
-    assert!(derived.second.is_none());
+    assert!(derived.second_view.is_none());
     assert!(window.query_by_label("Error map").is_none());
 }
 
@@ -70,7 +70,7 @@ fn the_map_follows_the_camera_at_once() {
     let mut window = window("grazing");
     open(&mut window);
     let before = window.state().derived().clone();
-    let compared = before.compared().unwrap();
+    let compared = before.compared.as_deref().unwrap();
     assert_eq!(compared.comparison.errors.len(), before.truth.as_ref().unwrap().t.len());
     assert_eq!(compared.method.name(), "textbook-f32");
     window.get_by_role_and_label(Role::SpinButton, "eye x").click();
@@ -80,10 +80,10 @@ fn the_map_follows_the_camera_at_once() {
     window.key_press(egui::Key::Enter);
     window.run_steps(2);
     let after = window.state().derived().clone();
-    assert_ne!(after.compared().unwrap().comparison, compared.comparison);
+    assert_ne!(after.compared.as_deref().unwrap().comparison, compared.comparison);
     assert_ne!(
-        after.second_view().unwrap().image.pixels,
-        before.second_view().unwrap().image.pixels
+        after.second_view.as_ref().unwrap().image.pixels,
+        before.second_view.as_ref().unwrap().image.pixels
     );
 }
 
@@ -98,7 +98,7 @@ fn the_map_is_of_the_chosen_method_and_says_how_many_pixels_are_wrong() {
     choose(&mut window, "error map of", "lagrange-f64");
     assert_eq!(window.state().session().settings.compared, named("lagrange-f64"));
     assert!(map_says(&window).starts_with("lagrange-f64: "));
-    let map = window.state().derived().second_view().unwrap().clone();
+    let map = window.state().derived().second_view.as_ref().unwrap().clone();
     assert_eq!(map.image.size, window.state().derived().camera_view.clone().unwrap().image.size);
 }
 
@@ -122,8 +122,8 @@ fn wrong_pixels_are_red_with_a_white_edge() {
     let mut window = far_window();
     open(&mut window);
     let derived = window.state().derived().clone();
-    let wrong = derived.compared().unwrap().comparison.wrong;
-    let image = &derived.second_view().unwrap().image;
+    let wrong = derived.compared.as_deref().unwrap().comparison.wrong;
+    let image = &derived.second_view.as_ref().unwrap().image;
     let red = image.pixels.iter().filter(|p| p.r() == 0xff && p.g() == 0x2d).count();
     let white = image.pixels.iter().filter(|p| **p == egui::Color32::WHITE).count();
     assert!(wrong > 0, "the scene is there to show that");
@@ -209,7 +209,7 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     // Nothing is measured, so this comes to rest.
     window.run();
     let derived = window.state().derived().clone();
-    assert!(derived.second.is_none());
+    assert!(derived.second_view.is_none());
     let why = derived.too_many.unwrap().to_string();
     assert_says(&window, &format!("No error map: {why}"));
     assert_says(&window, &format!("Nothing is measured: {why}"));
@@ -276,7 +276,7 @@ fn a_fault_leaves_the_last_map_and_stops_measuring() {
     // Nothing asks for another frame, so this comes to rest.
     window.run();
     assert!(window.state().derived().fault.is_some());
-    assert!(window.state().derived().second_view().is_some());
+    assert!(window.state().derived().second_view.is_some());
 }
 
 #[test]

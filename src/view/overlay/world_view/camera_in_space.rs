@@ -37,9 +37,7 @@ impl Sketch<'_> {
     /// Draws the whole camera, from the back of the drawing to its front.
     pub(crate) fn camera_in_space(&mut self) {
         let view = self.view;
-        let eye = view.camera.eye;
-        let usual = self.arrow_length(eye);
-        let arrow = view.handles.arrow.unwrap_or(usual);
+        let arrow = self.arrow_length(view.camera.eye);
         self.axes();
         if let Some(resolved) = &view.resolved {
             self.frustum(resolved);

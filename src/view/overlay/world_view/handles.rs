@@ -6,20 +6,16 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
 use crate::view::overlay::screen::Screen;
-use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
-use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
+use crate::view::overlay::style::VECTOR_TEXT;
+use crate::view::overlay::world_view::sketch::{LineStyle, Sketch};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
-    /// Arrows that are drawn only for their handles, such as the normals of planes.
+    /// The handles.
     pub marks: Vec<HandleMark>,
-    /// Arrows that are drawn only for their handles: the normals of planes.
-    pub stems: Vec<[DVec3; 2]>,
     /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
-    /// Length in the world of the basis arrows while one of them is held.
-    pub arrow: Option<f64>,
     /// Length in the world of the up arrow while its tip is held.
     pub up: Option<f64>,
 }
@@ -105,11 +101,6 @@ pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     screen_at(observer, eye).arrow_length(eye, scale.into())
 }
 
-/// Returns the world length of a plane's normal at its point.
-pub fn normal_length(observer: &ResolvedCamera, point: DVec3, scale: f32) -> f64 {
-    screen_at(observer, point).normal_length(point, scale.into())
-}
-
 fn screen_at(observer: &ResolvedCamera, at: DVec3) -> Screen {
     Screen::new(observer, at.distance(observer.eye()))
 }
@@ -120,11 +111,6 @@ impl Sketch<'_> {
         let handles = &self.view.handles;
         if !self.items.shows(Item::Handles) {
             return;
-        }
-        for [from, to] in &handles.stems {
-            let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.2).on_top();
-            let tip = self.arrow(*from, *to, Head::Filled, pen);
-            self.label_tip(pen, "normal", tip, (self.colors.hit, POINT_TEXT, false));
         }
         for guide in &handles.guides {
             self.guide(*guide);
