@@ -43,6 +43,11 @@ pub struct Inspection {
 }
 
 impl Inspection {
+    /// Returns the pixels that the ray touches, row by row; none outside the image.
+    pub fn touched(&self, camera: &ResolvedCamera) -> Vec<Pixel> {
+        self.image_position.map_or(Vec::new(), |position| position.touching(camera.image()))
+    }
+
     /// Inspects the selected view ray. A pixel must lie inside the image.
     pub fn new(camera: &ResolvedCamera, scene: &Scene, selection: Selection) -> Inspection {
         let uv = selection.uv(camera);

@@ -120,6 +120,17 @@ pub fn concept_at<'a>(
 }
 
 impl Shape {
+    /// Creates a filled polygon.
+    pub(super) fn polygon(corners: &[DVec2]) -> Shape {
+        Shape::Polygon { points: corners.iter().copied().map(dot).collect() }
+    }
+
+    /// Creates a circle, drawn as a polyline of so many `sides`.
+    pub(super) fn ring(center: DVec2, radius: f64, sides: u32, width: f32) -> Shape {
+        let points = circle(sides).map(|point| dot(center + radius * point)).collect();
+        Shape::Line { points, width }
+    }
+
     /// Returns the distance from a point to the shape, in dots; 0 on the shape.
     fn distance(&self, at: DVec2) -> f64 {
         let to_chain = |points: &[[f32; 2]]| {

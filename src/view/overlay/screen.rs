@@ -19,6 +19,8 @@ pub(crate) struct Screen {
     pub(crate) size: DVec2,
     /// The observer's distance to its target, which is the unit of length.
     unit: f64,
+    /// Dots per point.
+    pub(crate) scale: f64,
 }
 
 /// A point on the screen.
@@ -52,19 +54,25 @@ const FARTHEST: f64 = 1e60;
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// Creates a screen; `unit` is a length of about the same size as the visible scene.
-    pub(crate) fn new(observer: &ResolvedCamera, unit: f64) -> Screen {
+    /// Creates a screen with `scale` dots per point; `unit` is a length of about the same size as the visible
+    /// scene.
+    pub(crate) fn new(observer: &ResolvedCamera, unit: f64, scale: f32) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
-        Screen::of_size(observer, size, unit)
+        Screen::of_size(observer, size, unit, scale)
     }
 
     /// Creates a screen for the image stretched over `size` dots.
-    pub(crate) fn of_size(observer: &ResolvedCamera, size: DVec2, unit: f64) -> Screen {
+    pub(crate) fn of_size(observer: &ResolvedCamera, size: DVec2, unit: f64, scale: f32) -> Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
         let unit = if unit.is_finite() && unit > 0.0 { unit } else { 1.0 };
-        Screen { observer: *observer, focal, size, unit }
+        Screen { observer: *observer, focal, size, unit, scale: scale.into() }
+    }
+
+    /// Creates a screen on which lengths at one point of the world are measured.
+    fn at(observer: &ResolvedCamera, point: DVec3, scale: f32) -> Screen {
+        Screen::new(observer, point.distance(observer.eye()), scale)
     }
 
     /// Returns the point in view coordinates; `None` if it is too far away to be drawn.
@@ -162,26 +170,27 @@ impl Screen {
     }
 
     /// Returns a length in the world that covers as many points on the screen as one world unit does, but at
-    /// least `least` and at most `most`; 0 if `at` is not visible. A point is `scale` dots.
-    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64), scale: f64) -> f64 {
+    /// least `least` and at most `most`; 0 if `at` is not visible.
+    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
-        let points = dots / scale;
+        let points = dots / self.scale;
         points.clamp(least, most) / points
     }
 
     /// Returns the world length of the basis arrows at a point; 0 if the point is not visible.
-    pub(crate) fn arrow_length(&self, at: DVec3, scale: f64) -> f64 {
-        self.length_of_points(at, self.view_size(scale).arrow_points(), scale)
+    pub(crate) fn arrow_length(&self, at: DVec3) -> f64 {
+        self.length_of_points(at, self.arrow_points())
     }
 
     /// Returns the world length of a normal at a point; 0 if the point is not visible.
-    pub(crate) fn normal_length(&self, at: DVec3, scale: f64) -> f64 {
-        let (points, _) = self.view_size(scale).arrow_points();
-        self.length_of_points(at, (points, points), scale)
+    pub(crate) fn normal_length(&self, at: DVec3) -> f64 {
+        let (points, _) = self.arrow_points();
+        self.length_of_points(at, (points, points))
     }
 
-    fn view_size(&self, scale: f64) -> ViewSize {
-        ViewSize { width: self.size.x / scale, height: self.size.y / scale }
+    fn arrow_points(&self) -> (f64, f64) {
+        let (width, height) = (self.size.x / self.scale, self.size.y / self.scale);
+        ViewSize { width, height }.arrow_points()
     }
 
     /// Returns the direction of the observer's ray through a point `at` of the screen, as
@@ -194,6 +203,17 @@ impl Screen {
             - viewport.distance * basis.w;
         PixelRays { eye: self.observer.eye(), across, down, corner }
     }
+}
+
+/// Returns the length in the world that covers `points` points on the screen at a point of the world; 0 if
+/// that point is not visible.
+pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
+    Screen::at(observer, at, scale).length_of_points(at, (points, points))
+}
+
+/// Returns the length in the world of the arrows at a camera's eye, as the world view draws them.
+pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
+    Screen::at(observer, eye, scale).arrow_length(eye)
 }
 
 /// A line clipped to the screen.

@@ -8,10 +8,14 @@ use egui::Color32;
 
 use crate::model::session::Scheme;
 
-/// Text sizes in points: vectors, points, marks.
-pub(super) const VECTOR_TEXT: f32 = 21.0;
-pub(super) const POINT_TEXT: f32 = 17.0;
-pub(super) const MARK_TEXT: f32 = 14.0;
+/// The font of a label: its size in points, and true if it is bold.
+pub(super) type LabelFont = (f32, bool);
+
+/// Fonts of the labels of vectors, of points and of marks.
+pub(super) const VECTOR: LabelFont = (21.0, true);
+pub(super) const BOLD_POINT: LabelFont = (17.0, true);
+pub(super) const POINT: LabelFont = (17.0, false);
+pub(super) const MARK: LabelFont = (14.0, false);
 
 /// The colours for a light or a dark window: one light and one dark style for each [`Scheme`], in the order
 /// of the schemes.

@@ -139,7 +139,7 @@ impl CameraSketch<'_> {
 
     fn filled(&mut self, from: DVec2, to: DVec2, pen: LineStyle) {
         let corners = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y)];
-        self.add(pen, Shape::Polygon { points: corners.map(dot).to_vec() });
+        self.add(pen, Shape::polygon(&corners));
     }
 
     fn cells(&mut self, inset: &Inset, loupe: &Loupe) {

@@ -17,7 +17,7 @@ use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::layers::{contrast, mix};
 use crate::view::overlay::paint::{Fills, Picture};
 use crate::view::overlay::screen::position_of;
-use crate::view::overlay::style::{Colors, MARK_TEXT, Style};
+use crate::view::overlay::style::{Colors, LabelFont, MARK, Style};
 use crate::view::overlay::world_view::highlighted::Highlighted;
 use crate::view::overlay::world_view::sketch::{LineStyle, Request, place_labels};
 
@@ -177,11 +177,11 @@ impl CameraSketch<'_> {
         text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
-        (size, bold): (f32, bool),
+        font: LabelFont,
     ) {
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
-            let (anchors, font) = ((anchor, toward), (pen.color, size, bold));
-            self.requests.push(Request::new(pen, text.into(), anchors, font, self.colors.halo));
+            let (anchors, halo) = ((anchor, toward), self.colors.halo);
+            self.requests.push(Request::new(pen, text.into(), anchors, font, halo));
         }
     }
 
@@ -197,7 +197,7 @@ impl CameraSketch<'_> {
         for (name, points, end, concept) in axes {
             let pen = LineStyle::new(Item::UvAxes, color, 1.0).about(concept);
             self.line(&points, pen);
-            self.label(pen, name, end, middle - end, (MARK_TEXT, false));
+            self.label(pen, name, end, middle - end, MARK);
         }
     }
 
@@ -216,14 +216,12 @@ impl CameraSketch<'_> {
         let corner = [DVec2::ZERO, DVec2::new(side, 0.0), DVec2::new(0.0, side)];
         let pen = LineStyle::new(Item::Marks, color, 1.0);
         for polygon in [&rectangle[..], &up, &corner] {
-            let points = polygon.iter().copied().map(dot).collect();
-            self.add(pen, Shape::Polygon { points });
+            self.add(pen, Shape::polygon(polygon));
         }
         if size.min_element() > 160.0 * scale {
             let below = DVec2::new(0.0, 1.2 * side);
-            self.label(pen, "top", middle + below, DVec2::Y, (MARK_TEXT, false));
-            let font = (MARK_TEXT, false);
-            self.label(pen, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, font);
+            self.label(pen, "top", middle + below, DVec2::Y, MARK);
+            self.label(pen, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, MARK);
         }
     }
 
@@ -238,8 +236,7 @@ impl CameraSketch<'_> {
         let resolved = &self.view.resolved;
         let at = position_of(resolved, self.view.size, inspection.uv);
         let pixel_size = self.view.dots_per_pixel().min_element() / scale;
-        let touched = inspection.image_position.map(|position| position.touching(resolved.image()));
-        let touched = touched.unwrap_or_default();
+        let touched = inspection.touched(resolved);
         let centered = touched.len() == 1
             && position_of(resolved, self.view.size, resolved.uv_of_pixel(touched[0])).distance(at)
                 < 0.01;

@@ -15,10 +15,10 @@ use crate::view::overlay::drawing::circle;
 use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::layers::{PlanePatch, mix};
 use crate::view::overlay::screen::{PixelRays, tangents, unit};
-use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::style::{BOLD_POINT, MARK, POINT, VECTOR};
 use crate::view::overlay::world_view::WorldView;
 use crate::view::overlay::world_view::highlighted::silhouette;
-use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch, Tip};
+use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 
 /// Size of the viewport on the screen, in points, below which the camera has a body. At such a size the
 /// viewport's handles would overlap, and its frustum could hardly be seen.
@@ -37,7 +37,7 @@ impl Sketch<'_> {
     /// Draws the whole camera, from the back of the drawing to its front.
     pub(crate) fn camera_in_space(&mut self) {
         let view = self.view;
-        let arrow = self.arrow_length(view.camera.eye);
+        let arrow = self.screen.arrow_length(view.camera.eye);
         self.axes();
         if let Some(resolved) = &view.resolved {
             self.frustum(resolved);
@@ -55,40 +55,12 @@ impl Sketch<'_> {
         self.eye_and_at();
     }
 
-    /// Returns the length of one world unit at a point, limited to a range of points on the screen.
-    pub(crate) fn length_of_points(&self, at: DVec3, range: (f64, f64)) -> f64 {
-        self.screen.length_of_points(at, range, self.scale())
-    }
-
-    /// Returns the length of the basis arrows at a point.
-    pub(crate) fn arrow_length(&self, at: DVec3) -> f64 {
-        self.screen.arrow_length(at, self.scale())
-    }
-
-    /// Returns the length of the normal at a point.
-    pub(crate) fn normal_length(&self, at: DVec3) -> f64 {
-        self.screen.normal_length(at, self.scale())
-    }
-
     fn axes(&mut self) {
-        let length = AXIS_LENGTH * self.arrow_length(DVec3::ZERO);
+        let length = AXIS_LENGTH * self.screen.arrow_length(DVec3::ZERO);
         let names = ["x", "y", "z"];
         for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
             let pen = LineStyle::new(Item::Axes, color, 1.6);
-            let tip = self.arrow(DVec3::ZERO, length * axis, Head::Open, pen);
-            self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
-        }
-    }
-
-    pub(crate) fn label_tip(
-        &mut self,
-        pen: LineStyle,
-        text: impl Into<String>,
-        tip: Option<Tip>,
-        font: (Color32, f32, bool),
-    ) {
-        if let Some(Tip { spot, direction }) = tip {
-            self.label(pen, text, spot.at, direction, font);
+            self.named_arrow([DVec3::ZERO, length * axis], Head::Open, pen, name, POINT);
         }
     }
 
@@ -145,7 +117,7 @@ impl Sketch<'_> {
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
         // In a low view, the body takes no more than its share of the height.
         let low = (self.screen.size.min_element() / (LOW * self.scale())).clamp(0.4, 1.0);
-        let point = low * self.length_of_points(eye, (1.0, 1.0));
+        let point = low * self.screen.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);
         let half = 0.5 * BODY.0 * point / larger;
         let (u, v) = (half * viewport.width * basis.u, half * viewport.height * basis.v);
@@ -197,7 +169,6 @@ impl Sketch<'_> {
         let corner =
             [at(-0.5 * w, 0.5 * h), at(-0.5 * w + size, 0.5 * h), at(-0.5 * w, 0.5 * h - size)];
         self.polygon(&corner, pen.without_halo());
-        let font = (color, MARK_TEXT, false);
         let on_screen =
             |s: &Self, uv: DVec2| s.screen.spot(resolved.viewport_point(uv)).map(|spot| spot.at);
         let center = on_screen(self, DVec2::ZERO);
@@ -207,7 +178,7 @@ impl Sketch<'_> {
                 && points > 90.0
                 && self.view.names_all
             {
-                self.label(pen, text, spot, spot - center, font);
+                self.label(pen, text, spot, spot - center, MARK);
             }
         }
     }
@@ -218,8 +189,7 @@ impl Sketch<'_> {
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
-        let touched = inspection.image_position.map(|position| position.touching(resolved.image()));
-        for pixel in touched.into_iter().flatten() {
+        for pixel in inspection.touched(resolved) {
             self.pixel(resolved, pixel);
         }
         let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
@@ -240,14 +210,11 @@ impl Sketch<'_> {
         let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         // Without its name, the normal would be just another arrow.
         if self.view.names_all {
-            let length = self.normal_length(hit.point);
-            let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
-            self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
+            let tip = hit.point + self.screen.normal_length(hit.point) * hit.normal;
+            self.named_arrow([hit.point, tip], Head::Filled, pen, "n", BOLD_POINT);
         }
         let pen = LineStyle { color, ..pen }.about(inspection.concept_of(hit));
-        if let Some(spot) = self.point(hit.point, 5.0, pen) {
-            self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
-        }
+        self.named_point(hit.point, 5.0, pen, "hit", [0.3, 1.0]);
     }
 
     /// Draws the point p + t d with its t, and a line to it if the ray is not drawn as far as the point.
@@ -262,11 +229,11 @@ impl Sketch<'_> {
             self.line(ray.at(last), at, thin);
         }
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 2.0);
-        self.point(at, 7.5, LineStyle { color, ..pen });
+        let edge = LineStyle { color, ..pen };
+        self.point(at, 7.5, edge);
         if let Some(spot) = self.point(at, 4.5, pen) {
             let text = format!("t = {}", written(t, T_DIGITS));
-            let font = (color, POINT_TEXT, true);
-            self.label(pen, text, spot.at, DVec2::new(-0.3, -1.0), font);
+            self.label(edge, text, spot.at, DVec2::new(-0.3, -1.0), BOLD_POINT);
         }
     }
 
@@ -297,9 +264,11 @@ impl Sketch<'_> {
         for (name, vector, length, concept) in vectors {
             if let Some(direction) = unit(vector) {
                 let pen = LineStyle::new(Item::ViewAndUp, color, 1.9).about(concept);
-                let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
+                let ends = [eye, eye + length * direction];
                 if self.view.names_all || concept == Concept::Up {
-                    self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
+                    self.named_arrow(ends, Head::Filled, pen, name, POINT);
+                } else {
+                    self.arrow(ends[0], ends[1], Head::Filled, pen);
                 }
             }
         }
@@ -310,26 +279,18 @@ impl Sketch<'_> {
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         for ((concept, name, vector, head), (color, pattern)) in basis_arrows(basis).zip(inks) {
             let pen = LineStyle::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
-            let tip = self.arrow(eye, eye + arrow * vector, head, pen);
-            self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
+            self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
         }
     }
 
     fn eye_and_at(&mut self) {
         let view = self.view;
-        let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
-            let color = self.colors.given;
-            let pen = LineStyle::new(Item::At, color, 2.0).about(Concept::At);
-            if let Some(spot) = self.point(at, 4.5, pen) {
-                let font = (color, POINT_TEXT, false);
-                self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
-            }
+            let pen = LineStyle::new(Item::At, self.colors.given, 2.0).about(Concept::At);
+            self.named_point(at, 4.5, pen, "at", [0.5, 1.0]);
         }
-        let pen = LineStyle::new(Item::Eye, ink, 2.0).about(Concept::Eye);
-        if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
-            self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
-        }
+        let pen = LineStyle::new(Item::Eye, self.colors.ink, 2.0).about(Concept::Eye);
+        self.named_point(view.camera.eye, 6.0, pen, "eye", [-0.6, 1.0]);
     }
 }
 

@@ -8,7 +8,7 @@ use pinhole_lecture::mistakes::WrongCamera;
 use crate::model::overlay_items::Item;
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::view::overlay::screen::unit;
-use crate::view::overlay::style::{MARK_TEXT, POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::style::{BOLD_POINT, LabelFont, MARK, VECTOR};
 use crate::view::overlay::world_view::camera_in_space::corners;
 use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 
@@ -73,29 +73,25 @@ impl Sketch<'_> {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
         self.sides(corners.map(|corner| eye + corner), outline);
-        let length = self.arrow_length(eye);
+        let length = self.screen.arrow_length(eye);
         let heads = [("u", Head::Filled), ("v", Head::Open), ("w", Head::Double)];
         for ((vector, (name, head)), color) in
             ghost.basis.into_iter().zip(heads).zip(self.colors.basis)
         {
             let Some(vector) = vector else { continue };
             let pen = LineStyle::new(Item::Basis, color, 2.6).dashed();
-            let tip = self.arrow(eye, eye + length * vector.clamp_length_max(LONGEST), head, pen);
-            self.label_tip(pen, format!("{name}′"), tip, (color, VECTOR_TEXT, true));
+            let tip = eye + length * vector.clamp_length_max(LONGEST);
+            self.named_arrow([eye, tip], head, pen, format!("{name}′"), VECTOR);
         }
         let pen = LineStyle::new(Item::Eye, ink, 2.0);
-        if ghost.is_frozen
-            && let Some(spot) = self.point(eye, 4.5, pen)
-        {
-            let font = (ink, POINT_TEXT, false);
-            self.label(pen, "eye′", spot.at, DVec2::new(0.6, 1.0), font);
+        if ghost.is_frozen {
+            self.named_point(eye, 4.5, pen, "eye′", [0.6, 1.0]);
         }
         let pen = LineStyle::new(Item::Marks, self.colors.mark, 2.0);
         if ghost.is_turned
             && let Some(spot) = self.point(eye + corners[0], 3.6, pen)
         {
-            let font = (self.colors.mark, MARK_TEXT, false);
-            self.label(pen, "(0, 0)′", spot.at, DVec2::new(-0.6, -1.0), font);
+            self.label(pen, "(0, 0)′", spot.at, DVec2::new(-0.6, -1.0), MARK);
         }
     }
 }
@@ -128,13 +124,12 @@ impl Sketch<'_> {
             MarkShape::BasisVector(index, vector) => {
                 let (eye, color) = (self.view.camera.eye, self.colors.basis[index]);
                 let head = [Head::Filled, Head::Open, Head::Double][index];
-                let arrow = (eye, vector, self.arrow_length(eye));
-                self.mark_vector(mark, arrow, head, pen(color, 3.4), VECTOR_TEXT);
+                let arrow = (eye, vector, self.screen.arrow_length(eye));
+                self.mark_vector(mark, arrow, head, pen(color, 3.4), VECTOR);
             }
             MarkShape::Direction(ray) => {
-                let tip = self.arrow(ray.origin, ray.at(1.0), Head::Filled, ray_pen);
-                let font = (ray_pen.color, POINT_TEXT, true);
-                self.label_tip(ray_pen, mark.label.as_str(), tip, font);
+                let ends = [ray.origin, ray.at(1.0)];
+                self.named_arrow(ends, Head::Filled, ray_pen, mark.label.as_str(), BOLD_POINT);
             }
             MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen),
             MarkShape::OnRay(ray, t) => {
@@ -144,9 +139,9 @@ impl Sketch<'_> {
             }
             MarkShape::Point(at) => self.mark_point(mark, at, ray_pen),
             MarkShape::Normal(at, normal) => {
-                let (arrow, pen) =
-                    ((at, normal, self.normal_length(at)), pen(self.colors.hit, 2.4));
-                self.mark_vector(mark, arrow, Head::Filled, pen, POINT_TEXT);
+                let arrow = (at, normal, self.screen.normal_length(at));
+                let pen = pen(self.colors.hit, 2.4);
+                self.mark_vector(mark, arrow, Head::Filled, pen, BOLD_POINT);
             }
         }
     }
@@ -158,12 +153,12 @@ impl Sketch<'_> {
         (from, vector, unit_length): (DVec3, DVec3, f64),
         head: Head,
         pen: LineStyle,
-        text_size: f32,
+        font: LabelFont,
     ) {
         let Some(direction) = unit(vector) else { return };
         let reach = vector.length().clamp(LENGTHS.0, LENGTHS.1);
-        let tip = self.arrow(from, from + unit_length * reach * direction, head, pen);
-        self.label_tip(pen, mark.label.as_str(), tip, (pen.color, text_size, true));
+        let tip = from + unit_length * reach * direction;
+        self.named_arrow([from, tip], head, pen, mark.label.as_str(), font);
     }
 
     /// Draws a ray up to its t or its first hit, with a label at the viewport.
@@ -179,16 +174,14 @@ impl Sketch<'_> {
             self.ring_or_disc(mark, end, 5.0, pen);
         }
         if let Some(spot) = self.screen.spot(ray.at(1.0)) {
-            let font = (pen.color, POINT_TEXT, true);
-            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.3, -1.0), font);
+            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.3, -1.0), BOLD_POINT);
         }
     }
 
     fn mark_point(&mut self, mark: &AnswerMark, at: DVec3, pen: LineStyle) {
         self.ring_or_disc(mark, at, 5.5, pen);
         if let Some(spot) = self.screen.spot(at) {
-            let font = (pen.color, POINT_TEXT, true);
-            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.5, 1.0), font);
+            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.5, 1.0), BOLD_POINT);
         }
     }
 

@@ -1,12 +1,11 @@
 //! Handles, drawn on top of everything else and always at the same size on the screen. A hovered or held
 //! handle is larger, has a different middle, and shows the line or ring along which it moves.
 
-use pinhole_core::{DVec2, DVec3, ResolvedCamera};
+use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Shape, circle, dot};
-use crate::view::overlay::screen::Screen;
-use crate::view::overlay::style::VECTOR_TEXT;
+use crate::view::overlay::style::VECTOR;
 use crate::view::overlay::world_view::sketch::{LineStyle, Sketch};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
@@ -90,21 +89,6 @@ const LARGE: f64 = 10.0;
 /// Distance from the edge to the empty middle, in points.
 const RIM: f64 = 2.4;
 
-/// Returns the length in the world that covers `points` points on the screen at a point of the world; 0 if
-/// that point is not visible.
-pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
-    screen_at(observer, at).length_of_points(at, (points, points), scale.into())
-}
-
-/// Returns the length in the world of the arrows at a camera's eye, as the world view draws them.
-pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
-    screen_at(observer, eye).arrow_length(eye, scale.into())
-}
-
-fn screen_at(observer: &ResolvedCamera, at: DVec3) -> Screen {
-    Screen::new(observer, at.distance(observer.eye()))
-}
-
 impl Sketch<'_> {
     /// Draws all handles, with the hovered and held ones last.
     pub(crate) fn handles(&mut self) {
@@ -146,9 +130,7 @@ impl Sketch<'_> {
             self.drawing.marks.push(pen.mark(shape, halo));
         };
         if mark.state == KnobState::Held {
-            let ring = circle(48).map(|point| dot(at + 1.7 * radius * point));
-            let width = 2.4 * scale as f32;
-            add(Shape::Line { points: ring.collect(), width }, ink, true);
+            add(Shape::ring(at, 1.7 * radius, 48, 2.4 * scale as f32), ink, true);
         }
         add(filled(mark.knob, at, radius), ink, true);
         if mark.state != KnobState::Held {
@@ -165,7 +147,7 @@ impl Sketch<'_> {
                 if let Some(spot) = self.screen.spot(to) {
                     let toward = self.screen.spot(from).map_or(DVec2::X, |f| spot.at - f.at);
                     let name = ["u", "v", "w"][axis];
-                    self.label(pen, name, spot.at, toward, (color, VECTOR_TEXT, true));
+                    self.label(pen, name, spot.at, toward, VECTOR);
                 }
             }
             Guide::Ring { center, a, b } => {
@@ -179,8 +161,8 @@ impl Sketch<'_> {
 }
 
 fn filled(knob: Knob, at: DVec2, radius: f64) -> Shape {
-    let corners = |spokes: [[f64; 2]; 4], size: f64| Shape::Polygon {
-        points: spokes.map(|[x, y]| dot(at + size * DVec2::new(x, y))).to_vec(),
+    let corners = |spokes: [[f64; 2]; 4], size: f64| {
+        Shape::polygon(&spokes.map(|[x, y]| at + size * DVec2::new(x, y)))
     };
     match knob {
         Knob::Round => Shape::Disc { center: dot(at), radius: radius as f32 },

@@ -15,7 +15,7 @@ use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::screen::{tangents, unit};
-use crate::view::overlay::style::{POINT_TEXT, VECTOR_TEXT};
+use crate::view::overlay::style::{Colors, POINT, VECTOR};
 use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
 use crate::view::overlay::world_view::sketch::{Head, LineStyle, Request, Sketch};
 
@@ -44,9 +44,9 @@ impl Highlighted {
         if shown.iter().all(is_exact) { '=' } else { '≈' }
     }
 
-    /// Formats an angle, given in radians, in degrees for a label.
-    pub(crate) fn degrees(&self, angle: f64) -> String {
-        format!("{}°", self.number(angle.to_degrees()))
+    /// Returns the label of the distance from the eye to the viewport.
+    pub(crate) fn distance(&self, resolved: &ResolvedCamera) -> String {
+        format!("distance = {}", self.number(resolved.viewport().distance))
     }
 }
 
@@ -112,111 +112,81 @@ pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     Some(circle(96).map(|p| center + radius * (p.x * a + p.y * b)).collect())
 }
 
+/// Returns the cross product that a concept stands for, with the names and the colours of both factors and of
+/// the product; `None` for every other concept, and without a product.
+pub(crate) fn cross_of(
+    Highlighted { concept, camera, .. }: Highlighted,
+    Colors { basis: [u, v, w], given, .. }: &Colors,
+) -> Option<(Cross, [&'static str; 3], [Color32; 3])> {
+    let BasisDerivation::FromUp(from_up) = BasisDerivation::new(&camera) else { return None };
+    match concept {
+        Concept::UpCrossW => Some((from_up.up_cross_w?, ["up", "w", "up × w"], [*given, *w, *u])),
+        Concept::WCrossU => Some((from_up.w_cross_u?, ["w", "u", "w × u = v"], [*w, *u, *v])),
+        _ => None,
+    }
+}
+
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
     pub(crate) fn highlight(&mut self, highlighted: Highlighted) {
         dim(&mut self.drawing, &mut self.requests, highlighted);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
-        self.highlight_given(highlighted);
+        let pen = LineStyle::new(Item::Ray, self.colors.ray, STRONG);
+        let pen = pen.about(highlighted.concept).on_top();
+        self.highlight_given(highlighted, pen);
         if let Some(resolved) = &self.view.resolved {
-            self.highlight_camera(resolved, highlighted);
-            self.highlight_selected(resolved, highlighted);
+            self.highlight_camera(resolved, highlighted, pen);
+            self.highlight_selected(resolved, highlighted, pen);
         }
         if let Concept::Object(index) = highlighted.concept {
-            self.highlight_object(index);
+            self.highlight_object(index, pen);
         }
         self.items = shown;
         let own = self.requests.split_off(before);
         self.requests = first(own, std::mem::take(&mut self.requests));
     }
 
-    fn highlighted_pen(&self, highlighted: Highlighted, color: Color32) -> LineStyle {
-        LineStyle::new(Item::Ray, color, STRONG).about(highlighted.concept).on_top()
+    fn highlight_point(&mut self, at: DVec3, pen: LineStyle, text: impl Into<String>) {
+        self.named_point(at, 8.0, pen, text, [0.4, 1.0]);
     }
 
-    fn highlighted_arrow(
-        &mut self,
-        from: DVec3,
-        to: DVec3,
-        head: Head,
-        pen: LineStyle,
-        text: &str,
-        size: f32,
-    ) {
-        let tip = self.arrow(from, to, head, pen);
-        let bold = size == VECTOR_TEXT;
-        self.label_tip(pen, text.to_owned(), tip, (pen.color, size, bold));
-    }
-
-    fn highlighted_point(&mut self, at: DVec3, pen: LineStyle, text: String) {
-        if let Some(spot) = self.point(at, 8.0, pen) {
-            let font = (pen.color, POINT_TEXT, false);
-            self.label(pen, text, spot.at, DVec2::new(0.4, 1.0), font);
-        }
-    }
-
-    fn highlighted_line(&mut self, from: DVec3, to: DVec3, pen: LineStyle, text: Option<String>) {
-        self.line(from, to, pen);
-        if let (Some(text), Some(spot)) = (text, self.screen.spot(from.midpoint(to))) {
-            let font = (pen.color, POINT_TEXT, false);
-            self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), font);
+    fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: impl Into<String>) {
+        if let Some(spot) = self.screen.spot(ends[0].midpoint(ends[1])) {
+            self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), POINT);
         }
     }
 
     /// Highlights the inputs of the camera, which exist even if it has no basis.
-    fn highlight_given(&mut self, highlighted: Highlighted) {
-        let view = self.view;
-        let eye = view.camera.eye;
-        let arrow = self.arrow_length(eye);
-        let (given, ink) = (self.colors.given, self.colors.ink);
-        let looks = unit(view.camera.view());
-        match (highlighted.concept, view.camera.orientation) {
-            (Concept::Eye, _) => self.highlighted_point(
-                eye,
-                self.highlighted_pen(highlighted, ink),
-                "eye".to_owned(),
-            ),
-            (Concept::At, Orientation::At { at, .. }) => {
-                self.highlighted_point(
-                    at,
-                    self.highlighted_pen(highlighted, given),
-                    "at".to_owned(),
-                );
+    fn highlight_given(&mut self, highlighted: Highlighted, pen: LineStyle) {
+        let camera = &self.view.camera;
+        let eye = camera.eye;
+        let arrow = self.screen.arrow_length(eye);
+        let pen = LineStyle { color: self.colors.given, ..pen };
+        match (highlighted.concept, camera.orientation) {
+            (Concept::Eye, _) => {
+                self.highlight_point(eye, LineStyle { color: self.colors.ink, ..pen }, "eye");
             }
+            (Concept::At, Orientation::At { at, .. }) => self.highlight_point(at, pen, "at"),
             (Concept::View | Concept::Backwards, _) => {
-                let Some(looks) = looks else { return };
-                let pen = self.highlighted_pen(highlighted, given);
-                let tip = eye + arrow * VIEW_LENGTH * looks;
+                let Some(looks) = unit(camera.view()) else { return };
+                let along = arrow * VIEW_LENGTH * looks;
                 if highlighted.concept == Concept::View {
-                    self.highlighted_arrow(eye, tip, Head::Filled, pen, "view", POINT_TEXT);
+                    self.named_arrow([eye, eye + along], Head::Filled, pen, "view", POINT);
                 } else {
                     let thin = LineStyle { width: BESIDE, ..pen };
-                    self.highlighted_arrow(eye, tip, Head::Filled, thin, "view", POINT_TEXT);
-                    let tip = eye - arrow * VIEW_LENGTH * looks;
-                    self.highlighted_arrow(eye, tip, Head::Filled, pen, "−view", POINT_TEXT);
+                    self.named_arrow([eye, eye + along], Head::Filled, thin, "view", POINT);
+                    self.named_arrow([eye, eye - along], Head::Filled, pen, "−view", POINT);
                 }
             }
             (Concept::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
                 let Some(up) = unit(up) else { return };
-                let pen = self.highlighted_pen(highlighted, given);
                 let tip = eye + arrow * UP_LENGTH * up;
-                self.highlighted_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
+                self.named_arrow([eye, tip], Head::Filled, pen, "up", POINT);
             }
             (Concept::UpCrossW | Concept::WCrossU, _) => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(&view.camera) else {
-                    return;
-                };
-                let [u, v, w] = self.colors.basis;
-                let cross = |s: &mut Self, cross: Option<Cross>, names, colors| {
-                    if let Some(cross) = cross {
-                        s.highlight_cross(eye, arrow, &cross, highlighted, (names, colors));
-                    }
-                };
-                if highlighted.concept == Concept::UpCrossW {
-                    cross(self, from_up.up_cross_w, ["up", "w", "up × w"], [given, w, u]);
-                } else {
-                    cross(self, from_up.w_cross_u, ["w", "u", "w × u = v"], [w, u, v]);
+                if let Some((cross, names, colors)) = cross_of(highlighted, self.colors) {
+                    self.highlight_cross((eye, arrow), &cross, highlighted, pen, (names, colors));
                 }
             }
             _ => {}
@@ -225,13 +195,13 @@ impl Sketch<'_> {
 
     /// Draws both factors, the parallelogram between them, and the product with its length `|first|
     /// sin(angle)`; the second factor has length 1. If the first factor is too short or too long to be drawn
-    /// next to the second, it too is drawn with length 1.
+    /// next to the second, it too is drawn with length 1. `arrow` is the length of a unit vector.
     fn highlight_cross(
         &mut self,
-        eye: DVec3,
-        arrow: f64,
+        (eye, arrow): (DVec3, f64),
         cross: &Cross,
         highlighted: Highlighted,
+        pen: LineStyle,
         (names, colors): ([&str; 3], [Color32; 3]),
     ) {
         let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
@@ -240,7 +210,7 @@ impl Sketch<'_> {
         let own = cross.first.length;
         let length = if (0.4..=2.0).contains(&own) { own } else { 1.0 };
         let (a, b) = (arrow * length * a, arrow * b);
-        let pen = self.highlighted_pen(highlighted, colors[2]);
+        let pen = LineStyle { color: colors[2], ..pen };
         let fill = LineStyle { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
         self.polygon(&[eye, eye + a, eye + a + b, eye + b], fill);
         let edge = LineStyle { width: 1.6, ..pen }.without_halo();
@@ -248,67 +218,75 @@ impl Sketch<'_> {
         self.line(eye + b, eye + a + b, edge);
         for ((vector, name), color) in [(a, names[0]), (b, names[1])].into_iter().zip(colors) {
             let pen = LineStyle { color, width: BESIDE + 1.0, ..pen };
-            let size = if name == "up" { POINT_TEXT } else { VECTOR_TEXT };
-            self.highlighted_arrow(eye, eye + vector, Head::Filled, pen, name, size);
+            let font = if name == "up" { POINT } else { VECTOR };
+            self.named_arrow([eye, eye + vector], Head::Filled, pen, name, font);
         }
         let Some((angle, sine)) = cross.angle.zip(cross.sine) else { return };
         if let Some(product) = unit(cross.product) {
             let tip = eye + arrow * length * sine * product;
-            self.highlighted_arrow(eye, tip, Head::Filled, pen, names[2], VECTOR_TEXT);
+            self.named_arrow([eye, tip], Head::Filled, pen, names[2], VECTOR);
         }
         if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
-            let sine_of = format!("sin({})", highlighted.degrees(angle));
+            let number = |x: f64| highlighted.number(x);
+            let sine_of = format!("sin({}°)", number(angle.to_degrees()));
             let area = length * sine;
             let is = highlighted.relation(&[length, angle.to_degrees(), area]);
-            let text = if highlighted.number(length) == highlighted.number(1.0) {
-                format!("{sine_of} {is} {}", highlighted.number(sine))
+            let text = if number(length) == number(1.0) {
+                format!("{sine_of} {is} {}", number(sine))
             } else {
-                let (length, area) = (highlighted.number(length), highlighted.number(area));
-                format!("{length} · {sine_of} {is} {area}")
+                format!("{} · {sine_of} {is} {}", number(length), number(area))
             };
-            self.label(pen, text, spot.at, DVec2::ZERO, (colors[2], POINT_TEXT, false));
+            self.label(pen, text, spot.at, DVec2::ZERO, POINT);
         }
     }
 
     /// Highlights the concepts that need the basis: its vectors, the viewport and its distance.
-    fn highlight_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
+    fn highlight_camera(
+        &mut self,
+        resolved: &ResolvedCamera,
+        highlighted: Highlighted,
+        pen: LineStyle,
+    ) {
         let eye = resolved.eye();
-        let arrow = self.arrow_length(eye);
+        let arrow = self.screen.arrow_length(eye);
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let arrows = basis_arrows(resolved.basis());
         for ((concept, name, vector, head), (color, pattern)) in arrows.zip(inks) {
             if concept == highlighted.concept {
-                let pen = self.highlighted_pen(highlighted, color).patterned(pattern);
-                self.highlighted_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
+                let pen = LineStyle { color, pattern, ..pen };
+                self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
             }
         }
-        let pen = self.highlighted_pen(highlighted, self.colors.ink);
+        let pen = LineStyle { color: self.colors.ink, ..pen };
         match highlighted.concept {
             Concept::Viewport => {
                 self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
             }
             Concept::Distance => {
-                let text =
-                    format!("distance = {}", highlighted.number(resolved.viewport().distance));
-                self.highlighted_line(eye, resolved.viewport_point(DVec2::ZERO), pen, Some(text));
+                let ends = [eye, resolved.viewport_point(DVec2::ZERO)];
+                self.line(ends[0], ends[1], pen);
+                self.label_middle(ends, pen, highlighted.distance(resolved));
             }
             _ => {}
         }
     }
 
     /// Highlights the parts of the selected ray.
-    fn highlight_selected(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
+    fn highlight_selected(
+        &mut self,
+        resolved: &ResolvedCamera,
+        highlighted: Highlighted,
+        pen: LineStyle,
+    ) {
         let view = self.view;
         let Some(inspection) = &view.inspection else { return };
         let ray = &inspection.ray;
-        let pen = self.highlighted_pen(highlighted, self.colors.ray);
         match highlighted.concept {
             Concept::Pixel => {
-                let touched = inspection
-                    .image_position
-                    .map(|image_position| image_position.touching(resolved.image()));
-                touched.into_iter().flatten().for_each(|pixel| self.pixel(resolved, pixel));
-                self.highlighted_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
+                for pixel in inspection.touched(resolved) {
+                    self.pixel(resolved, pixel);
+                }
+                self.highlight_point(ray.at(1.0), pen, "(𝑢, 𝑣)");
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
                 if let Ok(parts) = RayDerivation::of_uv(resolved, inspection.uv) {
@@ -316,36 +294,27 @@ impl Sketch<'_> {
                 }
             }
             Concept::Direction => {
-                self.highlighted_arrow(
-                    ray.origin,
-                    ray.at(1.0),
-                    Head::Filled,
-                    pen,
-                    "d",
-                    VECTOR_TEXT,
-                );
+                self.named_arrow([ray.origin, ray.at(1.0)], Head::Filled, pen, "d", VECTOR);
             }
             Concept::Ray => {
                 let far = 100.0 * view.observer.distance();
                 let end = unit(ray.direction).map(|d| ray.origin + far * d);
                 self.line(ray.origin, end.unwrap_or(ray.origin), pen);
-                self.highlighted_line(ray.origin, ray.at(1.0), pen, Some("𝐩 + 𝑡 𝐝".to_owned()));
+                self.line(ray.origin, ray.at(1.0), pen);
+                self.label_middle([ray.origin, ray.at(1.0)], pen, "𝐩 + 𝑡 𝐝");
             }
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, LineStyle { width: BESIDE, ..pen });
-                self.highlighted_point(
-                    root.point,
-                    pen,
-                    format!("𝑡 = {}", highlighted.number(root.t)),
-                );
+                let text = format!("𝑡 = {}", highlighted.number(root.t));
+                self.highlight_point(root.point, pen, text);
             }
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
-                let length = self.normal_length(hit.point);
+                let length = self.screen.normal_length(hit.point);
                 let pen = LineStyle { color: self.colors.hit, ..pen };
                 let tip = hit.point + 1.3 * length * hit.normal;
-                self.highlighted_arrow(hit.point, tip, Head::Filled, pen, "n", VECTOR_TEXT);
+                self.named_arrow([hit.point, tip], Head::Filled, pen, "n", VECTOR);
             }
             _ => {}
         }
@@ -361,8 +330,7 @@ impl Sketch<'_> {
             let pen = LineStyle { color, width, ..pen }.about(concept);
             self.arrow(from, from + vector, Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
-                let font = (color, POINT_TEXT, false);
-                self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), font);
+                self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), POINT);
             }
             from += vector;
         }
@@ -371,20 +339,17 @@ impl Sketch<'_> {
     }
 
     /// Draws a sphere's silhouette, or a square in a plane and the plane's normal.
-    fn highlight_object(&mut self, index: u32) {
+    fn highlight_object(&mut self, index: u32, pen: LineStyle) {
         let view = self.view;
-        let Some(object) = self.scene.object(index) else { return };
-        let pen =
-            LineStyle::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index)).on_top();
-        match object {
-            Object::Sphere(sphere) => {
-                let from = view.frame.camera().eye();
-                let outline = silhouette(&sphere, from).unwrap_or_default();
+        let pen = LineStyle { color: self.colors.hit, width: 4.0, ..pen };
+        match self.scene.object(index) {
+            Some(Object::Sphere(sphere)) => {
+                let outline = silhouette(&sphere, view.frame.camera().eye()).unwrap_or_default();
                 for pen in cased(pen, self.colors.halo) {
                     outline.windows(2).for_each(|pair| self.line(pair[0], pair[1], pen));
                 }
             }
-            Object::Plane(plane) => {
+            Some(Object::Plane(plane)) => {
                 let Some(normal) = unit(plane.normal) else { return };
                 let (target, size) = (view.observer.target(), 0.3 * view.observer.distance());
                 let center = target - normal.dot(target - plane.point) * normal;
@@ -393,8 +358,9 @@ impl Sketch<'_> {
                 let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
                 self.sides(corners.map(|(x, y)| corner(x, y)), pen);
                 let tip = center + 0.5 * size * normal;
-                self.highlighted_arrow(center, tip, Head::Filled, pen, "n", VECTOR_TEXT);
+                self.named_arrow([center, tip], Head::Filled, pen, "n", VECTOR);
             }
+            None => {}
         }
     }
 }

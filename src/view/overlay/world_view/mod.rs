@@ -145,7 +145,7 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
 pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
-    let spot = Screen::new(observer, unit).spot(point)?;
+    let spot = Screen::new(observer, unit, 1.0).spot(point)?;
     Some(dot(spot.at))
 }
 
@@ -169,7 +169,7 @@ fn viewport_layer<'a>(
     behind: Color32,
 ) -> Option<ViewportLayer<'a>> {
     let (basis, viewport) = (resolved.basis(), resolved.viewport());
-    let rays = Screen::new(observer, 1.0).pixel_rays();
+    let rays = Screen::new(observer, 1.0, 1.0).pixel_rays();
     let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
     let flat = Flat::new(&rays, resolved.viewport_point(DVec2::ZERO), u, v)?;
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
@@ -203,7 +203,7 @@ impl WorldView {
     }
 
     fn screen(&self) -> Screen {
-        Screen::new(self.frame.camera(), self.observer.distance())
+        Screen::new(self.frame.camera(), self.observer.distance(), self.scale)
     }
 
     fn bowls(&self, scene: ColoredScene<'_>) -> Vec<Bowl> {
@@ -225,7 +225,7 @@ impl WorldView {
                 let picture = self.picture.as_ref().filter(|_| self.items.shows(Item::Picture));
                 layer.picture = picture.and_then(|p| PictureLookup::new(p, resolved.image()));
                 if self.items.shows(Item::PixelGrid) {
-                    layer.grid = pixel_grid(&self.screen(), resolved, f64::from(self.scale));
+                    layer.grid = pixel_grid(&self.screen(), resolved);
                 }
             }
         }
@@ -270,7 +270,7 @@ impl WorldView {
 }
 
 /// Returns the densest grid of pixel edges that can be distinguished on the screen, and its opacity.
-fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<(Grid, f32)> {
+fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)> {
     let center = resolved.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (resolved.basis(), resolved.viewport(), resolved.image());
     let middle = screen.spot(center)?;
@@ -285,12 +285,9 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<
         };
         2.0 * half_extent / f64::from(count)
     };
-    let dots = dots_per(basis.u, viewport.width, image.width()).min(dots_per(
-        basis.v,
-        viewport.height,
-        image.height(),
-    ));
-    let wanted = GRID_SPACING * scale / dots.max(1e-9);
+    let across = dots_per(basis.u, viewport.width, image.width());
+    let dots = across.min(dots_per(basis.v, viewport.height, image.height()));
+    let wanted = GRID_SPACING * screen.scale / dots.max(1e-9);
     let step = (0..5)
         .flat_map(|power| [1, 2, 5].map(|m| m * 10u32.pow(power)))
         .find(|step| f64::from(*step) >= wanted)?;
@@ -298,5 +295,5 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     // In units of (u / width, v / height), from the corner of pixel (0, 0).
     let step = f64::from(step) / DVec2::new(w, h);
-    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0) as f32), opacity))
+    Some((Grid::new(step, DVec2::new(-0.5, 0.5), screen.scale.max(1.0) as f32), opacity))
 }

@@ -10,10 +10,10 @@ use pinhole_core::{DVec2, DVec3, Scene};
 
 use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::drawing::{Drawing, Label, Mark, Shape, circle, dot, wide};
+use crate::view::overlay::drawing::{Drawing, Label, Mark, Shape, dot, wide};
 use crate::view::overlay::layers::Layers;
 use crate::view::overlay::screen::{CutLine, Screen, Spot};
-use crate::view::overlay::style::Colors;
+use crate::view::overlay::style::{Colors, LabelFont, POINT};
 use crate::view::overlay::world_view::WorldView;
 
 /// The style of a line.
@@ -207,6 +207,34 @@ impl Sketch<'_> {
         }
     }
 
+    /// Draws an arrow with a label at its tip.
+    pub(crate) fn named_arrow(
+        &mut self,
+        [from, to]: [DVec3; 2],
+        head: Head,
+        pen: LineStyle,
+        text: impl Into<String>,
+        font: LabelFont,
+    ) {
+        if let Some(Tip { spot, direction }) = self.arrow(from, to, head, pen) {
+            self.label(pen, text, spot.at, direction, font);
+        }
+    }
+
+    /// Draws a point of the world as a disc of `radius` points, with a label.
+    pub(crate) fn named_point(
+        &mut self,
+        at: DVec3,
+        radius: f32,
+        pen: LineStyle,
+        text: impl Into<String>,
+        toward: [f64; 2],
+    ) {
+        if let Some(spot) = self.point(at, radius, pen) {
+            self.label(pen, text, spot.at, toward.into(), POINT);
+        }
+    }
+
     /// Draws a point of the world as a disc of `radius` points. Returns its spot if it is in the
     /// picture.
     pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> Option<Spot> {
@@ -223,9 +251,8 @@ impl Sketch<'_> {
         if self.items.shows(pen.item)
             && let Some(spot) = self.screen.spot(at)
         {
-            let radius = f64::from(radius * self.drawing.scale);
-            let ring = circle(24).map(|point| dot(spot.at + point * radius));
-            let shape = Shape::Line { points: ring.collect(), width: 2.4 * self.drawing.scale };
+            let scale = self.drawing.scale;
+            let shape = Shape::ring(spot.at, (radius * scale).into(), 24, 2.4 * scale);
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         }
     }
@@ -235,8 +262,7 @@ impl Sketch<'_> {
         let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
         let shape = if hidden {
-            let ring = circle(24).map(|point| dot(spot.at + point * f64::from(radius)));
-            Shape::Line { points: ring.collect(), width: 1.2 * self.drawing.scale }
+            Shape::ring(spot.at, radius.into(), 24, 1.2 * self.drawing.scale)
         } else {
             Shape::Disc { center: dot(spot.at), radius }
         };
@@ -259,7 +285,7 @@ impl Sketch<'_> {
         let spots = self.screen.polygon(corners);
         let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if seen {
-            let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
+            let shape = Shape::polygon(&spots.iter().map(|spot| spot.at).collect::<Vec<_>>());
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         }
     }
@@ -271,7 +297,7 @@ impl Sketch<'_> {
         text: impl Into<String>,
         anchor: DVec2,
         toward: DVec2,
-        font: (Color32, f32, bool),
+        font: LabelFont,
     ) {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
@@ -371,15 +397,16 @@ pub(crate) struct Request {
 }
 
 impl Request {
-    /// Creates the request for a label with an overlay item, a colour, a size in points, and boldness.
+    /// Creates the request for a label with a pen's overlay item, concept and colour.
     pub(crate) fn new(
         pen: LineStyle,
         text: String,
         (anchor, toward): (DVec2, DVec2),
-        (color, size, bold): (Color32, f32, bool),
+        (size, bold): LabelFont,
         halo: Color32,
     ) -> Request {
-        let label = Label { item: pen.item, position: [0.0; 2], text, color, halo, size, bold };
+        let LineStyle { item, color, .. } = pen;
+        let label = Label { item, position: [0.0; 2], text, color, halo, size, bold };
         Request { label, concept: pen.concept, anchor, toward, rank: rank(pen.item) }
     }
 }
