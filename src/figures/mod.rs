@@ -49,7 +49,7 @@ pub struct Figure {
     /// The picture behind everything else, as large as the figure.
     picture: Option<ColorImage>,
     /// Paths over the picture, in dots.
-    paths: Vec<Path<'static>>,
+    paths: Vec<Path>,
     /// Shapes and text over the paths.
     drawn: UiPass,
 }
@@ -73,7 +73,7 @@ impl Figure {
         if let Some(picture) = &self.picture {
             pixels.copy_from_slice(&picture.pixels);
         }
-        paint_paths(self.paths.iter(), width, &mut pixels);
+        paint_paths(&self.paths, width, &mut pixels);
         self.drawn.paint(&mut pixels, self.size);
         pixels
     }

@@ -186,7 +186,7 @@ impl Order {
             |image: &ColorImage| image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT);
         Ok(Figure {
             picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
-            paths: drawing.paths().map(|path| path.scaled(1.0)).collect(),
+            paths: drawing.paths().collect(),
             ..self.with_background(self.dots(), style.colors().background, drawn)
         })
     }

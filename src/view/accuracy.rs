@@ -119,22 +119,7 @@ pub(crate) fn mark_wrong(
     scale: f32,
     dots: &mut [Color32],
 ) {
-    let wrong = comparison.errors.iter().enumerate().filter(|(_, e)| **e == PixelError::Wrong);
-    let wrong: Vec<(usize, Color32)> = wrong.map(|(index, _)| (index, WRONG)).collect();
-    mark(&wrong, raster, (width, scale), dots);
-}
-
-/// Marks the given pixels of the raster as [`mark_wrong`] does, each in its own colour.
-pub(crate) fn mark(
-    pixels: &[(usize, Color32)],
-    raster: &Raster,
-    (width, scale): (usize, f32),
-    dots: &mut [Color32],
-) {
     let (columns, height) = (raster.columns().len(), dots.len().checked_div(width).unwrap_or(0));
-    if columns == 0 || pixels.is_empty() {
-        return;
-    }
     let least = (MARK * scale).round().max(1.0) as usize;
     let edge = scale.round().max(1.0) as usize;
     let across = |index: usize, count: usize, dots: usize| {
@@ -142,20 +127,20 @@ pub(crate) fn mark(
         let missing = least.saturating_sub(end - start);
         (start.saturating_sub(missing / 2), (end + missing.div_ceil(2)).min(dots))
     };
-    let marks: Vec<_> = pixels
-        .iter()
-        .map(|&(index, color)| {
+    let wrong = comparison.errors.iter().enumerate().filter(|(_, e)| **e == PixelError::Wrong);
+    let marks: Vec<_> = wrong
+        .map(|(index, _)| {
             let rows = across(index / columns, raster.rows().len(), height);
-            (rows, across(index % columns, columns, width), color)
+            (rows, across(index % columns, columns, width))
         })
         .collect();
     // All edges are painted first, so that where many pixels are marked, the marks merge into one area with
     // one edge.
-    for (grow, same) in [(edge, Some(Color32::WHITE)), (0, None)] {
-        for ((top, bottom), (left, right), own) in &marks {
+    for (grow, color) in [(edge, Color32::WHITE), (0, WRONG)] {
+        for ((top, bottom), (left, right)) in &marks {
             let columns = left.saturating_sub(grow)..(right + grow).min(width);
             for row in top.saturating_sub(grow)..(bottom + grow).min(height) {
-                dots[row * width..][columns.clone()].fill(same.unwrap_or(*own));
+                dots[row * width..][columns.clone()].fill(color);
             }
         }
     }

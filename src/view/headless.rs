@@ -8,10 +8,12 @@ use super::painter::SoftwarePainter;
 /// One pass of a user interface: the shapes that it drew, and the data needed to paint them into pixels.
 #[derive(Debug)]
 pub struct UiPass {
-    shapes: Vec<ClippedShape>,
+    /// The drawn shapes, in points.
+    pub shapes: Vec<ClippedShape>,
+    /// The number of pixels per point.
+    pub pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
     painter: SoftwarePainter,
-    pixels_per_point: f32,
 }
 
 impl UiPass {
@@ -30,16 +32,6 @@ impl UiPass {
         painter.set_textures(&mut delta);
         delta.clear();
         UiPass { shapes: output.shapes, primitives, painter, pixels_per_point }
-    }
-
-    /// Returns the number of pixels per point.
-    pub fn pixels_per_point(&self) -> f32 {
-        self.pixels_per_point
-    }
-
-    /// Returns the drawn shapes, in points.
-    pub fn shapes(&self) -> &[ClippedShape] {
-        &self.shapes
     }
 
     /// Draws it over pixels.

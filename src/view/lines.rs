@@ -56,11 +56,11 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
             return;
         }
     };
-    for step in steps(&substitution, digits) {
+    for (what, formula) in steps(&substitution, digits) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
-            ui.weak(format!("{}:  ", step.what));
-            text(ui, &step.text);
+            ui.weak(format!("{what}:  "));
+            text(ui, &formula);
         });
     }
     ui.add_space(6.0);
@@ -69,22 +69,12 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {
-        std::cmp::Ordering::Less => "< 0",
-        std::cmp::Ordering::Equal => ": on the line",
-        std::cmp::Ordering::Greater => "> 0",
+        Ordering::Less => "< 0",
+        Ordering::Equal => ": on the line",
+        Ordering::Greater => "> 0",
     };
     let (t, f) = (number(lab.t, digits), number(f, digits));
     text(ui, &format!("at t = {t}:  f = {f} {compared}"));
-}
-
-/// One step of the substitution.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct LabStep {
-    /// The name of the step.
-    pub(crate) what: &'static str,
-    /// The formula, in the form that [`formula`](crate::view::typesetting::notation::formula)
-    /// takes.
-    pub(crate) text: String,
 }
 
 /// Formats a factor that follows a multiplication sign, in parentheses if it is negative.
@@ -99,8 +89,9 @@ fn added(x: f64, digits: usize) -> String {
     format!("{sign} {}", number(x.abs(), digits))
 }
 
-/// Returns all steps with the current numbers.
-pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
+/// Returns all steps with the current numbers: the name of each step, and its formula in the form that
+/// [`notation::formula`] takes.
+fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
     let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
     let (line, p, d) = (s.line, s.ray.p, s.ray.d);
     let coordinate = |p: f64, d: f64| format!("{} {} t", n(p), added(d, digits));
@@ -108,25 +99,15 @@ pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
     let (a, b, c) = (n(line.a), line.b, plus(line.c));
     let sign = if b < 0.0 { '−' } else { '+' };
     let b_size = n(b.abs());
-    vec![
-        LabStep { what: "implicit", text: format!("f(x, y) = {a} x {sign} {b_size} y {c}") },
-        LabStep { what: "parametric", text: format!("x = {x},   y = {y}") },
-        LabStep {
-            what: "substituted",
-            text: format!("f(p + t d) = {a} ({x}) {sign} {b_size} ({y}) {c}"),
-        },
-        LabStep {
-            what: "sorted by t",
-            text: format!(
-                "= ({a}·{} {sign} {b_size}·{}) t + ({a}·{} {sign} {b_size}·{} {c})",
-                m(d.x),
-                m(d.y),
-                m(p.x),
-                m(p.y)
-            ),
-        },
-        LabStep { what: "added up", text: format!("= {} t {}", n(s.rate), plus(s.offset)) },
-        LabStep { what: "zero where", text: zero(s, digits) },
+    let [dx, dy, px, py] = [d.x, d.y, p.x, p.y].map(m);
+    let rate = format!("{a}·{dx} {sign} {b_size}·{dy}");
+    [
+        ("implicit", format!("f(x, y) = {a} x {sign} {b_size} y {c}")),
+        ("parametric", format!("x = {x},   y = {y}")),
+        ("substituted", format!("f(p + t d) = {a} ({x}) {sign} {b_size} ({y}) {c}")),
+        ("sorted by t", format!("= ({rate}) t + ({a}·{px} {sign} {b_size}·{py} {c})")),
+        ("added up", format!("= {} t {}", n(s.rate), plus(s.offset))),
+        ("zero where", zero(s, digits)),
     ]
 }
 
@@ -144,7 +125,7 @@ fn zero(s: &Substitution, digits: usize) -> String {
 }
 
 /// Describes whether and where the lines meet.
-pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
+fn verdict(s: &Substitution, digits: usize) -> String {
     let n = |x| number(x, digits);
     match s.meeting {
         Meeting::Parallel => {
@@ -597,7 +578,7 @@ mod tests {
     fn said(example: usize) -> (Vec<String>, String) {
         let (_, lab) = &LinesLab::examples()[example];
         let s = Substitution::new(lab.line(), lab.ray).expect("two lines");
-        let lines = steps(&s, 5).into_iter().map(|step| step.text).collect();
+        let lines = steps(&s, 5).into_iter().map(|(_, text)| text).collect();
         (lines, verdict(&s, 5))
     }
 

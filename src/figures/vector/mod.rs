@@ -34,7 +34,7 @@ mod svg;
 #[derive(Clone, Debug)]
 enum Primitive {
     /// A fill or a stroke.
-    Path(Path<'static>),
+    Path(Path),
     /// Text.
     Text(CasedText),
 }
@@ -42,8 +42,8 @@ enum Primitive {
 /// Returns everything in front of a figure's picture, from back to front.
 fn primitives(figure: &Figure) -> Vec<Primitive> {
     let primitives = figure.paths.iter().cloned().map(Primitive::Path).collect();
-    let mut maker = Maker { scale: figure.drawn.pixels_per_point(), primitives };
-    figure.drawn.shapes().iter().for_each(|clipped| maker.shape(&clipped.shape));
+    let mut maker = Maker { scale: figure.drawn.pixels_per_point, primitives };
+    figure.drawn.shapes.iter().for_each(|clipped| maker.shape(&clipped.shape));
     maker.primitives
 }
 
@@ -111,20 +111,20 @@ impl Maker {
         self.stroke(edge, &shape.stroke);
     }
 
-    fn fill(&mut self, outline: PathOutline<'static>, color: Color32) {
+    fn fill(&mut self, outline: PathOutline, color: Color32) {
         if color.a() > 0 {
             self.primitives.push(Primitive::Path(Path { outline, color, ink: Ink::Fill }));
         }
     }
 
-    fn stroke(&mut self, outline: PathOutline<'static>, &Stroke { width, color }: &Stroke) {
+    fn stroke(&mut self, outline: PathOutline, &Stroke { width, color }: &Stroke) {
         if width > 0.0 && color.a() > 0 {
             let ink = Ink::Stroke { width: width * self.scale, round: false, dash: None };
             self.primitives.push(Primitive::Path(Path { outline, color, ink }));
         }
     }
 
-    fn chain(&self, points: &[Pos2], closed: bool) -> PathOutline<'static> {
+    fn chain(&self, points: &[Pos2], closed: bool) -> PathOutline {
         let points = points.iter().map(|at| [at.x * self.scale, at.y * self.scale]).collect();
         PathOutline::Chain { points, closed }
     }
@@ -377,7 +377,7 @@ mod tests {
         theme::install_base(&ctx);
         let drawn = UiPass::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
         let mut maker = Maker { scale, primitives: Vec::new() };
-        drawn.shapes().iter().for_each(|clipped| maker.shape(&clipped.shape));
+        drawn.shapes.iter().for_each(|clipped| maker.shape(&clipped.shape));
         maker.primitives
     }
 
@@ -450,10 +450,8 @@ mod tests {
         });
         let path = |outline, color, ink| Path { outline, color, ink };
         let circle = |radius| PathOutline::Circle { center: [20.0, 40.0], radius };
-        let chain = |points: &[[f32; 2]], closed| PathOutline::Chain {
-            points: points.to_vec().into(),
-            closed,
-        };
+        let chain =
+            |points: &[[f32; 2]], closed| PathOutline::Chain { points: points.to_vec(), closed };
         let pen = Ink::Stroke { width: 4.0, round: false, dash: None };
         let corners = [[2.0, 2.0], [10.0, 2.0], [10.0, 10.0], [2.0, 10.0]];
         let paths: Vec<Path> = primitives

@@ -43,7 +43,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
     writer.surface.push_transform(&Transform::from_scale(POINTS, POINTS));
     if let Some(color) = figure.ground {
         let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-        let outline = PathOutline::Chain { points: corners.as_slice().into(), closed: true };
+        let outline = PathOutline::Chain { points: corners.into(), closed: true };
         writer.path(&Path { outline, color, ink: Ink::Fill });
     }
     if let Some(picture) = &figure.picture {

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::{Shown, blank};
-use crate::view::overlay::Drawing;
+use crate::view::derive::Shown;
+use crate::view::derive::picture::{OnWork, WorkKind, watched};
+use crate::view::overlay::{Drawing, Style};
 
 /// A value, and the key from which it was made.
 #[derive(Debug)]
@@ -45,21 +46,12 @@ impl<K, V> Memo<K, V> {
     }
 }
 
-/// The subsampling of the last picture. It ensures that a coarser picture never replaces a finer one.
-#[derive(Debug)]
-pub(super) struct Fineness<K>(Option<(K, Subsampling)>);
-
-impl<K> Default for Fineness<K> {
-    fn default() -> Self {
-        Fineness(None)
-    }
-}
-
-impl<K: PartialEq> Fineness<K> {
-    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key.
+impl<K: PartialEq> Memo<K, Subsampling> {
+    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key. It ensures
+    /// that a coarser picture never replaces a finer one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
-        let known = self.0.as_ref().filter(|(known, _)| *known == key);
-        let subsampling = known.map_or(wanted, |(_, known)| wanted.min(*known));
+        let subsampling =
+            self.known(|known| *known == key).map_or(wanted, |known| wanted.min(*known));
         self.0 = Some((key, subsampling));
         subsampling
     }
@@ -75,30 +67,42 @@ pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
 
 impl SpareImages {
     /// Returns memory for a picture; the caller must paint every pixel of it.
-    pub(super) fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
+    fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
         let size_in_dots = size.map(|n| n as usize);
         let is_free =
             |image: &Arc<ColorImage>| image.size == size_in_dots && Arc::strong_count(image) == 1;
         let free = self.0.iter().position(is_free).map(|index| self.0.swap_remove(index));
         match free.and_then(Arc::into_inner) {
             Some(image) => image.pixels,
-            None => blank(size),
+            None => vec![Color32::BLACK; size_in_dots.iter().product()],
         }
     }
 
-    /// Returns a finished view of `size` pixels, and keeps its memory so that later pictures can reuse it.
-    pub(super) fn shown(
+    /// Returns a view of `size` pixels that `draw` paints, and keeps its memory so that later pictures can
+    /// reuse it.
+    pub(super) fn draw(
         &mut self,
         size: [u32; 2],
-        pixels: Vec<Color32>,
-        drawing: Drawing,
+        style: Style,
+        watch: OnWork<'_>,
+        draw: impl FnOnce(&mut [Color32]) -> Drawing,
     ) -> Shown {
-        let shown = Shown::new(size, pixels, drawing);
-        if self.0.len() == MOST {
-            self.0.remove(0);
-        }
-        self.0.push(Arc::clone(&shown.image));
-        shown
+        watched(watch, WorkKind::Overlay, || {
+            let mut pixels = self.take(size);
+            let drawing = draw(&mut pixels);
+            style.finish(&mut pixels);
+            let shown = Shown {
+                image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
+                targets: Arc::new(drawing.targets()),
+                labels: Arc::new(drawing.labels),
+                marks: Arc::new(drawing.marks),
+            };
+            if self.0.len() == MOST {
+                self.0.remove(0);
+            }
+            self.0.push(Arc::clone(&shown.image));
+            shown
+        })
     }
 }
 
@@ -110,7 +114,10 @@ mod tests {
     fn memory_is_used_again_once_nobody_shows_it() {
         let mut buffers = SpareImages::default();
         let mark = Color32::from_rgb(1, 2, 3);
-        let shown = buffers.shown([4, 3], vec![mark; 12], Drawing::default());
+        let shown = buffers.draw([4, 3], Style::Light, &|_| (), |pixels| {
+            pixels.fill(mark);
+            Drawing::default()
+        });
         assert_eq!(buffers.take([4, 3]), [Color32::BLACK; 12], "it is still shown");
         drop(shown);
         assert_eq!(buffers.take([5, 3]), [Color32::BLACK; 15], "another size");

@@ -18,7 +18,7 @@ use crate::view::derive::objects::Objects;
 use crate::view::derive::picture::{GoodPicture, Pictures};
 use crate::view::derive::second_picture::SecondPictures;
 use crate::view::derive::views::{CameraViews, Derivations, Plots, WorldViews};
-use crate::view::overlay::{Drawing, Highlighted, Label, Mark, Style, Target};
+use crate::view::overlay::{Highlighted, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
@@ -127,19 +127,16 @@ impl Deriver {
         );
         derived.camera_view = camera_view;
         (derived.derivation, derived.plot) = (derivation, plot);
-        if let Some(world) = world {
+        if let Some((world, view)) = world {
             derived.subsampling[1] = world.subsampling;
-            (derived.world_frame, derived.world_view) = (Some(world.frame), Some(world.view));
+            derived.world_frame = Some(Arc::clone(&world.frame));
+            derived.world_view = Some(view);
         }
     }
 }
 
 fn opaque([r, g, b]: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
-}
-
-fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
-    vec![Color32::BLACK; width as usize * height as usize]
 }
 
 /// Returns the highlighted concept, if there is one.
@@ -264,17 +261,4 @@ pub struct Shown {
     pub targets: Arc<Vec<Target>>,
     /// The marks painted over the image, or to be painted by a figure.
     pub marks: Arc<Vec<Mark>>,
-}
-
-impl Shown {
-    /// Creates a view of `size` pixels from its pixels and its overlay.
-    fn new(size: [u32; 2], pixels: Vec<egui::Color32>, drawing: Drawing) -> Shown {
-        let size = size.map(|n| n as usize);
-        Shown {
-            image: Arc::new(ColorImage::new(size, pixels)),
-            targets: Arc::new(drawing.targets()),
-            labels: Arc::new(drawing.labels),
-            marks: Arc::new(drawing.marks),
-        }
-    }
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Object, Rgb, Scene, SceneError, Sphere};
+use pinhole_core::{Object, Rgb, Scene, SceneError};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 use crate::model::observer::{hidden, traced_scene};
@@ -81,18 +81,8 @@ impl Objects {
     /// [`traced_scene`].
     pub(super) fn observed(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
-        match &mut self.observed {
+        match &self.observed {
             Some((known, _)) if known == enclosing => (),
-            // The observer's scene has spheres of its own.
-            Some((known, observed)) if !known.is_empty() && !enclosing.is_empty() => {
-                let observed = Arc::make_mut(observed);
-                for &index in known.iter().chain(&**enclosing) {
-                    let sphere = scene.spheres()[index as usize];
-                    // The spheres were checked, so they are valid.
-                    observed.replace(index, as_observed(sphere, index, enclosing)).ok()?;
-                }
-                *known = Arc::clone(enclosing);
-            }
             _ => {
                 let observed = Arc::new(traced_scene(scene, enclosing));
                 self.observed = Some((Arc::clone(enclosing), observed));
@@ -172,16 +162,13 @@ fn replace(
     let observed = Arc::make_mut(observed);
     for &(index, object) in changed {
         if let Object::Sphere(sphere) = object {
-            observed.replace(index, as_observed(sphere, index, enclosing))?;
+            // Spheres around the camera are hidden from the observer.
+            let is_around = enclosing.binary_search(&index).is_ok();
+            let sphere = if is_around { hidden(&sphere) } else { sphere };
+            observed.replace(index, Object::Sphere(sphere))?;
         }
     }
     Ok(())
-}
-
-/// Returns a sphere as the observer's scene has it.
-fn as_observed(sphere: Sphere, index: u32, enclosing: &Enclosing) -> Object {
-    let is_hidden = enclosing.binary_search(&index).is_ok();
-    Object::Sphere(if is_hidden { hidden(&sphere) } else { sphere })
 }
 
 /// Updates the colours of the objects that can be edited.

@@ -16,7 +16,7 @@ use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::memo::{Fineness, Memo};
+use crate::view::derive::memo::Memo;
 use crate::view::derive::objects::GoodWorld;
 use crate::view::derive::second_picture::SecondPicture;
 use crate::view::derive::{Derived, Inputs, opaque};
@@ -135,7 +135,7 @@ pub(super) struct Pictures {
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
-    fineness: Fineness<(ResolvedCamera, u64, [u32; 2])>,
+    fineness: Memo<(ResolvedCamera, u64, [u32; 2]), Subsampling>,
     /// Number of pictures traced so far.
     pub(super) traced: u64,
 }
@@ -149,7 +149,9 @@ impl Pictures {
         world: &GoodWorld,
     ) -> GoodPicture {
         let selection = session.shown_selection().inside(resolved.image());
-        let inspection = self.inspected(resolved, world, selection);
+        let inspection = self.inspection.get((resolved, world.generation, selection), |_| {
+            Arc::new(Inspection::new(&resolved, &world.scene, selection))
+        });
         // If only the world view is open, the picture is still shown on the viewport there.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
@@ -188,18 +190,6 @@ impl Pictures {
             }),
         };
         GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, others }
-    }
-
-    /// Returns the selected ray with all its intersections.
-    fn inspected(
-        &mut self,
-        resolved: ResolvedCamera,
-        world: &GoodWorld,
-        selection: Selection,
-    ) -> Arc<Inspection> {
-        self.inspection.get((resolved, world.generation, selection), |_| {
-            Arc::new(Inspection::new(&resolved, &world.scene, selection))
-        })
     }
 
     /// Returns the answers of the ladder and of the other methods, if the picture or the error map needs
@@ -347,7 +337,6 @@ pub(super) fn trace_picture(
     (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
     (spare, watch): (Option<PaintedFrame>, OnWork<'_>),
 ) -> PaintedFrame {
-    watch(WorkKind::Rest);
     let paint = Paint { shade, color_of, to_pixel: opaque };
     let fits = |(frame, pixels): &PaintedFrame| {
         let has = |values: usize, asked: bool| values == if asked { raster.len() } else { 0 };
@@ -357,16 +346,15 @@ pub(super) fn trace_picture(
             && has(frame.object.len(), outputs.object)
             && has(frame.normal.len(), outputs.normal)
     };
-    let traced = if let Some((mut frame, mut pixels)) = spare.filter(fits) {
-        retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
-        (frame, pixels)
-    } else {
+    watched(watch, WorkKind::Trace, || {
+        if let Some((mut frame, mut pixels)) = spare.filter(fits) {
+            retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
+            return (frame, pixels);
+        }
         // Zeroed memory costs nothing until a thread fills its part.
         let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
         (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
-    };
-    watch(WorkKind::Trace);
-    traced
+    })
 }
 
 /// Returns the opaque pixels of a frame, which must have all outputs that the shading reads.
@@ -386,10 +374,7 @@ pub(super) fn trace_truth(
     raster: &Raster,
     watch: OnWork<'_>,
 ) -> Arc<Frame> {
-    watch(WorkKind::Rest);
-    let frame = trace(scene, camera, raster, Outputs::default());
-    watch(WorkKind::Trace);
-    Arc::new(frame)
+    watched(watch, WorkKind::Trace, || Arc::new(trace(scene, camera, raster, Outputs::default())))
 }
 
 /// Runs `run` and reports it as `work`.

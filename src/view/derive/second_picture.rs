@@ -23,12 +23,12 @@ use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
 use crate::model::session::ViewLayout;
 use crate::model::session::resolve;
 use crate::view::accuracy;
-use crate::view::derive::memo::Memo;
+use crate::view::derive::memo::{Memo, SpareImages};
 use crate::view::derive::objects::GoodWorld;
 use crate::view::derive::picture::{
     Compared, GoodPicture, OnWork, WorkKind, trace_picture, watched,
 };
-use crate::view::derive::{Derived, Inputs, Shown, blank, highlighted, opaque};
+use crate::view::derive::{Derived, Inputs, Shown, highlighted, opaque};
 use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
 /// The kind of a second picture.
@@ -82,6 +82,7 @@ pub(super) struct SecondPictures {
     answers_map: Memo<(Same<Graded>, [u32; 2]), Option<Arc<Picture>>>,
     answer_marks: Memo<(Same<Graded>, Selection), Arc<[AnswerMark]>>,
     view: Memo<CameraView, Shown>,
+    buffers: SpareImages,
     /// Number of pictures made so far.
     pub(super) count: u64,
 }
@@ -133,15 +134,13 @@ impl SecondPictures {
         view.picture = Same(picture);
         let (scene, compared) = (world.map(|world| &*world.scene), derived.compared.as_ref());
         derived.second_view = Some(self.view.get(view, |view| {
-            watched(watch, WorkKind::Overlay, || {
-                let mut pixels = blank(size);
-                let drawing = overlay::camera(view, scene, &mut pixels);
-                if let Some(Compared { comparison, .. }) = compared.map(|compared| &**compared) {
+            self.buffers.draw(size, view.style, watch, |pixels| {
+                let drawing = overlay::camera(view, scene, pixels);
+                if let Some(compared) = compared {
                     let (raster, width) = (&view.picture.raster, size[0] as usize);
-                    accuracy::mark_wrong(comparison, raster, width, sizes.scale, &mut pixels);
+                    accuracy::mark_wrong(&compared.comparison, raster, width, sizes.scale, pixels);
                 }
-                view.style.finish(&mut pixels);
-                Shown::new(size, pixels, drawing)
+                drawing
             })
         }));
     }

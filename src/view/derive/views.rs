@@ -22,7 +22,7 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
-use crate::view::derive::memo::{Fineness, Memo, SpareImages};
+use crate::view::derive::memo::{Memo, SpareImages};
 use crate::view::derive::objects::{Enclosing, Objects};
 use crate::view::derive::picture::{
     GoodPicture, OnWork, WorkKind, repainted, trace_picture, watched,
@@ -41,22 +41,16 @@ pub(super) struct WorldViews {
     buffers: SpareImages,
 }
 
-/// The world view, with the observer's frame behind it.
-pub(super) struct ShownWorld {
-    pub(super) frame: Arc<Frame<f32>>,
-    pub(super) subsampling: Subsampling,
-    pub(super) view: Shown,
-}
-
 impl WorldViews {
-    /// Returns the world view with the last good picture on the viewport; `None` if the view is not shown.
+    /// Returns the observer's picture, and the world view that is drawn over it, with the last good picture on
+    /// the viewport; `None` if the view is not shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
         inputs: Inputs<'_>,
         objects: &mut Objects,
         last_good: Option<&GoodPicture>,
-    ) -> Option<ShownWorld> {
+    ) -> Option<(Arc<WorldPicture>, Shown)> {
         let Inputs { document, session, sizes, watch } = inputs;
         let (size, observer, good) = (sizes.world?, session.observer?, objects.good()?.clone());
         let observer_camera = observer.camera(size[0], size[1]).resolve().ok()?;
@@ -95,17 +89,14 @@ impl WorldViews {
         };
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
         let view = view.get(shown, |view| {
-            let backdrop = Backdrop::new(view, scene);
+            let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            watched(watch, WorkKind::Overlay, || {
-                let mut pixels = buffers.take(size);
+            buffers.draw(size, view.style, watch, |pixels| {
                 let below = Below { traced: &world.pixels, painted: &painted };
-                let drawing = overlay::world(view, scene, &backdrop, below, &mut pixels);
-                view.style.finish(&mut pixels);
-                buffers.shown(size, pixels, drawing)
+                overlay::world(view, scene, &backdrop, below, pixels)
             })
         });
-        Some(ShownWorld { frame: Arc::clone(&world.frame), subsampling: world.subsampling, view })
+        Some((world, view))
     }
 }
 
@@ -141,12 +132,7 @@ impl CameraViews {
         };
         let (scene, buffers) = (derived.scene.as_deref(), &mut self.buffers);
         Some(self.view.get(shown, |view| {
-            watched(watch, WorkKind::Overlay, || {
-                let mut pixels = buffers.take(size);
-                let drawing = overlay::camera(view, scene, &mut pixels);
-                view.style.finish(&mut pixels);
-                buffers.shown(size, pixels, drawing)
-            })
+            buffers.draw(size, view.style, watch, |pixels| overlay::camera(view, scene, pixels))
         }))
     }
 }
@@ -169,7 +155,7 @@ type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 #[derive(Debug, Default)]
 pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    fineness: Fineness<WorldTraceKey>,
+    fineness: Memo<WorldTraceKey, Subsampling>,
     /// Frames that can be recoloured without a trace.
     frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
     /// The picture; the last part of the key is the generation number of the palette.
@@ -204,14 +190,8 @@ impl WorldPictures {
                 *traced += 1;
                 let image = observer.image();
                 let raster = subsampling.raster(image, [image.width(), image.height()]);
-                let mut traced = trace_picture(
-                    &scene,
-                    &observer,
-                    &raster,
-                    Outputs::default(),
-                    colors,
-                    (None, watch),
-                );
+                let (outputs, memory) = (Outputs::default(), (None, watch));
+                let mut traced = trace_picture(&scene, &observer, &raster, outputs, colors, memory);
                 watched(watch, WorkKind::Trace, || {
                     paint_key_light(&traced.0, &scene, color_of, &mut traced.1);
                 });

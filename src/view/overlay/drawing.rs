@@ -2,8 +2,6 @@
 //! read it. [`Drawing::paths`] returns the marks as a sequence of fills and strokes, used both for painting
 //! pixels and for writing files.
 
-use std::borrow::Cow;
-
 use egui::Color32;
 use pinhole_core::DVec2;
 use tiny_skia::PathBuilder;
@@ -196,9 +194,9 @@ const DASH: [f32; 2] = [5.0, 4.5];
 
 /// A shape to fill or to stroke, in the units of the drawing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Path<'a> {
+pub struct Path {
     /// The outline.
-    pub outline: PathOutline<'a>,
+    pub outline: PathOutline,
     /// The colour.
     pub color: Color32,
     /// Fill or stroke.
@@ -207,11 +205,11 @@ pub struct Path<'a> {
 
 /// The outline of a path.
 #[derive(Clone, Debug, PartialEq)]
-pub enum PathOutline<'a> {
+pub enum PathOutline {
     /// A polyline.
     Chain {
         /// The corners.
-        points: Cow<'a, [[f32; 2]]>,
+        points: Vec<[f32; 2]>,
         /// True if the last corner is joined to the first.
         closed: bool,
     },
@@ -240,7 +238,7 @@ pub enum Ink {
     },
 }
 
-impl PathOutline<'_> {
+impl PathOutline {
     /// Returns the outline in tiny-skia's form, which PDF files use as well; `None` if the outline is empty.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
@@ -262,33 +260,9 @@ impl PathOutline<'_> {
     }
 }
 
-impl Path<'_> {
-    /// Returns the path with all lengths multiplied by `scale`, including dashes and stroke widths.
-    pub fn scaled(&self, scale: f32) -> Path<'static> {
-        let outline = match &self.outline {
-            PathOutline::Chain { points, closed } => PathOutline::Chain {
-                points: points.iter().map(|point| point.map(|x| scale * x)).collect(),
-                closed: *closed,
-            },
-            PathOutline::Circle { center, radius } => {
-                PathOutline::Circle { center: center.map(|x| scale * x), radius: scale * radius }
-            }
-        };
-        let ink = match self.ink {
-            Ink::Fill => Ink::Fill,
-            Ink::Stroke { width, round, dash } => Ink::Stroke {
-                width: scale * width,
-                round,
-                dash: dash.map(|dash| dash.map(|length| scale * length)),
-            },
-        };
-        Path { outline, color: self.color, ink }
-    }
-}
-
 impl Drawing {
     /// Returns everything that is painted, in the order of painting.
-    pub fn paths(&self) -> impl Iterator<Item = Path<'_>> {
+    pub fn paths(&self) -> impl Iterator<Item = Path> {
         self.marks.iter().flat_map(|mark| {
             let (halo, own) = paths_of(mark, self.scale);
             halo.into_iter().chain([own])
@@ -297,7 +271,7 @@ impl Drawing {
 }
 
 /// Returns the path of a mark's casing, if it has one, and the path of the mark itself.
-fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
+fn paths_of(mark: &Mark, scale: f32) -> (Option<Path>, Path) {
     let full = HALO_WIDTH * scale;
     let (width, casing) = match mark.shape {
         Shape::Line { width, .. } => (width, full.min(HALO_SHARE * width)),
@@ -316,13 +290,13 @@ fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
     (mark.halo.map(|halo| path(halo, around)), path(mark.color, ink))
 }
 
-fn outline_of(shape: &Shape) -> PathOutline<'_> {
-    let chain = |points, closed| PathOutline::Chain { points: Cow::Borrowed(points), closed };
+fn outline_of(shape: &Shape) -> PathOutline {
     match shape {
         Shape::Line { points, .. } => {
-            chain(points.as_slice(), points.len() > 2 && points.first() == points.last())
+            let closed = points.len() > 2 && points.first() == points.last();
+            PathOutline::Chain { points: points.clone(), closed }
         }
-        Shape::Polygon { points } => chain(points.as_slice(), true),
+        Shape::Polygon { points } => PathOutline::Chain { points: points.clone(), closed: true },
         Shape::Disc { center, radius } => PathOutline::Circle { center: *center, radius: *radius },
     }
 }

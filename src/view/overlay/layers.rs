@@ -9,18 +9,36 @@ use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
 use rayon::prelude::*;
 
 use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
-use crate::view::overlay::paint::Picture;
+use crate::view::overlay::paint::StretchedPicture;
 use crate::view::overlay::screen::PixelRays;
+
+/// The layers painted over the observer's picture, behind the camera and its marks: the cut-away spheres
+/// around the camera, and the patches of the planes. They stay the same while only the camera moves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Backdrop {
+    pub(crate) background: Color32,
+    pub(crate) patches: Vec<PlanePatch>,
+    pub(crate) bowls: Vec<Bowl>,
+}
+
+impl Backdrop {
+    /// Paints the layers over the observer's traced and shaded picture.
+    pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
+        let layers = Layers::new(frame, self);
+        let bands = dots.par_chunks_mut(BAND * layers.width.max(1)).enumerate();
+        bands.for_each(|(band, dots)| {
+            layers.paint_parts(band * BAND, dots, |_| 0..layers.width, |_, _, _| ());
+        });
+    }
+}
 
 /// All flat layers of one world view, and the traced t that they are compared with.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
     height: usize,
-    pub(crate) background: Color32,
+    backdrop: &'a Backdrop,
     pub(crate) viewport: Option<ViewportLayer<'a>>,
-    pub(crate) patches: Vec<PlanePatch>,
-    pub(crate) bowls: Vec<Bowl>,
 }
 
 /// A sphere around the camera, cut away: only the far side of its surface is painted, where the observer's
@@ -62,18 +80,12 @@ pub(crate) struct ViewportLayer<'a> {
     /// The rectangle; (a, b) is (u / width, v / height).
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
-    pub(crate) picture: Option<PictureLookup<'a>>,
+    /// The picture, with a dot for each pixel of the image.
+    pub(crate) picture: Option<StretchedPicture<'a>>,
     /// The edges between pixels that are drawn, and their opacity, 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
     /// The colour behind transparent pixels.
     pub(crate) behind: Color32,
-}
-
-/// A picture with a precomputed table that gives the nearest traced pixel for each pixel.
-pub(crate) struct PictureLookup<'a> {
-    picture: &'a Picture,
-    rows: Vec<usize>,
-    columns: Vec<usize>,
 }
 
 /// The part of an infinite plane near the observer's target. It has grid lines in world units, and fades out
@@ -106,22 +118,6 @@ const BAND: usize = 32;
 
 /// Maximum opacity at which a patch does not hide lines.
 const SEEN_THROUGH: f32 = 0.25;
-
-impl<'a> PictureLookup<'a> {
-    /// Creates the table; returns `None` if the picture is incomplete or belongs to another image.
-    pub(crate) fn new(picture: &'a Picture, image: ImageSize) -> Option<Self> {
-        if !picture.is_whole() || picture.image != image {
-            return None;
-        }
-        let [rows, columns] = picture.raster.nearest(image);
-        Some(PictureLookup { picture, rows, columns })
-    }
-
-    fn color(&self, row: usize, column: usize) -> Color32 {
-        let width = self.picture.raster.columns().len();
-        self.picture.pixels[self.rows[row] * width + self.columns[column]]
-    }
-}
 
 impl ViewportLayer<'_> {
     /// Returns the point where the dot's ray passes through the rectangle; `None` outside the rectangle.
@@ -171,17 +167,10 @@ impl PlanePatch {
 
 impl<'a> Layers<'a> {
     /// Creates layers over the observer's frame, in which every pixel must be traced.
-    pub(crate) fn new(frame: &'a Frame<f32>, background: Color32) -> Self {
+    pub(crate) fn new(frame: &'a Frame<f32>, backdrop: &'a Backdrop) -> Self {
         let image = frame.camera().image();
-        Layers {
-            frame,
-            width: image.width() as usize,
-            height: image.height() as usize,
-            background,
-            viewport: None,
-            patches: Vec::new(),
-            bowls: Vec::new(),
-        }
+        let (width, height) = (image.width() as usize, image.height() as usize);
+        Layers { frame, width, height, backdrop, viewport: None }
     }
 
     /// Returns true if the frame has a t for every dot.
@@ -211,19 +200,11 @@ impl<'a> Layers<'a> {
         if picture.and_then(|layer| layer.spot(dot)).is_some_and(|spot| covers(spot.t)) {
             return true;
         }
-        self.patches.iter().any(|patch| patch.hides(dot, covers))
-    }
-
-    /// Paints all layers over the traced picture.
-    pub(crate) fn paint(&self, dots: &mut [Color32]) {
-        let bands = dots.par_chunks_mut(BAND * self.width.max(1)).enumerate();
-        bands.for_each(|(band, dots)| {
-            self.paint_parts(band * BAND, dots, |_| 0..self.width, |_, _, _| ());
-        });
+        self.backdrop.patches.iter().any(|patch| patch.hides(dot, covers))
     }
 
     /// Paints all layers over the `traced` picture at the dots of the viewport, in a band of rows that starts
-    /// at `top`. All other dots must already show the result of [`Layers::paint`] without the viewport.
+    /// at `top`. All other dots must already show the result of [`Backdrop::paint`].
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
@@ -245,7 +226,7 @@ impl<'a> Layers<'a> {
         if !self.is_traced() {
             return;
         }
-        let mut layers = vec![FlatRow::default(); self.patches.len() + 1];
+        let mut layers = vec![FlatRow::default(); self.backdrop.patches.len() + 1];
         for (row, dots) in (top..self.height).zip(dots.chunks_exact_mut(self.width)) {
             let part = part_of(row);
             if !part.is_empty() {
@@ -264,7 +245,7 @@ impl<'a> Layers<'a> {
             flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
         }
         for (layer, PlanePatch { flat, radius, grid, .. }) in
-            layers[1..].iter_mut().zip(&self.patches)
+            layers[1..].iter_mut().zip(&self.backdrop.patches)
         {
             flat.fill_row(layer, y, part, *radius, Some(grid));
         }
@@ -276,10 +257,10 @@ impl<'a> Layers<'a> {
         let objects = &self.frame.object[start..start + self.width];
         for (dot, object) in dots[part.clone()].iter_mut().zip(&objects[part.clone()]) {
             if *object == NO_OBJECT {
-                *dot = self.background;
+                *dot = self.backdrop.background;
             }
         }
-        for bowl in &self.bowls {
+        for bowl in &self.backdrop.bowls {
             let y = row as f64 + 0.5;
             for (column, dot) in part.clone().zip(&mut dots[part.clone()]) {
                 *dot = bowl.paint([column as f64 + 0.5, y], t[column], *dot);
@@ -314,7 +295,7 @@ impl<'a> Layers<'a> {
         // screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
-                let patch = &self.patches[patch];
+                let patch = &self.backdrop.patches[patch];
                 for ((dot, (t, spot)), traced) in dots.iter_mut().zip(spots).zip(traced) {
                     *dot = patch.paint(spot, is_nearer(t, *traced), *dot);
                 }
@@ -362,7 +343,7 @@ impl<'a> Layers<'a> {
     fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
         let spot = row.spot(column - row.span.start);
         match (index.checked_sub(1), &self.viewport) {
-            (Some(patch), _) => self.patches[patch].paint(spot, true, below),
+            (Some(patch), _) => self.backdrop.patches[patch].paint(spot, true, below),
             (None, Some(viewport)) => viewport.paint(spot, below),
             (None, None) => below,
         }

@@ -31,6 +31,7 @@ mod world_view;
 pub use camera_view::loupe::{Loupe, loupe_window};
 pub use camera_view::{CameraView, camera};
 pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, Target, concept_at};
+pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
 pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
 pub use style::{Colors, Style};
@@ -38,7 +39,7 @@ pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
 pub use world_view::handles::{Guide, HandleMark, Handles, Knob, KnobState};
 pub use world_view::highlighted::Highlighted;
-pub use world_view::{Backdrop, Below, WorldView, pick, t_towards, world, world_position_of};
+pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
 /// A shared value that is compared by identity: it equals only itself.
 #[derive(Debug)]

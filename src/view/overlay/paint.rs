@@ -1,8 +1,6 @@
 //! Painting of pixels: paints marks directly into a picture with tiny-skia, and stretches the traced picture
 //! of the edited camera over a view with sharp pixels.
 
-use std::borrow::Borrow;
-
 use egui::Color32;
 use pinhole_core::{ImageSize, Raster};
 use rayon::prelude::*;
@@ -20,13 +18,11 @@ pub(super) struct Fills(Vec<(tiny_skia::Path, Paint<'static>)>);
 impl Fills {
     /// Prepares the marks of a drawing.
     pub(super) fn new(drawing: &Drawing) -> Fills {
-        Fills::of_paths(drawing.paths())
+        Fills::of_paths(&drawing.paths().collect::<Vec<_>>())
     }
 
-    fn of_paths<'a>(paths: impl Iterator<Item: Borrow<Path<'a>> + Sync>) -> Fills {
-        let paths: Vec<_> = paths.collect();
+    fn of_paths(paths: &[Path]) -> Fills {
         let filled = paths.par_iter().with_min_len(8).filter_map(|path| {
-            let path = path.borrow();
             let [r, g, b, a] = path.color.to_srgba_unmultiplied();
             let mut paint = Paint::default();
             paint.set_color_rgba8(r, g, b, a);
@@ -71,11 +67,7 @@ impl Fills {
 }
 
 /// Paints paths over a picture of `width` dots per row.
-pub fn paint_paths<'a>(
-    paths: impl Iterator<Item: Borrow<Path<'a>> + Sync>,
-    width: usize,
-    dots: &mut [Color32],
-) {
+pub fn paint_paths(paths: &[Path], width: usize, dots: &mut [Color32]) {
     Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
 }
 
@@ -137,6 +129,13 @@ pub(crate) struct StretchedPicture<'a> {
 }
 
 impl StretchedPicture<'_> {
+    /// Returns the colour of a dot.
+    #[inline(always)]
+    pub(crate) fn color(&self, row: usize, column: usize) -> Color32 {
+        let width = self.picture.raster.columns().len();
+        self.picture.pixels[self.rows[row] * width + self.columns[column]]
+    }
+
     /// Fills a band of the buffer whose first row of dots is `top`.
     pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
         let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
@@ -168,7 +167,7 @@ mod tests {
         let outline = PathOutline::Chain { points: points.into(), closed: true };
         let path = Path { outline, color: Color32::WHITE, ink };
         let mut dots = vec![Color32::BLACK; WIDTH * 100];
-        paint_paths(std::iter::once(&path), WIDTH, &mut dots);
+        paint_paths(&[path], WIDTH, &mut dots);
         dots.into_iter().map(|dot| f32::from(dot.r()) / 255.0).collect()
     }
 

@@ -156,14 +156,9 @@ impl Style {
 
     /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Style::Light => "light",
-            Style::Dark => "dark",
-            Style::ColourBlindLight => "colour-blind",
-            Style::ColourBlindDark => "colour-blind-dark",
-            Style::GreyLight => "grey",
-            Style::GreyDark => "grey-dark",
-        }
+        const NAMES: [&str; 6] =
+            ["light", "dark", "colour-blind", "colour-blind-dark", "grey", "grey-dark"];
+        NAMES[self as usize]
     }
 
     /// Returns its scheme.
@@ -178,14 +173,9 @@ impl Style {
 
     /// Returns its colours.
     pub fn colors(self) -> &'static Colors {
-        match self {
-            Style::Light => &LIGHT,
-            Style::Dark => &DARK,
-            Style::ColourBlindLight => &COLOUR_BLIND_LIGHT,
-            Style::ColourBlindDark => &COLOUR_BLIND_DARK,
-            Style::GreyLight => &GREY_LIGHT,
-            Style::GreyDark => &GREY_DARK,
-        }
+        const ALL: [&Colors; 6] =
+            [&LIGHT, &DARK, &COLOUR_BLIND_LIGHT, &COLOUR_BLIND_DARK, &GREY_LIGHT, &GREY_DARK];
+        ALL[self as usize]
     }
 
     /// Applies the style to the dots of a finished picture: a grey style removes the hue.

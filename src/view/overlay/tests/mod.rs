@@ -122,7 +122,7 @@ impl Stage {
 
     /// Paints a world view over the observer's shaded picture.
     fn painted(&self, view: &WorldView, dots: &mut [Color32]) -> Drawing {
-        let (traced, backdrop) = (dots.to_vec(), Backdrop::new(view, self.scene()));
+        let (traced, backdrop) = (dots.to_vec(), view.backdrop(self.scene()));
         backdrop.paint(&view.frame, dots);
         let painted = dots.to_vec();
         world(view, self.scene(), &backdrop, Below { traced: &traced, painted: &painted }, dots)

@@ -327,15 +327,14 @@ const SHOWN_PLANES: usize = 16;
 
 impl WorldView {
     /// Returns the patches of the planes near the observer's target.
-    pub(crate) fn patches(&self, scene: ColoredScene<'_>) -> Vec<PlanePatch> {
+    pub(crate) fn patches(&self, scene: ColoredScene<'_>, rays: &PixelRays) -> Vec<PlanePatch> {
         if !self.items.shows(Item::Planes) {
             return Vec::new();
         }
-        let rays = self.screen().pixel_rays();
         let first = scene.scene.spheres().len();
         let visible = scene.scene.planes().iter().take(SHOWN_PLANES).enumerate();
         let color_of = |index: usize| scene.color_of((first + index) as u32);
-        visible.filter_map(|(index, plane)| self.patch(plane, color_of(index), &rays)).collect()
+        visible.filter_map(|(index, plane)| self.patch(plane, color_of(index), rays)).collect()
     }
 
     fn patch(&self, plane: &Plane, [r, g, b]: Rgb, rays: &PixelRays) -> Option<PlanePatch> {

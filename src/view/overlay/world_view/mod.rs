@@ -17,7 +17,7 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::practice::answer_marks::AnswerMark;
 use crate::view::overlay::drawing::{Drawing, dot, wide};
 use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::layers::{Bowl, Layers, PictureLookup, PlanePatch, ViewportLayer};
+use crate::view::overlay::layers::{Backdrop, Bowl, Layers, ViewportLayer};
 use crate::view::overlay::paint::{Fills, Picture};
 use crate::view::overlay::screen::Screen;
 use crate::view::overlay::screen::camera_uv_at;
@@ -74,36 +74,6 @@ pub struct WorldView {
     pub is_apart: bool,
 }
 
-/// The layers painted over the observer's picture, behind the camera and its marks: the cut-away spheres
-/// around the camera, and the patches of the planes. They stay the same while only the camera moves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Backdrop {
-    patches: Vec<PlanePatch>,
-    bowls: Vec<Bowl>,
-    background: Color32,
-}
-
-impl Backdrop {
-    /// Returns the backdrop of a world view.
-    pub fn new(view: &WorldView, scene: ColoredScene<'_>) -> Backdrop {
-        let background =
-            if view.is_clear { Color32::TRANSPARENT } else { view.style.colors().background };
-        Backdrop { patches: view.patches(scene), bowls: view.bowls(scene), background }
-    }
-
-    /// Paints the layers over the observer's traced and shaded picture.
-    pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
-        self.layers(frame).paint(dots);
-    }
-
-    fn layers<'a>(&self, frame: &'a Frame<f32>) -> Layers<'a> {
-        let mut layers = Layers::new(frame, self.background);
-        layers.patches.clone_from(&self.patches);
-        layers.bowls.clone_from(&self.bowls);
-        layers
-    }
-}
-
 /// The pictures that a world view is painted over.
 #[derive(Clone, Copy)]
 pub struct Below<'a> {
@@ -133,7 +103,8 @@ pub fn world(
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = wide(position);
-    let layers = Layers::new(frame, Color32::TRANSPARENT);
+    let backdrop = Backdrop::default();
+    let layers = Layers::new(frame, &backdrop);
     let layer = viewport_layer(resolved, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
     let uv = spot.position * DVec2::new(resolved.viewport().width, resolved.viewport().height);
@@ -182,7 +153,7 @@ const GRID_SPACING: f64 = 7.0;
 impl WorldView {
     /// Returns the marks and labels, without painting them.
     pub fn drawing(&self, scene: ColoredScene<'_>) -> Drawing {
-        self.sketch(scene, &self.layers(&Backdrop::new(self, scene)))
+        self.sketch(scene, &self.layers(&self.backdrop(scene)))
     }
 
     fn size(&self) -> [usize; 2] {
@@ -206,24 +177,31 @@ impl WorldView {
         Screen::new(self.frame.camera(), self.observer.distance(), self.scale)
     }
 
-    fn bowls(&self, scene: ColoredScene<'_>) -> Vec<Bowl> {
+    /// Returns the layers behind the camera.
+    pub fn backdrop(&self, scene: ColoredScene<'_>) -> Backdrop {
+        let background = match self.is_clear {
+            true => Color32::TRANSPARENT,
+            false => self.style.colors().background,
+        };
         let rays = self.screen().pixel_rays();
-        let spheres = scene.scene.spheres();
         let around = self.enclosing.iter().filter_map(|index| {
-            let sphere = *spheres.get(*index as usize)?;
+            let sphere = *scene.scene.spheres().get(*index as usize)?;
             Some(Bowl { sphere, color: scene.color_of(*index), rays })
         });
-        around.collect()
+        Backdrop { background, patches: self.patches(scene, &rays), bowls: around.collect() }
     }
 
-    fn layers(&self, backdrop: &Backdrop) -> Layers<'_> {
-        let mut layers = backdrop.layers(&self.frame);
+    fn layers<'a>(&'a self, backdrop: &'a Backdrop) -> Layers<'a> {
+        let mut layers = Layers::new(&self.frame, backdrop);
         if let Some(resolved) = &self.resolved {
             let behind = self.style.colors().background;
             layers.viewport = viewport_layer(resolved, self.frame.camera(), behind);
             if let Some(layer) = &mut layers.viewport {
                 let picture = self.picture.as_ref().filter(|_| self.items.shows(Item::Picture));
-                layer.picture = picture.and_then(|p| PictureLookup::new(p, resolved.image()));
+                let image = resolved.image();
+                let picture = picture.filter(|p| p.is_whole() && p.image == image);
+                layer.picture =
+                    picture.map(|p| p.on([image.width() as usize, image.height() as usize]));
                 if self.items.shows(Item::PixelGrid) {
                     layer.grid = pixel_grid(&self.screen(), resolved);
                 }
