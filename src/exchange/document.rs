@@ -4,7 +4,7 @@ use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
+use pinhole_core::{Camera, Object, Plane, Rgb, Scene, SceneError, Sphere};
 
 /// The contents of a scene file: a camera and the objects in front of it.
 ///
@@ -163,6 +163,29 @@ impl Document {
     /// Returns the number of objects.
     pub fn object_count(&self) -> usize {
         self.sphere_count() + self.planes.len()
+    }
+
+    /// Returns the object with this index, among those that can be edited; `None` for a sphere of the CSV file.
+    pub fn object(&self, index: usize) -> Option<Object> {
+        match index.checked_sub(self.sphere_count()) {
+            None => Some(Object::Sphere(self.spheres.get(index)?.shape)),
+            Some(plane) => Some(Object::Plane(self.planes.get(plane)?.shape)),
+        }
+    }
+
+    /// Replaces the object with this index by one of its kind; does nothing if [`Document::object`] returns
+    /// `None`.
+    pub fn set_object(&mut self, index: usize, object: Object) {
+        let plane = index.checked_sub(self.sphere_count());
+        match object {
+            Object::Sphere(sphere) => {
+                self.spheres.get_mut(index).into_iter().for_each(|item| item.shape = sphere);
+            }
+            Object::Plane(shape) => {
+                let item = plane.and_then(|plane| self.planes.get_mut(plane));
+                item.into_iter().for_each(|item| item.shape = shape);
+            }
+        }
     }
 
     /// Returns an object's title in lists and readouts: `sphere 0`, `sphere 1 “ball”`, `plane 2`.

@@ -2,7 +2,6 @@
 
 /// A section of the derivation, from top to bottom, with its label and its name in files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
 pub enum DerivationSection {
     /// The steps from view and up to u, v, w.
     Basis,
@@ -36,41 +35,28 @@ impl DerivationSection {
             DerivationSection::Objects => "objects",
         }
     }
-
-    fn bit(self) -> u8 {
-        1 << self as u8
-    }
 }
 
-/// The sections of the derivation that are shown; all of them by default.
+/// True for each section of the derivation that is shown, in the order of [`DerivationSection::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DerivationSections(u8);
+pub struct DerivationSections(pub [bool; 3]);
 
 impl Default for DerivationSections {
+    /// Returns all sections.
     fn default() -> Self {
-        DerivationSection::ALL.into_iter().collect()
-    }
-}
-
-impl FromIterator<DerivationSection> for DerivationSections {
-    fn from_iter<I: IntoIterator<Item = DerivationSection>>(sections: I) -> Self {
-        DerivationSections(sections.into_iter().fold(0, |bits, section| bits | section.bit()))
+        DerivationSections([true; 3])
     }
 }
 
 impl DerivationSections {
     /// Returns true if the section is shown.
     pub fn shows(self, section: DerivationSection) -> bool {
-        self.0 & section.bit() != 0
+        self.0[section as usize]
     }
 
     /// Shows or hides a section.
     pub fn set(&mut self, section: DerivationSection, shown: bool) {
-        if shown {
-            self.0 |= section.bit();
-        } else {
-            self.0 &= !section.bit();
-        }
+        self.0[section as usize] = shown;
     }
 }
 

@@ -50,17 +50,8 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
         let shown = shown(typed);
         return Err(format!("“{shown}” is too long: at most {LONGEST} characters are read"));
     }
-    let plain: String = typed
-        .chars()
-        .map(|c| match c {
-            '−' => '-',
-            '×' | '·' => '*',
-            other => other,
-        })
-        .collect::<String>()
-        .replace('√', "sqrt")
-        .replace('²', "^2")
-        .replace('³', "^3");
+    let plain = typed.replace('−', "-").replace(['×', '·'], "*").replace('√', "sqrt");
+    let plain = plain.replace('²', "^2").replace('³', "^3");
     if plain.is_empty() {
         return Err("type a number, such as 0.5, 1/3 or sqrt(2)/2".to_owned());
     }
@@ -92,28 +83,20 @@ impl<'a> Parser<'a> {
 
     fn sum(&mut self, depth: usize) -> Option<f64> {
         let mut value = self.product(depth)?;
-        loop {
-            if self.takes("+") {
-                value += self.product(depth)?;
-            } else if self.takes("-") {
-                value -= self.product(depth)?;
-            } else {
-                return Some(value);
-            }
+        while let Some(sign) = self.take(['+', '-']) {
+            let term = self.product(depth)?;
+            value = if sign == '+' { value + term } else { value - term };
         }
+        Some(value)
     }
 
     fn product(&mut self, depth: usize) -> Option<f64> {
         let mut value = self.signed(depth)?;
-        loop {
-            if self.takes("*") {
-                value *= self.signed(depth)?;
-            } else if self.takes("/") {
-                value /= self.signed(depth)?;
-            } else {
-                return Some(value);
-            }
+        while let Some(sign) = self.take(['*', '/']) {
+            let factor = self.signed(depth)?;
+            value = if sign == '*' { value * factor } else { value / factor };
         }
+        Some(value)
     }
 
     /// Parses a power, with any signs before it: `-2^2` is -4.
@@ -121,19 +104,20 @@ impl<'a> Parser<'a> {
         if depth > DEEPEST {
             return None;
         }
-        if self.takes("-") {
-            self.signed(depth + 1).map(|value| -value)
-        } else if self.takes("+") {
-            self.signed(depth + 1)
-        } else {
-            self.power(depth)
+        match self.take(['+', '-']) {
+            Some('-') => self.signed(depth + 1).map(|value| -value),
+            Some(_) => self.signed(depth + 1),
+            None => self.power(depth),
         }
     }
 
     /// Parses a value, or one value raised to another: `2^3^2` is 2 to the ninth.
     fn power(&mut self, depth: usize) -> Option<f64> {
         let base = self.value(depth)?;
-        if self.takes("^") { Some(base.powf(self.signed(depth + 1)?)) } else { Some(base) }
+        if self.take(['^']).is_none() {
+            return Some(base);
+        }
+        self.signed(depth + 1).map(|power| base.powf(power))
     }
 
     /// Parses a number, a constant, an expression in brackets, or a function with its argument.
@@ -141,9 +125,9 @@ impl<'a> Parser<'a> {
         if depth > DEEPEST {
             return None;
         }
-        if self.takes("(") {
+        if self.take(['(']).is_some() {
             let value = self.sum(depth + 1)?;
-            return self.takes(")").then_some(value);
+            return self.take([')']).map(|_| value);
         }
         if let Some(number) = self.number() {
             return Some(number);
@@ -156,10 +140,12 @@ impl<'a> Parser<'a> {
         self.value(depth + 1).map(function)
     }
 
-    fn takes(&mut self, sign: &str) -> bool {
-        let rest = self.rest.trim_start().strip_prefix(sign);
-        self.rest = rest.unwrap_or(self.rest);
-        rest.is_some()
+    /// Takes the next sign if it is one of these.
+    fn take<const N: usize>(&mut self, signs: [char; N]) -> Option<char> {
+        let text = self.rest.trim_start();
+        let sign = text.chars().next().filter(|sign| signs.contains(sign))?;
+        self.rest = &text[sign.len_utf8()..];
+        Some(sign)
     }
 
     /// Parses digits with at most one point and at most one exponent.

@@ -38,11 +38,11 @@ pub fn title_of(origin: &Origin) -> String {
 }
 
 /// Returns the command-line argument that opens this scene from any folder; `None` for a lesson's
-/// step.
+/// step, and for a path that is not valid text, which could not be stored in a file.
 pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     match origin {
         Origin::Scene(SceneSource::Builtin(scene)) => Some(PathBuf::from(scene.name)),
-        Origin::Scene(SceneSource::File(path)) => Some(absolute(path)),
+        Origin::Scene(SceneSource::File(path)) => Some(absolute(path)).filter(|path| is_text(path)),
         Origin::Step(_) => None,
     }
 }
@@ -83,10 +83,8 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
-    /// The source's stamp when this window read or wrote it; `None` if there was no file.
-    stamp: Option<Stamp>,
-    /// The stamp of the table of spheres.
-    csv_stamp: Option<Stamp>,
+    /// The stamps when this window read or wrote the files; `None` for a file that did not exist.
+    stamps: Stamps,
     /// The document's origin.
     origin: Origin,
     /// True if changes may be lost without asking the user: the document belongs to no file and
@@ -97,23 +95,20 @@ pub struct OpenDocument {
 impl OpenDocument {
     /// Creates the open document from one that was just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
-        let (stamp, csv_stamp) = (source.scene_file().and_then(Stamp::of), csv_stamp(&document));
+        let stamps = [source.scene_file().and_then(Stamp::of), csv_stamp(&document)];
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
         };
-        let origin = Origin::Scene(source);
-        let saved = document.clone();
-        OpenDocument { document, saved, text, stamp, csv_stamp, origin, forgiving: false }
+        let (origin, saved) = (Origin::Scene(source), document.clone());
+        OpenDocument { document, saved, text, stamps, origin, forgiving: false }
     }
 
     /// Creates the open document of the lesson's step with this title. While the lesson is open,
     /// its changes do not count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
-        let origin = Origin::Step(title);
-        let (text, stamp, csv_stamp) = (None, None, None);
-        let saved = document.clone();
-        OpenDocument { document, saved, text, stamp, csv_stamp, origin, forgiving: true }
+        let (origin, saved) = (Origin::Step(title), document.clone());
+        OpenDocument { document, saved, text: None, stamps: [None; 2], origin, forgiving: true }
     }
 
     /// Creates the open document from a document with unsaved changes. It belongs to `source` if
@@ -121,15 +116,13 @@ impl OpenDocument {
     /// changes began.
     pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
-        match saved {
-            Some((saved, source)) => {
-                let open = Self::new(saved, source);
-                // If the stamps differ, the text at the time when the changes began is unknown.
-                let text = open.text.filter(|_| open.stamp == stamp);
-                OpenDocument { document, text, stamp, ..open }
-            }
-            None => Self::unsaved(document, UNNAMED.to_owned()),
-        }
+        let Some((saved, source)) = saved else {
+            return Self::unsaved(document, UNNAMED.to_owned());
+        };
+        let open = Self::new(saved, source);
+        // If the stamps differ, the text at the time when the changes began is unknown.
+        let text = open.text.filter(|_| open.stamps[0] == stamp);
+        OpenDocument { document, text, stamps: [stamp, open.stamps[1]], ..open }
     }
 
     /// Creates an open document with this title that belongs to no file yet and has unsaved
@@ -192,15 +185,19 @@ impl OpenDocument {
 
     /// Returns the source's stamp when this window read or wrote it.
     pub fn stamp(&self) -> Option<Stamp> {
-        self.stamp
+        self.stamps[0]
+    }
+
+    /// Returns the present stamps of the scene's file and of its table of spheres.
+    fn stamps_now(&self) -> Stamps {
+        [self.scene_file().and_then(Stamp::of), csv_stamp(&self.saved)]
     }
 
     /// Returns the present stamps of the scene's file and of its table of spheres if either differs
     /// from the stamp when this window read or wrote it. Compares only time and size.
     pub fn touched(&self) -> Option<Stamps> {
-        let scene = Stamp::of(self.scene_file()?)?;
-        let now = [Some(scene), csv_stamp(&self.saved)];
-        (now != [self.stamp, self.csv_stamp]).then_some(now)
+        let now = self.stamps_now();
+        (now[0].is_some() && now != self.stamps).then_some(now)
     }
 
     /// Returns the name of the file that another program has changed since it was read: the scene's
@@ -210,28 +207,27 @@ impl OpenDocument {
             return Some(title_of(&self.origin));
         }
         let csv = self.saved.csv_spheres.as_ref()?;
-        (csv_stamp(&self.saved) != self.csv_stamp).then(|| csv.path.clone())
+        (csv_stamp(&self.saved) != self.stamps[1]).then(|| csv.path.clone())
     }
 
     /// Returns true if another program has changed the content of the scene's file since this
     /// window read or wrote it.
     pub fn was_changed_by_others(&mut self) -> bool {
-        let Some(now) = self.scene_file().and_then(Stamp::of) else { return false };
-        if self.stamp == Some(now) {
+        let [now, _] = self.stamps_now();
+        if now.is_none() || now == self.stamps[0] {
             return false;
         }
         let text = self.scene_file().and_then(|path| limits::read_text(path).ok());
         let is_same = text.is_some() && text == self.text;
         if is_same {
-            self.stamp = Some(now);
+            self.stamps[0] = now;
         }
         !is_same
     }
 
     /// Accepts that another program has changed the file, so that saving may replace its changes.
     pub fn keep_mine(&mut self) {
-        self.stamp = self.scene_file().and_then(Stamp::of);
-        self.csv_stamp = csv_stamp(&self.saved);
+        self.stamps = self.stamps_now();
     }
 
     /// Checks that an output does not overwrite a file that the scene is read from.
@@ -271,26 +267,19 @@ impl OpenDocument {
         if !self.is_own(path) {
             self.check_output(path)?;
         }
-        let saved = match self.text_on_disk(path) {
-            Some(text) => scene_file::save(&self.document, path, Some(&text)),
-            None => scene_file::save(&self.document, path, self.text.as_deref()),
-        };
-        let saved = saved.map_err(|error| error.to_string())?;
+        // The comments of the document's own file may have been edited since it was read.
+        let on_disk = self.is_own(path).then(|| limits::read_text(path).ok()).flatten();
+        let text = on_disk.as_deref().or(self.text.as_deref());
+        let saved = scene_file::save(&self.document, path, text).map_err(|e| e.to_string())?;
         // Keep the document as written: its reference to a file of spheres is now relative to the
         // scene's new folder.
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
-        self.stamp = Stamp::of(path);
+        self.stamps[0] = Stamp::of(path);
         self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
         self.forgiving = false;
         Ok(())
-    }
-
-    /// Returns the present text of the file at `path` if the document came from that file, because
-    /// its comments may have been edited since.
-    fn text_on_disk(&self, path: &Path) -> Option<String> {
-        self.is_own(path).then(|| limits::read_text(path).ok()).flatten()
     }
 }
 

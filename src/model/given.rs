@@ -111,7 +111,7 @@ impl Givens<'_> {
             (Given::Column, Selection::Pixel(pixel)) => Some(f64::from(pixel.column) + from),
             (given, mut selection) => {
                 let mut camera = self.document.camera;
-                let mut object = object_of(self.document, given)?;
+                let mut object = given.object().and_then(|k| self.document.object(k as usize));
                 place(given, &mut camera, &mut object, &mut selection).copied()
             }
         }
@@ -178,33 +178,15 @@ pub fn set(
         (Given::Row, Selection::Pixel(pixel)) => pixel.row = index(value),
         (Given::Column, Selection::Pixel(pixel)) => pixel.column = index(value),
         _ => {
-            let Some(mut object) = object_of(document, given) else { return };
+            let mut object = given.object().and_then(|k| document.object(k as usize));
             if let Some(place) = place(given, &mut document.camera, &mut object, selection) {
                 *place = value;
             }
-            let first_plane = document.sphere_count();
-            match (given.object(), object) {
-                (Some(index), Some(Object::Sphere(sphere))) => {
-                    document.spheres[index as usize].shape = sphere;
-                }
-                (Some(index), Some(Object::Plane(plane))) => {
-                    document.planes[index as usize - first_plane].shape = plane;
-                }
-                _ => {}
+            if let (Some(k), Some(object)) = (given.object(), object) {
+                document.set_object(k as usize, object);
             }
         }
     }
-}
-
-/// Returns the object that a number belongs to; `Some(None)` for a number of the camera or of the
-/// ray, and `None` if the object is not among the document's own.
-fn object_of(document: &Document, given: Given) -> Option<Option<Object>> {
-    let Some(index) = given.object() else { return Some(None) };
-    let index = index as usize;
-    Some(Some(match index.checked_sub(document.sphere_count()) {
-        None => Object::Sphere(document.spheres.get(index)?.shape),
-        Some(plane) => Object::Plane(document.planes.get(plane)?.shape),
-    }))
 }
 
 /// Returns a reference to a stored number that need not be whole.

@@ -51,43 +51,27 @@ impl Inspection {
     /// Inspects the selected view ray. A pixel must lie inside the image.
     pub fn new(camera: &ResolvedCamera, scene: &Scene, selection: Selection) -> Inspection {
         let uv = selection.uv(camera);
-        match selection.exact_ray(camera) {
-            Ok(exact) => Inspection::of_exact(camera, scene, uv, &exact),
-            Err(_) => Inspection {
-                uv,
-                image_position: None,
-                ray: camera.ray(uv),
-                roots: Vec::new(),
-                ranks: Vec::new(),
-                distances: Vec::new(),
-                terms: Vec::new(),
-                first: None,
-            },
-        }
-    }
-
-    fn of_exact(camera: &ResolvedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
-        let found = scene.ranked_roots_of(exact);
+        let exact = selection.exact_ray(camera).ok();
+        let found = exact.as_ref().map_or_else(Vec::new, |ray| scene.ranked_roots_of(ray));
         let roots: Vec<Root> = found.iter().map(|ranked| ranked.root).collect();
-        let ranks = found.iter().map(|ranked| ranked.rank).collect();
-        let distances = found.iter().map(|ranked| ranked.distance).collect();
-        // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
-        // hit.
-        let first = roots.iter().position(|root| root.t > 0.0);
-        let terms = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
-            Object::Sphere(sphere) => ObjectTerms::Sphere(sphere.quadratic_of(exact)),
-            Object::Plane(plane) => ObjectTerms::Plane(plane.terms_of(exact)),
-        });
-        let (image_position, terms) = (camera.pixel_of_uv(uv), terms.collect());
+        let terms = |ray: &ExactRay| {
+            let objects = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
+                Object::Sphere(sphere) => ObjectTerms::Sphere(sphere.quadratic_of(ray)),
+                Object::Plane(plane) => ObjectTerms::Plane(plane.terms_of(ray)),
+            });
+            objects.collect()
+        };
         Inspection {
             uv,
-            image_position,
-            ray: exact.rounded(),
+            image_position: exact.as_ref().and_then(|_| camera.pixel_of_uv(uv)),
+            ray: exact.as_ref().map_or_else(|| camera.ray(uv), ExactRay::rounded),
+            ranks: found.iter().map(|ranked| ranked.rank).collect(),
+            distances: found.iter().map(|ranked| ranked.distance).collect(),
+            terms: exact.as_ref().map_or_else(Vec::new, terms),
+            // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
+            // hit.
+            first: roots.iter().position(|root| root.t > 0.0),
             roots,
-            ranks,
-            distances,
-            terms,
-            first,
         }
     }
 

@@ -15,7 +15,7 @@ use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
-use super::files::{OpenDocument, Stamp, argument_of, is_text, title_of};
+use super::files::{OpenDocument, Stamp, argument_of, title_of};
 
 /// Maximum number of slots; any further window does not record its changes.
 const SLOTS: usize = 64;
@@ -124,7 +124,7 @@ impl Unsaved {
         let mut document = open.document.clone();
         let source = Source {
             title: title_of(origin),
-            argument: argument_of(origin).filter(|path| is_text(path)),
+            argument: argument_of(origin),
             stamp: open.stamp(),
             faults: Faults::take(&mut document),
         };

@@ -221,11 +221,6 @@ pub struct Row {
     pub differs: bool,
 }
 
-/// Returns an axis as a bold letter with its sign.
-fn letter(axis: Axis) -> String {
-    axis.name.chars().map(bold).collect()
-}
-
 /// Returns the rule by which pixels are counted, and the numbers of a pixel's centre in an image of
 /// W x H.
 fn counted(
@@ -236,103 +231,68 @@ fn counted(
     let (i, j) = (italic('i'), italic('j'));
     let (y, x) = (f64::from(row), f64::from(column));
     let (w, h) = (f64::from(width), f64::from(height));
-    let pair = |a: f64, b: f64| format!("({}, {})", written_whole(a), written_whole(b));
-    match pixels {
-        PixelConvention::Corner => [
-            format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
-            pair(x + 0.5, y + 0.5),
-        ],
+    let short = |x: f64| (x * 1e4).round() / 1e4;
+    let (rule, [a, b]) = match pixels {
+        PixelConvention::Corner => {
+            (format!("x = {j} + ½, y = {i} + ½: from the upper left corner"), [x + 0.5, y + 0.5])
+        }
         PixelConvention::AtCentre => {
-            [format!("x = {j}, y = {i}: from the centre of the first pixel"), pair(x, y)]
+            (format!("x = {j}, y = {i}: from the centre of the first pixel"), [x, y])
         }
-        PixelConvention::FromBottom => [
+        PixelConvention::FromBottom => (
             format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up"),
-            pair(x + 0.5, h - y - 0.5),
-        ],
+            [x + 0.5, h - y - 0.5],
+        ),
         PixelConvention::FromOne => {
-            [format!("{i} + 1, {j} + 1: counted from 1"), pair(y + 1.0, x + 1.0)]
+            (format!("{i} + 1, {j} + 1: counted from 1"), [y + 1.0, x + 1.0])
         }
-        PixelConvention::ColumnFirst => {
-            [format!("get_ray({j}, {i}): the column first"), pair(x, y)]
-        }
-        PixelConvention::Device => {
-            let short = |x: f64| (x * 1e4).round() / 1e4;
-            [
-                format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up"),
-                pair(short((2.0 * x + 1.0 - w) / w), short((h - 2.0 * y - 1.0) / h)),
-            ]
-        }
-    }
-}
-
-fn flips(pixels: PixelConvention) -> bool {
-    matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
+        PixelConvention::ColumnFirst => (format!("get_ray({j}, {i}): the column first"), [x, y]),
+        PixelConvention::Device => (
+            format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up"),
+            [short((2.0 * x + 1.0 - w) / w), short((h - 2.0 * y - 1.0) / h)],
+        ),
+    };
+    [rule, format!("({}, {})", written_whole(a), written_whole(b))]
 }
 
 /// Returns the table for a camera, which compares a format's conventions with Pinhole's. The row on
 /// pixels has the numbers of `pixel`; `digits` is the number of significant digits.
 fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
-    let image = subject.resolve().image();
+    let (image, viewport) = (subject.resolve().image(), subject.resolve().viewport());
     let size = [image.width(), image.height()];
     let mut table = axes(conventions, subject, digits);
-    let hand = |right| if right { "right-handed" } else { "left-handed" };
-    let mut line = |about, ours: String, theirs: String, flipped, differs| {
+    let mut line = |about, ours: &str, theirs: &str, flipped, differs| {
+        let (ours, theirs) = (ours.to_owned(), theirs.to_owned());
         table.push(Row { about, ours, theirs, flipped, differs });
     };
-    let right_handed = conventions.is_right_handed();
-    line(
-        "its axes are",
-        hand(true).into(),
-        hand(right_handed).into(),
-        !right_handed,
-        !right_handed,
-    );
-    let looks = |axis: Axis| if axis == Axis::MINUS_W { "along +z" } else { "along −z" };
+    let hand = |is_left| if is_left { "left-handed" } else { "right-handed" };
+    let is_left = !conventions.is_right_handed();
+    line("its axes are", hand(false), hand(is_left), is_left, is_left);
+    let looks = |forward| if forward { "along +z" } else { "along −z" };
     let forward = conventions.axes[2] == Axis::MINUS_W;
-    line("it looks", looks(Axis::W).into(), looks(conventions.axes[2]).into(), forward, forward);
+    line("it looks", looks(false), looks(forward), forward, forward);
     let at_or = match subject.document.camera.orientation {
         Orientation::At { .. } => "eye, at, up",
         Orientation::View { .. } => "eye, view, up",
         Orientation::Basis(_) => "eye and u, v, w",
     };
-    line("given by", at_or.into(), conventions.given_by.into(), false, true);
+    line("given by", at_or, conventions.given_by, false, true);
     let pixels = conventions.pixels;
     let [our_rule, our_centre] = counted(PixelConvention::Corner, pixel, size);
     let [their_rule, their_centre] = counted(pixels, pixel, size);
-    let (flipped, differs) = (flips(pixels), pixels != PixelConvention::Corner);
-    line("centre of a pixel", our_rule, their_rule, flipped, differs);
+    let flipped = matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device);
+    let differs = pixels != PixelConvention::Corner;
+    line("centre of a pixel", &our_rule, &their_rule, flipped, differs);
     let ours = format!("row, column ({}, {}), centre {our_centre}", pixel.row, pixel.column);
-    line("in numbers", ours, their_centre, flipped, differs);
-    let viewport = subject.resolve().viewport();
+    line("in numbers", &ours, &their_centre, flipped, differs);
+    let [w, h, d] = [viewport.width, viewport.height, viewport.distance].map(written_whole);
     let text = format!("{}: {}", conventions.view, conventions.field_of_view(subject));
-    let field_of_view = shortened(&Text { text, flipped: Vec::new() }, digits).text;
-    line(
-        "field of view",
-        format!(
-            "width {} × height {} at distance {}",
-            written_whole(viewport.width),
-            written_whole(viewport.height),
-            written_whole(viewport.distance)
-        ),
-        field_of_view,
-        false,
-        true,
-    );
-    line("distance", "t = 1 is the viewport".into(), conventions.distance.into(), false, true);
-    line(
-        "pixels' shape",
-        "any".into(),
-        conventions.shape.into(),
-        false,
-        !conventions.shape.starts_with("any"),
-    );
-    line(
-        "computes in",
-        "f64, exact where it matters".into(),
-        conventions.lengths.into(),
-        false,
-        false,
-    );
+    let theirs = shortened(&Text { text, flipped: Vec::new() }, digits).text;
+    line("field of view", &format!("width {w} × height {h} at distance {d}"), &theirs, false, true);
+    line("distance", "t = 1 is the viewport", conventions.distance, false, true);
+    let is_fixed = !conventions.shape.starts_with("any");
+    line("pixels' shape", "any", conventions.shape, false, is_fixed);
+    line("computes in", "f64, exact where it matters", conventions.lengths, false, false);
     table
 }
 
@@ -343,7 +303,9 @@ fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<
         let v = basis.to_world_from_camera(axis.direction);
         // 0 has no sign to read.
         let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| written(x, digits));
-        format!("{} {} = ({x}, {y}, {z})", axis.meaning, letter(axis))
+        // A bold letter with its sign.
+        let letter: String = axis.name.chars().map(bold).collect();
+        format!("{} {letter} = ({x}, {y}, {z})", axis.meaning)
     };
     let names = ["x of the camera", "y of the camera", "z of the camera"];
     let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));

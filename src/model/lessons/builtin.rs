@@ -3,32 +3,21 @@
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
-use pinhole_exchange::FileError;
-
 use super::lesson::Lesson;
 use super::read;
 
-/// A list of the files `assets/lessons/NAME.toml`.
+/// A list of the files `assets/lessons/NAME.toml`, each with its name, for error messages, and its text.
 macro_rules! lessons {
     [$($name:literal),* $(,)?] => {
-        &[$(Builtin {
-            name: $name,
-            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/", $name, ".toml")),
-        }),*]
+        &[$((
+            $name,
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/", $name, ".toml")),
+        )),*]
     };
 }
 
-/// A lesson that comes with the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Builtin {
-    /// The name of its file, for error messages.
-    pub name: &'static str,
-    /// The text of its lesson file.
-    pub text: &'static str,
-}
-
-/// The lesson files in the order of the lecture.
-pub const FILES: &[Builtin] = lessons![
+/// The names and texts of the lesson files, in the order of the lecture.
+const FILES: &[(&str, &str)] = lessons![
     "01-canonical-camera",
     "02-warm-up",
     "03-viewport-and-distance",
@@ -44,20 +33,11 @@ pub const FILES: &[Builtin] = lessons![
     "13-many-rays",
 ];
 
-impl Builtin {
-    /// Reads the lesson.
-    ///
-    /// # Errors
-    /// Never fails; tests check all lessons.
-    pub fn load(&self) -> Result<Lesson, FileError> {
-        read::parse(self.text, Path::new(self.name), None)
-    }
-}
-
 /// Returns all built-in lessons, which are read once; lesson 1 comes first.
 pub fn all() -> &'static [Arc<Lesson>] {
     static LESSONS: LazyLock<Vec<Arc<Lesson>>> = LazyLock::new(|| {
-        FILES.iter().filter_map(|file| Some(Arc::new(file.load().ok()?))).collect()
+        let read = |(name, text): &(&str, &str)| read::parse(text, Path::new(name), None);
+        FILES.iter().filter_map(|file| Some(Arc::new(read(file).ok()?))).collect()
     });
     &LESSONS
 }

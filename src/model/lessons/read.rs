@@ -307,7 +307,11 @@ fn elements<'a>(field: &TomlField<'a>, such_as: &str) -> Result<Vec<TomlField<'a
 
 fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
     let known = DerivationSection::ALL.map(|section| (section.name(), section));
-    elements(field, "[\"basis\"]")?.iter().map(|element| choice(element, known)).collect()
+    let mut shown = DerivationSections([false; 3]);
+    for element in elements(field, "[\"basis\"]")? {
+        shown.set(choice(&element, known)?, true);
+    }
+    Ok(shown)
 }
 
 /// Returns true if the concept exists in a scene with this number of objects.

@@ -198,10 +198,7 @@ impl Start {
         let turn = if phase >= 1.0 { 0.0 } else { phase };
         Ok(match kind {
             Kind::SwingUp => Still { camera: self.camera.swung(360.0 * turn)?, ..still },
-            Kind::Orbit => {
-                let yaw = std::f64::consts::TAU * turn;
-                Still { camera: self.orbited(yaw)?, ..still }
-            }
+            Kind::Orbit => Still { camera: self.orbited(TAU * turn)?, ..still },
             Kind::OverTheTop => Still { camera: over_the_top(&self.camera, turn)?, ..still },
             Kind::Walk => Still { ray_point_t: Some(phase * self.end), ..still },
             Kind::Scan => {
@@ -209,13 +206,31 @@ impl Start {
                 let width = u64::from(self.camera.image.width());
                 let last = scanned_pixels.saturating_sub(1);
                 let pixel = Pixel { row: (last / width) as u32, column: (last % width) as u32 };
-                Still {
-                    selection: Selection::Pixel(pixel),
-                    scanned_pixels: Some(scanned_pixels),
-                    ..still
-                }
+                let (selection, scanned_pixels) = (Selection::Pixel(pixel), Some(scanned_pixels));
+                Still { selection, scanned_pixels, ..still }
             }
         })
+    }
+
+    /// Returns the camera after it has orbited by an angle, in radians. The vectors that it is
+    /// given by keep their lengths.
+    fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
+        let camera = self.camera;
+        match (camera.orientation, self.orbit) {
+            (Orientation::View { view, up }, Some(distance)) if yaw != 0.0 => {
+                let times = distance / view.length();
+                let ahead = Orientation::View { view: times * view, up };
+                let orbited = Camera { orientation: ahead, ..camera }.orbited(yaw, 0.0)?;
+                let view = orbited.view() / times;
+                Ok(Camera { orientation: Orientation::View { view, up }, ..orbited })
+            }
+            (Orientation::Basis(_), Some(distance)) => {
+                let viewport = Viewport { distance, ..camera.viewport };
+                let orbited = Camera { viewport, ..camera }.orbited(yaw, 0.0)?;
+                Ok(Camera { viewport: camera.viewport, ..orbited })
+            }
+            _ => camera.orbited(yaw, 0.0),
+        }
     }
 }
 
@@ -266,29 +281,6 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     };
     let is_finite = moved.eye.is_finite() && moved.view().is_finite();
     is_finite.then_some(moved).ok_or(SteerError::OutOfRange)
-}
-
-impl Start {
-    /// Returns the camera after it has orbited by an angle, in radians. The vectors that it is
-    /// given by keep their lengths.
-    fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
-        let camera = self.camera;
-        match (camera.orientation, self.orbit) {
-            (Orientation::View { view, up }, Some(distance)) if yaw != 0.0 => {
-                let times = distance / view.length();
-                let ahead = Orientation::View { view: times * view, up };
-                let orbited = Camera { orientation: ahead, ..camera }.orbited(yaw, 0.0)?;
-                let view = orbited.view() / times;
-                Ok(Camera { orientation: Orientation::View { view, up }, ..orbited })
-            }
-            (Orientation::Basis(_), Some(distance)) => {
-                let viewport = Viewport { distance, ..camera.viewport };
-                let orbited = Camera { viewport, ..camera }.orbited(yaw, 0.0)?;
-                Ok(Camera { viewport: camera.viewport, ..orbited })
-            }
-            _ => camera.orbited(yaw, 0.0),
-        }
-    }
 }
 
 /// Returns the distance, along view, of the object that a camera looks at: the first hit in the

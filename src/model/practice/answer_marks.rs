@@ -41,9 +41,9 @@ impl AnswerMark {
         AnswerMark { shape, label: label.into(), is_dashed: false }
     }
 
-    /// Returns a student's answer.
-    pub fn yours(shape: MarkShape, label: impl Into<String>) -> AnswerMark {
-        AnswerMark { shape, label: label.into(), is_dashed: true }
+    /// Returns a student's answer, labelled `your u` for the name `u`.
+    pub fn yours(shape: MarkShape, name: &str) -> AnswerMark {
+        AnswerMark { shape, label: format!("your {name}"), is_dashed: true }
     }
 }
 
@@ -65,7 +65,6 @@ const BASIS: [Asked; 3] = [Asked::U, Asked::V, Asked::W];
 /// A part of the question with its answers.
 struct Answered<'a> {
     typed: Option<Vec<f64>>,
-    is_judged: bool,
     /// The right numbers, once they may be seen.
     right: Option<&'a [f64]>,
     /// The typed numbers, unless they are known to be right.
@@ -73,11 +72,6 @@ struct Answered<'a> {
 }
 
 impl Answered<'_> {
-    /// Returns `u?` until the answer has been checked, and `your u` afterwards.
-    fn label(&self, name: &str) -> String {
-        if self.is_judged { format!("your {name}") } else { format!("{name}?") }
-    }
-
     fn right_vector(&self) -> Option<DVec3> {
         self.right.and_then(vector)
     }
@@ -112,20 +106,13 @@ impl Exercises {
         let is_right = answer.feedback.as_ref().is_some_and(Feedback::is_good);
         let typed = answer.numbers();
         let yours = typed.clone().filter(|_| !is_right);
-        Some(Answered { typed, is_judged: answer.is_judged, right, yours })
+        Some(Answered { typed, right, yours })
     }
 
     /// Returns those of the `usual` overlay items that do not give the answers away.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
-        let hidden = [
-            Item::Handles,
-            Item::Loupe,
-            Item::Ray,
-            Item::Hit,
-            Item::Picture,
-            Item::PixelGrid,
-            Item::Marks,
-        ];
+        use Item::*;
+        let hidden = [Handles, Loupe, Ray, Hit, Picture, PixelGrid, Marks];
         let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));
         let asked = BASIS.map(|asked| self.answered(asked));
         if asked.iter().all(Option::is_none) {
@@ -145,8 +132,7 @@ impl Exercises {
             let Some(answer) = self.answered(asked) else { continue };
             let shape = |vector| MarkShape::BasisVector(index, vector);
             marks.extend(answer.right_vector().map(|u| AnswerMark::right(shape(u), name)));
-            let yours = answer.your_vector();
-            marks.extend(yours.map(|u| AnswerMark::yours(shape(u), answer.label(name))));
+            marks.extend(answer.your_vector().map(|u| AnswerMark::yours(shape(u), name)));
         }
         self.mark_rays(&mut marks);
         self.mark_hits(&mut marks);
@@ -166,8 +152,8 @@ impl Exercises {
         let Some(given) = self.given_ray() else { return };
         let t = self.answered(Asked::T);
         let on_ray = |ray: Ray| {
-            let (t, at) = (t.as_ref()?, t.as_ref()?.yours.as_ref()?[0]);
-            Some(AnswerMark::yours(MarkShape::OnRay(ray, at), t.label("t")))
+            let at = t.as_ref()?.yours.as_ref()?[0];
+            Some(AnswerMark::yours(MarkShape::OnRay(ray, at), "t"))
         };
         let Some(direction) = self.answered(Asked::Direction) else {
             marks.push(AnswerMark::right(MarkShape::Direction(given), "d"));
@@ -185,11 +171,9 @@ impl Exercises {
         let origin = p.as_ref().and_then(Answered::typed_vector).unwrap_or(given.origin);
         if let Some(ray) = yours.and_then(|d| Ray::new(origin, d).ok()) {
             let typed_t = t.as_ref().and_then(|t| t.typed.as_ref()).map(|t| t[0]);
-            marks.push(AnswerMark::yours(MarkShape::Ray(ray, typed_t), direction.label("ray")));
-        } else if let Some(p) = p
-            && let Some(at) = p.your_vector()
-        {
-            marks.push(AnswerMark::yours(MarkShape::Point(at), p.label("p")));
+            marks.push(AnswerMark::yours(MarkShape::Ray(ray, typed_t), "ray"));
+        } else if let Some(at) = p.and_then(|p| p.your_vector()) {
+            marks.push(AnswerMark::yours(MarkShape::Point(at), "p"));
         }
     }
 
@@ -198,11 +182,8 @@ impl Exercises {
         let point = self.answered(Asked::Point);
         let right = point.as_ref().and_then(Answered::right_vector);
         marks.extend(right.map(|at| AnswerMark::right(MarkShape::Point(at), "hit")));
-        if let Some(point) = &point
-            && let Some(at) = point.your_vector()
-        {
-            marks.push(AnswerMark::yours(MarkShape::Point(at), point.label("hit")));
-        }
+        let yours = point.as_ref().and_then(Answered::your_vector);
+        marks.extend(yours.map(|at| AnswerMark::yours(MarkShape::Point(at), "hit")));
         let Some(normal) = self.answered(Asked::Normal) else { return };
         // The typed point, if there is one, gives no answer away.
         let typed = point.as_ref().and_then(Answered::typed_vector);
@@ -210,7 +191,7 @@ impl Exercises {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));
         }
         if let (Some(at), Some(n)) = (typed.or(right), normal.your_vector()) {
-            marks.push(AnswerMark::yours(MarkShape::Normal(at, n), normal.label("n")));
+            marks.push(AnswerMark::yours(MarkShape::Normal(at, n), "n"));
         }
     }
 
@@ -222,11 +203,12 @@ impl Exercises {
         let mut points = Vec::new();
         for (asked, name) in [(Asked::T, "t"), (Asked::Point, "point")] {
             let Some(answer) = self.answered(asked) else { continue };
-            points.extend(match answer.yours.as_deref() {
-                Some([t]) => Some((answer.label(name), origin + *t * direction)),
-                Some([x, y]) => Some((answer.label(name), DVec2::new(*x, *y))),
-                _ => None,
-            });
+            let at = match answer.yours.as_deref() {
+                Some([t]) => origin + *t * direction,
+                Some([x, y]) => DVec2::new(*x, *y),
+                _ => continue,
+            };
+            points.push((format!("your {name}"), at));
         }
         points.retain(|(_, at)| at.is_finite());
         points

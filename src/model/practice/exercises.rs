@@ -32,8 +32,6 @@ pub(crate) struct TypedAnswer {
     pub(crate) yes: Option<bool>,
     /// The feedback of the last check, if nothing has changed since.
     pub(crate) feedback: Option<Feedback>,
-    /// True once an answer was judged; the right one is then no longer secret.
-    pub(crate) is_judged: bool,
 }
 
 /// The feedback on a part.
@@ -141,7 +139,6 @@ impl Exercises {
                 (None, Some(verdict)) => Feedback::Judged(verdict.clone()),
                 (None, None) => answer.err().unwrap_or(Feedback::NotAnswered),
             });
-            typed.is_judged |= verdicts[k].is_some();
         }
     }
 

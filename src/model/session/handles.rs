@@ -156,31 +156,15 @@ pub struct HandleValues {
 impl HandleValues {
     /// Returns the current values, with the object of this index.
     pub fn read(document: &Document, selection: Selection, object: Option<usize>) -> HandleValues {
-        let shape = |k: usize| match document.spheres.get(k) {
-            Some(sphere) => Some(Object::Sphere(sphere.shape)),
-            None => {
-                let plane = document.planes.get(k.checked_sub(document.sphere_count())?)?;
-                Some(Object::Plane(plane.shape))
-            }
-        };
-        let object = object.and_then(|k| Some((k, shape(k)?)));
+        let object = object.and_then(|k| Some((k, document.object(k)?)));
         HandleValues { camera: document.camera, selection, object }
     }
 
     /// Writes this part into document and session.
     pub fn put(&self, document: &mut Document, selection: &mut Selection) {
-        document.camera = self.camera;
-        *selection = self.selection;
-        let first_plane = document.sphere_count();
-        match self.object {
-            Some((k, Object::Sphere(sphere))) => {
-                document.spheres.get_mut(k).into_iter().for_each(|item| item.shape = sphere);
-            }
-            Some((k, Object::Plane(plane))) => {
-                let item = k.checked_sub(first_plane).and_then(|k| document.planes.get_mut(k));
-                item.into_iter().for_each(|item| item.shape = plane);
-            }
-            None => {}
+        (document.camera, *selection) = (self.camera, self.selection);
+        if let Some((k, object)) = self.object {
+            document.set_object(k, object);
         }
     }
 }

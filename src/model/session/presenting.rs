@@ -7,17 +7,12 @@ use crate::model::session::ViewLayout;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
     /// The layout that fills the window after a key press, and the layout that it replaced.
-    replaced: Option<(ViewLayout, ViewLayout)>,
+    pub replaced: Option<(ViewLayout, ViewLayout)>,
     /// True if the spotlight was on before.
-    spotlight: bool,
+    pub spotlight_before: bool,
 }
 
 impl Presenting {
-    /// Begins presenter mode; `spotlight` is the spotlight's present state.
-    pub fn begin(spotlight: bool) -> Presenting {
-        Presenting { replaced: None, spotlight }
-    }
-
     /// Fills the window with the views of the layout `full`.
     pub fn fill(&mut self, full: ViewLayout, layout: &mut ViewLayout) {
         self.replaced = Some((full, self.before(*layout)));
@@ -28,11 +23,6 @@ impl Presenting {
     /// that one stays.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
-    }
-
-    /// Returns true if the spotlight was on before.
-    pub fn spotlight_before(&self) -> bool {
-        self.spotlight
     }
 }
 
@@ -95,7 +85,7 @@ mod tests {
 
     #[test]
     fn the_layout_from_before_comes_back_unless_another_one_was_set() {
-        let mut presenting = Presenting::begin(false);
+        let mut presenting = Presenting::default();
         let mut layout = ViewLayout::Plot;
         presenting.fill(ViewLayout::Camera, &mut layout);
         presenting.fill(ViewLayout::DerivationAlone, &mut layout);

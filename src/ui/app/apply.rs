@@ -366,7 +366,8 @@ fn change_look(session: &mut Session, action: LookAction) {
         }
         LookAction::Present => present_or_end(session),
         LookAction::Fill(full) => {
-            let begun = Presenting::begin(session.spotlight);
+            let spotlight_before = session.spotlight;
+            let begun = Presenting { spotlight_before, ..Presenting::default() };
             let presenting = session.presenting.get_or_insert(begun);
             presenting.fill(full, &mut settings.layout);
         }
@@ -388,14 +389,15 @@ fn zoom_by(session: &mut Session, by: i32) {
 fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
         None => {
-            session.presenting = Some(Presenting::begin(session.spotlight));
+            let spotlight_before = session.spotlight;
+            session.presenting = Some(Presenting { spotlight_before, ..Presenting::default() });
             // The derivation that answers the open question is revealed line by line.
             let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
             session.revealed_lines = (session.is_asking && derives).then_some(0);
         }
         Some(presenting) => {
             session.settings.layout = presenting.before(session.settings.layout);
-            session.spotlight = presenting.spotlight_before();
+            session.spotlight = presenting.spotlight_before;
             session.pen = None;
             session.revealed_lines = None;
         }

@@ -108,9 +108,7 @@ impl AppWindow {
             selection: argument.is_some().then(|| scene.session.selection.into()),
             recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             renderer: self.renderer.clone(),
-            last: argument
-                .or_else(|| scene.lessons.scene_before.clone())
-                .filter(|path| is_text(path)),
+            last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
         };
         if let Err(error) = store.save(&remembered) {

@@ -11,7 +11,7 @@ use pinhole_lecture::exercises::{self, Asked, Exercise, Given, QuestionPart};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
 use crate::model::concept::Hovered;
-use crate::model::derivation_sections::{DerivationSection, DerivationSections};
+use crate::model::derivation_sections::DerivationSections;
 use crate::model::lines::{LinesLab, Window};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::overlay_items::OverlayItems;
@@ -470,12 +470,8 @@ fn sections(exercises: &Exercises) -> DerivationSections {
     let question = exercises.question();
     let asks = |asked: Asked| question.parts.iter().any(|part| part.asked == asked);
     let is_ray_given = matches!(question.given, Given::Sphere { .. });
-    let sections = [
-        (DerivationSection::Basis, asks(Asked::W)),
-        (DerivationSection::PixelToRay, question.uv().is_some() && !is_ray_given),
-        (DerivationSection::Objects, asks(Asked::T)),
-    ];
-    sections.into_iter().filter(|(_, is_shown)| *is_shown).map(|(section, _)| section).collect()
+    let has_pixel = question.uv().is_some() && !is_ray_given;
+    DerivationSections([asks(Asked::W), has_pixel, asks(Asked::T)])
 }
 
 /// Returns the lines of a question in two dimensions, with t where they meet.
