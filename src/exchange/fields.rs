@@ -53,6 +53,22 @@ impl<'a> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
+    /// Checks the version of a file's format, which stands under `key`. `what` is what the file contains, in a
+    /// word; `known` is the version that this program reads.
+    ///
+    /// # Errors
+    /// Returns an error if the version is missing or another one.
+    pub fn version(&self, key: &str, what: &str, known: i64) -> Result<(), FileError> {
+        let field = self.need(key, &format!("{key} = {known} (the format version) at the top"))?;
+        match field.integer() {
+            Some(version) if version == known => Ok(()),
+            Some(newer) if newer > known => Err(field.error(&format!(
+                "this {what} format is newer than this program, which reads {known}: get a newer Pinhole"
+            ))),
+            _ => Err(field.error(&format!("the format version must be {known}"))),
+        }
+    }
+
     /// Returns a field's name in messages, prefixed by its table's name.
     pub fn path_of(&self, key: &str) -> String {
         let key = one_line(key);

@@ -1,7 +1,7 @@
 //! The history of changes, for undo and redo. It consists of two stacks of moments; each step
 //! between two moments has a name, such as `move eye` or `add sphere 2`.
 
-use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
+use pinhole_core::{Camera, Orientation, Plane, Sphere};
 use pinhole_exchange::document::{Document, Item};
 
 /// Maximum number of steps; the oldest are forgotten first.
@@ -96,6 +96,7 @@ pub fn name_of(before: &Document, after: &Document) -> StepName {
     let objects = objects_name(before, after);
     match (camera, objects) {
         (Some(text), None) => {
+            let text = text.to_owned();
             let same_kind = before.camera.orientation.kind() == after.camera.orientation.kind();
             StepName { text, gradual: same_kind }
         }
@@ -104,82 +105,47 @@ pub fn name_of(before: &Document, after: &Document) -> StepName {
     }
 }
 
-fn camera_name(before: &Camera, after: &Camera) -> String {
-    let is_other = [
-        before.eye != after.eye,
-        before.orientation != after.orientation,
-        before.viewport != after.viewport,
-        before.image != after.image,
-    ];
-    let text = match is_other {
-        _ if *after == Camera::CANONICAL => "canonical camera",
-        [true, false, false, false] => "move eye",
-        [false, true, false, false] if is_turned_alone(before, after) => "look around",
-        [false, true, false, false] => orientation_name(&before.orientation, &after.orientation),
-        [true, true, false, false] => match (&before.orientation, &after.orientation) {
-            (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
-                "move eye and at"
-            }
-            _ => "move and turn the camera",
-        },
-        [false, false, true, false] => viewport_name(&before.viewport, &after.viewport),
-        [false, false, false, true] => "change the image's size",
-        [false, false, true, true] => "change viewport and image",
-        _ => "change the camera",
-    };
-    text.to_owned()
-}
-
-/// Returns true if only at moved, round the eye and at a constant distance, as when the camera
-/// looks round.
-fn is_turned_alone(before: &Camera, after: &Camera) -> bool {
-    match (&before.orientation, &after.orientation) {
-        (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
-            let (old, new) = (before.view().length(), after.view().length());
-            (new - old).abs() <= 1e-12 * old
-        }
-        _ => false,
-    }
-}
-
-fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
-    match (before, after) {
+fn camera_name(before: &Camera, after: &Camera) -> &'static str {
+    let mut parts = vec![("move eye", before.eye != after.eye)];
+    parts.extend(match (before.orientation, after.orientation) {
         (Orientation::At { at: a, up: b }, Orientation::At { at: c, up: d }) => {
-            only([a != c, b != d], ["move at", "turn up"]).unwrap_or("move at and turn up")
+            vec![("move at", a != c), ("turn up", b != d)]
         }
         (Orientation::View { view: a, up: b }, Orientation::View { view: c, up: d }) => {
-            only([a != c, b != d], ["turn view", "turn up"]).unwrap_or("turn view and up")
+            vec![("turn view", a != c), ("turn up", b != d)]
         }
         (Orientation::Basis(a), Orientation::Basis(b)) => {
-            let is_other = [a.u != b.u, a.v != b.v, a.w != b.w];
-            only(is_other, ["set u", "set v", "set w"]).unwrap_or("turn u, v, w")
+            vec![("set u", a.u != b.u), ("set v", a.v != b.v), ("set w", a.w != b.w)]
         }
-        (_, Orientation::At { .. }) => "give the camera by eye, at, up",
-        (_, Orientation::View { .. }) => "give the camera by eye, view, up",
-        (_, Orientation::Basis(_)) => "give the camera by u, v, w",
+        (_, Orientation::At { .. }) => vec![("give the camera by eye, at, up", true)],
+        (_, Orientation::View { .. }) => vec![("give the camera by eye, view, up", true)],
+        (_, Orientation::Basis(_)) => vec![("give the camera by u, v, w", true)],
+    });
+    let (old, new) = (before.viewport, after.viewport);
+    parts.extend([
+        ("change width", old.width != new.width),
+        ("change height", old.height != new.height),
+        ("change distance", old.distance != new.distance),
+        ("change the image's size", before.image != after.image),
+    ]);
+    let changed: Vec<&str> =
+        parts.into_iter().filter(|(_, is_other)| *is_other).map(|(name, _)| name).collect();
+    let [was_long, is_long] = [before, after].map(|camera| camera.view().length());
+    match changed[..] {
+        _ if *after == Camera::CANONICAL => "canonical camera",
+        // At moved round the eye, as when the camera looks round.
+        ["move at"] if (is_long - was_long).abs() <= 1e-12 * was_long => "look around",
+        [name] => name,
+        ["move eye", "move at"] => "move eye and at",
+        ["move at", "turn up"] => "move at and turn up",
+        ["turn view", "turn up"] => "turn view and up",
+        ["set u", "set v" | "set w"] | ["set v", "set w"] | ["set u", "set v", "set w"] => {
+            "turn u, v, w"
+        }
+        ["change width", "change height"] => "change the field of view",
+        ["change width", "change height", "change distance"] => "scale distance, width and height",
+        _ => "change the camera",
     }
-}
-
-/// Returns the name of the part that changed if it is the only one; `None` if several parts
-/// changed.
-fn only<const N: usize>(is_other: [bool; N], names: [&'static str; N]) -> Option<&'static str> {
-    let mut changed = is_other.into_iter().zip(names).filter(|(is_other, _)| *is_other);
-    let (_, name) = changed.next()?;
-    changed.next().is_none().then_some(name)
-}
-
-fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
-    let is_other = [
-        before.width != after.width,
-        before.height != after.height,
-        before.distance != after.distance,
-    ];
-    let names = ["change width", "change height", "change distance"];
-    only(is_other, names).unwrap_or(match is_other {
-        [true, true, false] => "change the field of view",
-        [true, true, true] => "scale distance, width and height",
-        _ => "change the viewport",
-    })
 }
 
 /// Returns the name of a change of the objects; `None` if the objects did not change.
@@ -240,13 +206,19 @@ fn change<S: PartialEq>(
 }
 
 fn sphere_name(before: &Sphere, after: &Sphere) -> &'static str {
-    let is_other = [before.center != after.center, before.radius != after.radius];
-    only(is_other, ["move", "resize"]).unwrap_or("change")
+    match (before.center != after.center, before.radius != after.radius) {
+        (true, false) => "move",
+        (false, true) => "resize",
+        _ => "change",
+    }
 }
 
 fn plane_name(before: &Plane, after: &Plane) -> &'static str {
-    let is_other = [before.point != after.point, before.normal != after.normal];
-    only(is_other, ["move", "turn"]).unwrap_or("change")
+    match (before.point != after.point, before.normal != after.normal) {
+        (true, false) => "move",
+        (false, true) => "turn",
+        _ => "change",
+    }
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ pub(super) fn document(
     let source = TomlSource { text, path };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
-    version(&root)?;
+    root.version("pinhole", "scene", VERSION)?;
     root.only(TOP, &[])?;
     root.need("camera", "[camera] with eye, at and up")?;
     let mut document = Document {
@@ -117,17 +117,6 @@ fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
         message => message.trim_end_matches(", expected nothing").to_owned(),
     };
     source.error(&span, format!("not TOML: {message}"))
-}
-
-fn version(root: &Section) -> Result<(), FileError> {
-    let field = root.need("pinhole", "pinhole = 1 (the format version) at the top")?;
-    match field.integer() {
-        Some(VERSION) => Ok(()),
-        Some(newer) if newer > VERSION => Err(field.error(&format!(
-            "this scene format is newer than this program, which reads {VERSION}: get a newer Pinhole"
-        ))),
-        _ => Err(field.error(&format!("the format version must be {VERSION}"))),
-    }
 }
 
 fn read_camera(section: &Section) -> Result<Camera, FileError> {

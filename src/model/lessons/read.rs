@@ -57,7 +57,7 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     let source = TomlSource { text, path };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
-    version(&root)?;
+    root.version(TOP[0], "lesson", VERSION)?;
     root.only(&TOP, &[])?;
     let title = line(&root.need("title", "title = \"What the lesson is about\"")?, LONGEST_TITLE)?;
     let sections = root.need("step", "[[step]] with title, text and scene")?.sections_from_one()?;
@@ -69,18 +69,6 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
         return Err(root.missing("step", "[[step]] with title, text and scene"));
     }
     Ok(Lesson { title, steps })
-}
-
-fn version(root: &Section) -> Result<(), FileError> {
-    let field =
-        root.need("pinhole_lesson", "pinhole_lesson = 1 (the format version) at the top")?;
-    match field.integer() {
-        Some(VERSION) => Ok(()),
-        Some(newer) if newer > VERSION => Err(field.error(&format!(
-            "this lesson format is newer than this program, which reads {VERSION}: get a newer Pinhole"
-        ))),
-        _ => Err(field.error(&format!("the format version must be {VERSION}"))),
-    }
 }
 
 /// Maximum number of letters of a title and of a step's text, limited by the space of the strip

@@ -1,7 +1,7 @@
 //! Observers that have everything important in sight.
 
 use pinhole_core::{
-    Camera, DVec2, DVec3, ExactRay, Object, Orientation, Ray, ResolvedCamera, Root, Scene,
+    Camera, DVec2, DVec3, ExactRay, Object, Orientation, Ray, ResolvedCamera, Root, Scene, Sphere,
     extent_of_fov,
 };
 
@@ -72,6 +72,18 @@ impl ViewSize {
     /// Returns the ratio of width to height, clamped to a sensible range.
     pub fn aspect(self) -> f64 {
         tame_aspect(self.width / self.height)
+    }
+
+    /// Returns the minimum and maximum length of the basis arrows, in points. Normals have the
+    /// minimum.
+    pub fn arrow_points(self) -> (f64, f64) {
+        let (least, most) = ARROW_POINTS;
+        (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
+    }
+
+    /// Returns the world length that covers one point of the screen at this depth.
+    fn world_per_point(self, depth: f64) -> f64 {
+        extent_of_fov(FOV, depth) / self.height.max(1.0)
     }
 }
 
@@ -150,7 +162,10 @@ impl Observer {
             return *self;
         }
         let mut subject = Subject::new(camera, scene, items);
-        subject.balls.extend(spheres_around(scene, subject.eye));
+        // Spheres that surround the camera are drawn cut away.
+        let eye = subject.eye;
+        let around = |ball: &Ball| ball.center.distance(eye) <= ball.radius;
+        subject.balls.extend(balls_of(scene).filter(around));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
         let depth = |observer: &Observer| {
             (observer.target - subject.eye).dot(observer.back()) + observer.distance
@@ -168,14 +183,8 @@ impl Observer {
     /// Returns true if the camera's eye is in sight in a view of this size, and also the point that
     /// it looks at if the camera is given by one.
     pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
-        let at = match camera.orientation {
-            Orientation::At { at, .. } => Some(at),
-            Orientation::View { .. } | Orientation::Basis(_) => None,
-        };
-        [camera.eye]
-            .into_iter()
-            .chain(at)
-            .all(|center| self.sees(&Ball { center, radius: 0.0 }, size.aspect(), 0.0))
+        let mut points = [camera.eye].into_iter().chain(given_at(camera));
+        points.all(|center| self.sees(&Ball { center, radius: 0.0 }, size.aspect(), 0.0))
     }
 
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the
@@ -238,22 +247,15 @@ impl Subject {
         let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
         let mut balls = Vec::new();
         let mut walls = Vec::new();
-        let (mut near_size, mut back, mut right) = (1.0, DVec3::Z, DVec3::X);
-        if let Ok(resolved) = camera.resolve() {
-            (back, right) = (resolved.basis().w, resolved.basis().u);
-            let viewport = resolved.viewport();
-            let size = viewport.width.max(viewport.height).max(viewport.distance);
-            near_size = size.clamp(1e-9, 1e12);
-            balls.extend(frustum_corners(&resolved, 1.0));
-        }
-        let given = match camera.orientation {
-            Orientation::At { at, .. } => Some(at),
-            Orientation::View { .. } | Orientation::Basis(_) => None,
-        };
-        balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
+        let resolved = camera.resolve().ok();
+        let near_size = resolved.map_or(1.0, |resolved| near_size(&resolved).clamp(1e-9, 1e12));
+        let (back, right) = resolved
+            .map_or((DVec3::Z, DVec3::X), |resolved| (resolved.basis().w, resolved.basis().u));
+        balls.extend(resolved.iter().flat_map(|resolved| frustum_corners(resolved, 1.0)));
+        balls.extend(given_at(camera).map(|at| Ball { center: at, radius: 0.0 }));
         let spheres = spheres_in_scale(scene, eye, near_size);
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
-        if let Ok(resolved) = camera.resolve() {
+        if let Some(resolved) = resolved {
             let t = (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
             if items.shows(Item::Frustum) {
                 balls.extend(frustum_corners(&resolved, t));
@@ -340,6 +342,20 @@ impl Subject {
     }
 }
 
+/// Returns the point that a camera looks at; `None` if it is not given by one.
+fn given_at(camera: &Camera) -> Option<DVec3> {
+    match camera.orientation {
+        Orientation::At { at, .. } => Some(at),
+        Orientation::View { .. } | Orientation::Basis(_) => None,
+    }
+}
+
+/// Returns the largest extent of the frustum from the eye to the viewport.
+fn near_size(resolved: &ResolvedCamera) -> f64 {
+    let viewport = resolved.viewport();
+    viewport.width.max(viewport.height).max(viewport.distance)
+}
+
 /// Returns the points of the frustum's edges at this t.
 fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
     rays_around(resolved, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
@@ -366,24 +382,17 @@ fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
         .map(|(x, y)| resolved.ray(half * DVec2::new(x, y)))
 }
 
-/// Returns the spheres that surround the camera, which are drawn cut away.
-fn spheres_around(scene: &Scene, eye: DVec3) -> impl Iterator<Item = Ball> {
-    let balls = scene.spheres().iter().take(ASKED_SPHERES);
-    balls
-        .map(|sphere| Ball { center: sphere.center, radius: sphere.radius })
-        .filter(move |ball| ball.center.distance(eye) <= ball.radius)
+/// Returns the scene's spheres, if there are not too many.
+fn balls_of(scene: &Scene) -> impl Iterator<Item = Ball> {
+    let ball = |sphere: &Sphere| Ball { center: sphere.center, radius: sphere.radius };
+    scene.spheres().iter().take(ASKED_SPHERES).map(ball)
 }
 
 /// Returns the spheres by ascending size, up to the first sphere that is out of scale with the
 /// smaller ones.
 fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
-    let mut balls: Vec<Ball> = scene
-        .spheres()
-        .iter()
-        .take(ASKED_SPHERES)
-        .map(|sphere| Ball { center: sphere.center, radius: sphere.radius })
-        .filter(|ball| ball.center.abs().max_element() < 1e12)
-        .collect();
+    let is_tame = |ball: &Ball| ball.center.abs().max_element() < 1e12;
+    let mut balls: Vec<Ball> = balls_of(scene).filter(is_tame).collect();
     balls.sort_by(|a, b| a.radius.total_cmp(&b.radius));
     let mut extent = near_size;
     let in_scale = balls.iter().take_while(|ball| {
@@ -393,8 +402,7 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
         }
         fits
     });
-    let count = in_scale.count();
-    balls.truncate(count);
+    balls.truncate(in_scale.count());
     // A sphere around the camera cannot be seen as a whole from near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
     // A distant speck must not move the observer so far away that everything becomes a speck.
@@ -433,20 +441,6 @@ pub const AXIS_LENGTH: f64 = 1.6;
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-impl ViewSize {
-    /// Returns the minimum and maximum length of the basis arrows, in points. Normals have the
-    /// minimum.
-    pub fn arrow_points(self) -> (f64, f64) {
-        let (least, most) = ARROW_POINTS;
-        (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
-    }
-
-    /// Returns the world length that covers one point of the screen at this depth.
-    fn world_per_point(self, depth: f64) -> f64 {
-        extent_of_fov(FOV, depth) / self.height.max(1.0)
-    }
-}
-
 /// The arrows that are drawn. For the arrows at the eye it holds unit vectors, and lengths as
 /// multiples of the basis arrows' length; the axes at the origin are included if they are near the
 /// camera.
@@ -460,12 +454,11 @@ impl Arrows {
         let mut at_eye = Vec::new();
         let mut has_axes = false;
         if let Ok(resolved) = camera.resolve() {
-            let (basis, viewport) = (resolved.basis(), resolved.viewport());
+            let basis = resolved.basis();
             if items.shows(Item::Basis) {
                 at_eye.extend([basis.u, basis.v, basis.w].map(|axis| (axis, 1.0)));
             }
-            let near = viewport.width.max(viewport.height).max(viewport.distance);
-            has_axes = items.shows(Item::Axes) && camera.eye.length() <= near;
+            has_axes = items.shows(Item::Axes) && camera.eye.length() <= near_size(&resolved);
         }
         if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
             let given = [(camera.view(), VIEW_LENGTH), (camera.up(), UP_LENGTH)];

@@ -26,39 +26,38 @@ impl Workspace {
     pub const ALL: [Workspace; 4] =
         [Workspace::Scene, Workspace::Derivation, Workspace::Ray, Workspace::Practice];
 
+    fn texts(self) -> [&'static str; 2] {
+        match self {
+            Workspace::Scene => ["Scene", "The scene, and what the camera sees of it"],
+            Workspace::Derivation => ["Derivation", "Every number's derivation, line by line"],
+            Workspace::Ray => [
+                "Ray",
+                "One ray and what it meets: a line in two dimensions, then the scene's objects",
+            ],
+            Workspace::Practice => {
+                ["Practice", "Exercises, classic wrong cameras, and answers to check"]
+            }
+        }
+    }
+
     /// Returns the label.
     pub fn label(self) -> &'static str {
-        match self {
-            Workspace::Scene => "Scene",
-            Workspace::Derivation => "Derivation",
-            Workspace::Ray => "Ray",
-            Workspace::Practice => "Practice",
-        }
+        self.texts()[0]
     }
 
     /// Returns the description.
     pub fn about(self) -> &'static str {
-        match self {
-            Workspace::Scene => "The scene, and what the camera sees of it",
-            Workspace::Derivation => "Every number's derivation, line by line",
-            Workspace::Ray => {
-                "One ray and what it meets: a line in two dimensions, then the scene's objects"
-            }
-            Workspace::Practice => "Exercises, classic wrong cameras, and answers to check",
-        }
+        self.texts()[1]
     }
 
     /// Returns the workspace's pages; the first one is shown when the workspace opens.
     pub fn pages(self) -> &'static [ViewLayout] {
+        use ViewLayout::*;
         match self {
-            Workspace::Scene => {
-                &[ViewLayout::Both, ViewLayout::World, ViewLayout::Camera, ViewLayout::Compare]
-            }
-            Workspace::Derivation => &[ViewLayout::Derivation],
-            Workspace::Ray => &[ViewLayout::Lines, ViewLayout::Plot],
-            Workspace::Practice => {
-                &[ViewLayout::Exercises, ViewLayout::Mistakes, ViewLayout::Answers]
-            }
+            Workspace::Scene => &[Both, World, Camera, Compare],
+            Workspace::Derivation => &[Derivation],
+            Workspace::Ray => &[Lines, Plot],
+            Workspace::Practice => &[Exercises, Mistakes, Answers],
         }
     }
 }
@@ -317,24 +316,29 @@ impl Scheme {
     /// All of them, in order.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
+    fn texts(self) -> [&'static str; 2] {
+        match self {
+            Scheme::Standard => {
+                ["Standard colours", "Objects in their own colours, vectors by hue"]
+            }
+            Scheme::ColourBlind => [
+                "Colour-blind safe",
+                "Colours that colour-blind viewers can tell apart; objects take them in turn",
+            ],
+            Scheme::Grey => {
+                ["Greys for print", "Only greys; vectors differ by dashes, heads and names"]
+            }
+        }
+    }
+
     /// Returns the scheme's name in a menu.
     pub fn label(self) -> &'static str {
-        match self {
-            Scheme::Standard => "Standard colours",
-            Scheme::ColourBlind => "Colour-blind safe",
-            Scheme::Grey => "Greys for print",
-        }
+        self.texts()[0]
     }
 
     /// Returns a description of the scheme.
     pub fn about(self) -> &'static str {
-        match self {
-            Scheme::Standard => "Objects in their own colours, vectors by hue",
-            Scheme::ColourBlind => {
-                "Colours that colour-blind viewers can tell apart; objects take them in turn"
-            }
-            Scheme::Grey => "Only greys; vectors differ by dashes, heads and names",
-        }
+        self.texts()[1]
     }
 
     /// Returns the colour of the object with this index, whose own colour is `own`. A grey object
