@@ -7,21 +7,14 @@ use pinhole_exchange::document::{Document, Item};
 /// Maximum number of steps; the oldest are forgotten first.
 const LIMIT: usize = 500;
 
-/// The steps before and after the present, which is not stored here. `M` is the data from which a
-/// moment is restored.
+/// The steps before and after the present, which is not stored here; each step has a name. `M` is the data
+/// from which a moment is restored.
 #[derive(Clone, Debug)]
 pub struct History<M> {
-    past: Vec<Step<M>>,
-    future: Vec<Step<M>>,
-}
-
-/// A change that is undone and redone as a whole.
-#[derive(Clone, Debug)]
-struct Step<M> {
-    name: String,
-    /// The moment before the step if the step is in the past, or after it if the step is in the
-    /// future.
-    moment: M,
+    /// The steps that can be undone, each with the moment before it; the last step comes last.
+    past: Vec<(String, M)>,
+    /// The steps that can be redone, each with the moment after it; the next step comes last.
+    future: Vec<(String, M)>,
 }
 
 impl<M> Default for History<M> {
@@ -34,11 +27,11 @@ impl<M> History<M> {
     /// Records a step that began at the moment `before`, and forgets all steps that could be
     /// redone.
     pub fn record(&mut self, name: String, before: M) {
-        self.future.clear();
+        self.extend();
         if self.past.len() == LIMIT {
             self.past.remove(0);
         }
-        self.past.push(Step { name, moment: before });
+        self.past.push((name, before));
     }
 
     /// Extends the last step without changing where it began. Forgets all steps that could be
@@ -49,33 +42,22 @@ impl<M> History<M> {
 
     /// Returns the name of the step that *Undo* would undo.
     pub fn undo_name(&self) -> Option<&str> {
-        self.past.last().map(|step| step.name.as_str())
+        self.past.last().map(|(name, _)| name.as_str())
     }
 
     /// Returns the name of the step that *Redo* would redo.
     pub fn redo_name(&self) -> Option<&str> {
-        self.future.last().map(|step| step.name.as_str())
+        self.future.last().map(|(name, _)| name.as_str())
     }
 
-    /// Undoes the last step, which can then be redone, and returns the moment before it. `now`
-    /// creates the present moment, of the same kind as the restored one, so that redo can return to
-    /// it. Returns `None` if there is nothing to undo.
-    pub fn undo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
-        Self::step(&mut self.past, &mut self.future, now)
-    }
-
-    /// Redoes the step that was undone last and returns the moment after it; see [`History::undo`].
-    pub fn redo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
-        Self::step(&mut self.future, &mut self.past, now)
-    }
-
-    fn step(
-        from: &mut Vec<Step<M>>,
-        to: &mut Vec<Step<M>>,
-        now: impl FnOnce(&M) -> M,
-    ) -> Option<M> {
-        let Step { name, moment } = from.pop()?;
-        to.push(Step { name, moment: now(&moment) });
+    /// Undoes the last step, or redoes the one that was undone last, and returns the moment to restore. `now`
+    /// creates the present moment, of the same kind as the restored one, so that the user can return to it.
+    /// Returns `None` if there is no such step.
+    pub fn step(&mut self, is_redo: bool, now: impl FnOnce(&M) -> M) -> Option<M> {
+        let History { past, future } = self;
+        let (from, to) = if is_redo { (future, past) } else { (past, future) };
+        let (name, moment) = from.pop()?;
+        to.push((name, now(&moment)));
         Some(moment)
     }
 }
@@ -245,25 +227,25 @@ mod tests {
         }
         assert_eq!((history.undo_name(), history.redo_name()), (Some("to 3"), None));
         for expected in [2, 1, 0] {
-            assert!(go(&mut now, |now| history.undo(|_| *now)));
+            assert!(go(&mut now, |now| history.step(false, |_| *now)));
             assert_eq!(now, expected);
         }
-        assert!(!go(&mut now, |now| history.undo(|_| *now)));
+        assert!(!go(&mut now, |now| history.step(false, |_| *now)));
         assert_eq!((history.undo_name(), history.redo_name()), (None, Some("to 1")));
         for expected in [1, 2, 3] {
-            assert!(go(&mut now, |now| history.redo(|_| *now)));
+            assert!(go(&mut now, |now| history.step(true, |_| *now)));
             assert_eq!(now, expected);
         }
-        assert!(!go(&mut now, |now| history.redo(|_| *now)));
+        assert!(!go(&mut now, |now| history.step(true, |_| *now)));
     }
 
     #[test]
     fn a_new_step_forgets_what_could_be_redone() {
         let mut history = History::default();
         history.record("one".to_owned(), 0);
-        assert_eq!(history.undo(|_| 1), Some(0));
+        assert_eq!(history.step(false, |_| 1), Some(0));
         history.record("other".to_owned(), 0);
-        assert_eq!(history.redo(|_| 2), None);
+        assert_eq!(history.step(true, |_| 2), None);
         assert_eq!(history.undo_name(), Some("other"));
     }
 
@@ -273,7 +255,7 @@ mod tests {
         for k in 0..LIMIT + 10 {
             history.record(String::new(), k);
         }
-        let first = std::iter::from_fn(|| history.undo(|moment| *moment)).last();
+        let first = std::iter::from_fn(|| history.step(false, |moment| *moment)).last();
         assert_eq!(first, Some(10));
     }
 }

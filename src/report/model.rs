@@ -209,11 +209,6 @@ impl MethodRow {
         ))
     }
 
-    /// Returns true if the method computes in single precision.
-    pub fn is_single(&self) -> bool {
-        self.digits() == Digits::Single
-    }
-
     /// Returns the method's name without the precision, such as `half-b`. The method
     /// `double-double` counts as another precision of `half-b`.
     pub fn formula(&self) -> &str {

@@ -181,9 +181,8 @@ pub(crate) struct Overall<'a> {
 /// A method over all scenes or families. Shares, errors and times only include shared cases,
 /// because different cases cannot be compared.
 pub(crate) struct MethodOverall<'a> {
-    pub(crate) name: &'a str,
-    pub(crate) formula: &'a str,
-    pub(crate) digits: Digits,
+    /// The method in the first scene or family that has it.
+    pub(crate) first: &'a MethodSummary<'a>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
     /// The mean share of wrong decisions of the cases.
@@ -198,8 +197,8 @@ pub(crate) struct MethodOverall<'a> {
 const OF_FRAMES_ALONE: &str = "ladder-f32";
 
 /// Returns the summary of every method over all scenes or families.
-pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
-    let mut all: Vec<&MethodSummary<'a>> = Vec::new();
+pub(crate) fn overall<'a>(summaries: &'a [Summary<'a>]) -> Overall<'a> {
+    let mut all: Vec<&MethodSummary> = Vec::new();
     for worst in summaries.iter().flat_map(|summary| &summary.methods) {
         if all.iter().all(|known| known.name != worst.name) {
             all.push(worst);
@@ -212,12 +211,11 @@ pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
     };
     let shared: Vec<&Summary> = summaries.iter().filter(has_all).collect();
     let in_share: Vec<&Summary> = summaries.iter().filter(has_most).collect();
-    let method =
-        |first: &&MethodSummary<'a>| MethodOverall::new(first, summaries, &in_share, &shared);
-    let mut methods: Vec<MethodOverall> = all.iter().map(method).collect();
+    let method = |first| MethodOverall::new(first, summaries, &in_share, &shared);
+    let mut methods: Vec<MethodOverall> = all.iter().copied().map(method).collect();
     // Each formula's precisions are next to each other, the formulas in the order in which they occurred.
-    let order: Vec<&str> = methods.iter().map(|method| method.formula).collect();
-    methods.sort_by_key(|m| (order.iter().position(|formula| *formula == m.formula), m.digits));
+    let place = |formula: &str| all.iter().position(|method| method.formula == formula);
+    methods.sort_by_key(|method| (place(method.first.formula), method.first.digits));
     let has_knobs = summaries.iter().any(|summary| summary.cases[0].knob.is_some());
     let noun = if has_knobs { "families" } else { "scenes" };
     Overall { methods, noun, in_share: in_share.len(), in_errors: shared.len() }
@@ -225,15 +223,12 @@ pub(crate) fn overall<'a>(summaries: &[Summary<'a>]) -> Overall<'a> {
 
 impl<'a> MethodOverall<'a> {
     fn new(
-        first: &MethodSummary<'a>,
-        summaries: &[Summary<'a>],
-        in_share: &[&Summary<'a>],
-        shared: &[&Summary<'a>],
+        first: &'a MethodSummary<'a>,
+        summaries: &[Summary],
+        in_share: &[&Summary],
+        shared: &[&Summary],
     ) -> MethodOverall<'a> {
-        let worst =
-            |summary: &Summary<'a>| summary.method(first.name).map(|m| (m.wrong, m.decisions));
-        let counts = summaries.iter().filter_map(worst);
-        let (wrong, decisions) = counts.fold((0, 0), |(a, b), (wrong, all)| (a + wrong, b + all));
+        let everywhere = || summaries.iter().filter_map(|summary| summary.method(first.name));
         let cases = in_share.iter().flat_map(|summary| &summary.cases);
         let rows = cases.flat_map(|case| &case.methods).filter(|row| row.name == first.name);
         let shares: Vec<f64> = rows.filter_map(|row| row.wrong_share).collect();
@@ -244,11 +239,9 @@ impl<'a> MethodOverall<'a> {
         let mut times: Vec<f64> = own().filter_map(|worst| worst.time).collect();
         times.sort_by(f64::total_cmp);
         MethodOverall {
-            name: first.name,
-            formula: first.formula,
-            digits: first.digits,
-            wrong,
-            decisions,
+            first,
+            wrong: everywhere().map(|method| method.wrong).sum(),
+            decisions: everywhere().map(|method| method.decisions).sum(),
             share: (!shares.is_empty()).then(|| shares.iter().sum::<f64>() / shares.len() as f64),
             outcomes,
             times,

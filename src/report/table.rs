@@ -85,7 +85,7 @@ fn summary(out: &mut String, all: &Overall) {
         let [error_least, error, error_most] = three(method.errors());
         let [time_least, time, time_most] = three(least_middle_most(&method.times));
         [
-            method.name.to_owned(),
+            method.first.name.to_owned(),
             method.wrong.to_string(),
             method.decisions.to_string(),
             percent(method.share),

@@ -7,8 +7,7 @@ use pinhole_lecture::numbers::grouped;
 
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
-use crate::report::model::Digits;
-use crate::report::summary::{MethodSummary, Overall, Summary, least_middle_most};
+use crate::report::summary::{MethodOverall, MethodSummary, Overall, Summary, least_middle_most};
 use crate::report::table::lines;
 use crate::view::chart::{Scale, columns};
 use pinhole_lecture::numbers::short_plain;
@@ -29,55 +28,42 @@ const TIME: [f32; 2] = [930.0, 1240.0];
 
 /// A row of the table.
 struct TableRow<'a> {
-    name: &'a str,
-    formula: &'a str,
-    digits: Digits,
+    method: &'a MethodSummary<'a>,
+    /// The number or the share of wrong decisions.
     wrong: String,
     is_wrong: bool,
 }
 
 /// Draws the table of a scene.
-pub(super) fn of_scene(painter: &Painter, at: Pos2, summary: &Summary) {
+pub(super) fn of_scene<'a>(painter: &Painter, at: Pos2, summary: &'a Summary<'a>) {
     let methods = &summary.methods;
     let place = |worst: &&MethodSummary| {
         (methods.iter().position(|other| other.formula == worst.formula), worst.digits)
     };
     let mut sorted: Vec<&MethodSummary> = methods.iter().collect();
     sorted.sort_by_key(place);
-    let rows: Vec<TableRow> = sorted
-        .into_iter()
-        .map(|worst| TableRow {
-            name: worst.name,
-            formula: worst.formula,
-            digits: worst.digits,
-            wrong: grouped(worst.wrong),
-            is_wrong: worst.wrong > 0,
-        })
-        .collect();
+    let row = |method: &'a MethodSummary<'a>| {
+        let (wrong, is_wrong) = (grouped(method.wrong), method.wrong > 0);
+        TableRow { method, wrong, is_wrong }
+    };
+    let rows: Vec<TableRow> = sorted.into_iter().map(row).collect();
     let decisions = methods.iter().map(|method| method.decisions).max().unwrap_or(0);
     table(painter, at, WIDTH, &rows, &format!("of {} compared", grouped(decisions)));
 }
 
 /// Draws the table of all scenes or families; returns its lower edge.
-pub(super) fn of_all(painter: &Painter, at: Pos2, all: &Overall) -> f32 {
+pub(super) fn of_all<'a>(painter: &Painter, at: Pos2, all: &Overall<'a>) -> f32 {
     let Overall { methods, noun, in_share, in_errors } = all;
-    let rows: Vec<TableRow> = methods
-        .iter()
-        .map(|method| TableRow {
-            name: method.name,
-            formula: method.formula,
-            digits: method.digits,
-            wrong: match method.share {
-                None => "-".to_owned(),
-                Some(0.0) => "0 %".to_owned(),
-                // A share that is not zero is never written as 0 %.
-                Some(share) => {
-                    format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3)))
-                }
-            },
-            is_wrong: method.wrong > 0,
-        })
-        .collect();
+    let row = |method: &MethodOverall<'a>| {
+        let wrong = match method.share {
+            None => "-".to_owned(),
+            Some(0.0) => "0 %".to_owned(),
+            // A share that is not zero is never written as 0 %.
+            Some(share) => format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3))),
+        };
+        TableRow { method: method.first, wrong, is_wrong: method.wrong > 0 }
+    };
+    let rows: Vec<TableRow> = methods.iter().map(row).collect();
     let about = format!("mean share, {in_share} {noun}");
     let body = table(painter, at, PAGE.x - 2.0 * MARGIN, &rows, &about);
     let spread = format!("least to most of {in_errors} {noun} that all have");
@@ -105,19 +91,21 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str
     let size = vec2(width, ROW * rows.len() as f32);
     let body = Rect::from_min_size(at + vec2(0.0, 38.0), size);
     let mut y = body.top();
-    for (index, formula) in rows.chunk_by(|a, b| a.formula == b.formula).enumerate() {
+    let is_same = |a: &TableRow, b: &TableRow| a.method.formula == b.method.formula;
+    for (index, formula) in rows.chunk_by(is_same).enumerate() {
         if index % 2 == 0 {
             let size = vec2(width + 12.0, ROW * formula.len() as f32);
             painter.rect_filled(Rect::from_min_size(pos2(at.x - 6.0, y), size), 0.0, BAND);
         }
-        let words = lines(in_words(formula[0].formula), 38);
+        let words = lines(in_words(formula[0].method.formula), 38);
         for (k, row) in formula.iter().enumerate() {
             let middle = y + 0.5 * ROW;
             let text = |x: f32, align: Align2, text: &str, font, color| {
                 painter.text(pos2(x, middle), align, text, font, color);
             };
-            marker_of(row.formula).draw(painter, pos2(at.x + 8.0, middle), row.digits);
-            text(at.x + 24.0, Align2::LEFT_CENTER, row.name, plain(17.0), TEXT);
+            let MethodSummary { name, formula, digits, .. } = *row.method;
+            marker_of(formula).draw(painter, pos2(at.x + 8.0, middle), digits);
+            text(at.x + 24.0, Align2::LEFT_CENTER, name, plain(17.0), TEXT);
             let words = words.get(k).map_or("", String::as_str);
             text(at.x + WORDS, Align2::LEFT_CENTER, words, plain(13.0), WEAK);
             let (font, color) =
@@ -151,8 +139,8 @@ fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f
     for (index, (row, values)) in rows.iter().zip(values).enumerate() {
         let Some([low, middle, high]) = values.map(|values| values.map(position)) else { continue };
         let y = rect.top() + ROW * (index as f32 + 0.5);
-        let marker = marker_of(row.formula);
+        let marker = marker_of(row.method.formula);
         painter.hline(low..=high, y, (2.5, marker.color));
-        marker.draw(painter, pos2(middle, y), row.digits);
+        marker.draw(painter, pos2(middle, y), row.method.digits);
     }
 }

@@ -108,10 +108,7 @@ impl SceneHistory {
             Moment::Edited(_) => Moment::Edited(Box::new(scene.open.document.clone())),
             Moment::Elsewhere(_) => Moment::Elsewhere(Box::new(scene.clone())),
         };
-        let moment = match action {
-            HistoryAction::Undo => self.steps.undo(here),
-            HistoryAction::Redo => self.steps.redo(here),
-        };
+        let moment = self.steps.step(action == HistoryAction::Redo, here);
         let Some(moment) = moment else { return Opened::default() };
         let is_another = matches!(moment, Moment::Elsewhere(_));
         match moment {
