@@ -87,8 +87,7 @@ pub struct MethodRow {
     /// Number of `t`s found by each step of the ladder, if `t` has steps of its own. A `t` that is
     /// rounded only once from more digits than `f64` has is found in double-double or exactly.
     pub steps_of_t: Option<Steps>,
-    /// The share of the case's rays that are decided wrong, 0 to 1. If pixels next to outlines are
-    /// sampled more densely, they and the other pixels are weighted by their numbers.
+    /// The share of the decisions that are wrong, 0 to 1.
     pub wrong_share: Option<f64>,
     /// The largest backward error, in units of 2^-53: if centre, radius, origin and direction each
     /// change by this fraction of their sizes, the method's t is exact. The backward error times

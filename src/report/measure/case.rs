@@ -11,7 +11,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use crate::report::measure::condition::Problem;
-use crate::report::measure::subject::{CaseSubject, Kernel, Populations};
+use crate::report::measure::subject::{CaseSubject, Kernel};
 use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps};
 
 /// A case that is pending, in progress or done.
@@ -42,8 +42,6 @@ pub(super) struct Limits {
 /// The sets of a case, created when its turn comes.
 pub(super) struct CaseWork {
     sets: Vec<Set>,
-    /// The share of rays that hit, if known; otherwise the share among the decided rays is used.
-    coverage: Option<f64>,
     is_timing_next: bool,
 }
 
@@ -53,8 +51,8 @@ pub(super) struct Set {
     workers: Vec<Worker>,
     decided: usize,
     hits: usize,
-    /// Condition numbers of `t`, with the stratum of each.
-    conditions: Vec<(f64, usize)>,
+    /// Condition numbers of `t`.
+    conditions: Vec<f64>,
     /// Number of rays to decide at a time.
     chunk: usize,
     /// Number of time measurements made, over all methods.
@@ -134,8 +132,8 @@ impl CaseRun {
 }
 
 impl CaseWork {
-    pub(super) fn new(sets: Vec<Set>, coverage: Option<f64>) -> CaseWork {
-        CaseWork { sets, coverage, is_timing_next: false }
+    pub(super) fn new(sets: Vec<Set>) -> CaseWork {
+        CaseWork { sets, is_timing_next: false }
     }
 
     /// Returns the share of the work that is done, from 0 to 1.
@@ -146,10 +144,8 @@ impl CaseWork {
         if all == 0 { 1.0 } else { done as f64 / all as f64 }
     }
 
+    /// Returns the share of the decided rays that hit.
     fn coverage(&self) -> f64 {
-        if let Some(coverage) = self.coverage {
-            return coverage;
-        }
         let sum = |count: fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
         let decided = sum(|set| set.decided);
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
@@ -179,8 +175,7 @@ impl Set {
     pub(super) fn new(subject: CaseSubject, methods: impl IntoIterator<Item = Method>) -> Set {
         let worker = |method: Method| {
             let kernel = subject.kernel(method)?;
-            let tally = Tally { populations: subject.populations(), ..Tally::default() };
-            Some(Worker { method, kernel, tally })
+            Some(Worker { method, kernel, tally: Tally::default() })
         };
         let workers = methods.into_iter().filter_map(worker).collect();
         Set { subject, workers, decided: 0, hits: 0, conditions: Vec::new(), chunk: 4, timings: 0 }
@@ -188,11 +183,8 @@ impl Set {
 
     /// Returns the spread of the condition numbers.
     fn condition(&self) -> Option<ConditionSpread> {
-        let weights = self.workers.first()?.tally.weights();
-        let weighted = self.conditions.iter().map(|(x, stratum)| (*x, weights[*stratum]));
-        let sorted = sorted(weighted);
-        let (max, _) = sorted.last()?;
-        Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *max })
+        let sorted = sorted(&self.conditions);
+        Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *sorted.last()? })
     }
 
     /// Traces the next rays with the reference and all methods.
@@ -205,13 +197,11 @@ impl Set {
             (self.subject.truth(index), found)
         };
         let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
-        for (index, (truth, found)) in (self.decided..end).zip(answers) {
+        for (truth, found) in answers {
             self.hits += usize::from(truth.is_some());
-            let stratum = self.subject.stratum(index);
-            let condition = truth.as_ref().and_then(|(_, problem)| problem.condition());
-            self.conditions.extend(condition.map(|condition| (condition, stratum)));
+            self.conditions.extend(truth.as_ref().and_then(|(_, problem)| problem.condition()));
             for (worker, found) in self.workers.iter_mut().zip(found) {
-                worker.tally.decide(worker.method, stratum, truth.as_ref(), found.as_ref());
+                worker.tally.decide(worker.method, truth.as_ref(), found.as_ref());
             }
         }
         self.decided = end;
@@ -236,14 +226,12 @@ impl Set {
 /// Results of one method in one case so far.
 #[derive(Default)]
 struct Tally {
-    /// Number of rays that each stratum stands for.
-    populations: Populations,
-    /// Decisions in each stratum.
-    decisions: [u64; 2],
-    /// Wrong decisions in each stratum.
-    wrong: [u64; 2],
-    /// Errors of `t` in ulps, with the stratum of each.
-    ulps: Vec<(f64, usize)>,
+    /// Number of decisions.
+    decisions: u64,
+    /// Number of wrong decisions.
+    wrong: u64,
+    /// Errors of `t` in ulps.
+    ulps: Vec<f64>,
     /// Decisions that are right, but whose true t is out of range.
     t_out_of_range: u64,
     normal_error_max: Option<f64>,
@@ -260,11 +248,10 @@ impl Tally {
     fn decide(
         &mut self,
         method: Method,
-        stratum: usize,
         truth: Option<&(Hit, Problem)>,
         found: Option<&MethodHit>,
     ) {
-        self.decisions[stratum] += 1;
+        self.decisions += 1;
         let unit = match method.precision() {
             Precision::F32 => f64::from(f32::EPSILON),
             Precision::F64 => f64::EPSILON,
@@ -273,7 +260,7 @@ impl Tally {
             truth.object == found.object as usize && !problem.is_other_root(truth, found.t, unit)
         });
         let Some(((truth, problem), found)) = both else {
-            self.wrong[stratum] += u64::from(truth.is_some() || found.is_some());
+            self.wrong += u64::from(truth.is_some() || found.is_some());
             return;
         };
         let t = &truth.t;
@@ -282,7 +269,7 @@ impl Tally {
             Precision::F64 => (t.ulps_from(found.t), t.is_representable()),
         };
         if is_in_range {
-            self.ulps.push((ulps.min(f64::MAX), stratum));
+            self.ulps.push(ulps.min(f64::MAX));
             let backward = problem.backward_error(truth, found.t).into_iter();
             self.backward_error_max = backward.chain(self.backward_error_max).reduce(f64::max);
         } else {
@@ -294,34 +281,18 @@ impl Tally {
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
 
-    /// Returns the number of rays that a decision of each stratum stands for.
-    fn weights(&self) -> [f64; 2] {
-        [0, 1].map(|k| self.populations[k] as f64 / self.decisions[k].max(1) as f64)
-    }
-
-    /// Returns the wrong decisions as a share of all rays, weighted by stratum.
-    fn wrong_share(&self, weights: [f64; 2]) -> Option<f64> {
-        let weighted = |counts: [u64; 2]| -> f64 {
-            counts.iter().zip(weights).map(|(count, weight)| *count as f64 * weight).sum()
-        };
-        let all = weighted(self.decisions);
-        (all > 0.0).then(|| weighted(self.wrong) / all)
-    }
-
     fn row(&self, method: Method) -> MethodRow {
-        let weights = self.weights();
-        let ulps = sorted(self.ulps.iter().map(|(ulps, stratum)| (*ulps, weights[*stratum])));
-        let times = sorted(self.times.iter().map(|time| (*time, 1.0)));
+        let (ulps, times) = (sorted(&self.ulps), sorted(&self.times));
         let ulp = Ulps {
             median: quantile(&ulps, 0.5),
             p99: quantile(&ulps, 0.99),
-            max: ulps.last().map(|(ulps, _)| *ulps),
+            max: ulps.last().copied(),
         };
         MethodRow {
             name: method.name().to_owned(),
-            wrong: self.wrong.iter().sum(),
-            decisions: self.decisions.iter().sum(),
-            wrong_share: self.wrong_share(weights),
+            wrong: self.wrong,
+            decisions: self.decisions,
+            wrong_share: (self.decisions > 0).then(|| self.wrong as f64 / self.decisions as f64),
             ulp,
             ulp_f64: ulp.times(match method.precision() {
                 Precision::F32 => SINGLE,
@@ -334,7 +305,7 @@ impl Tally {
             pixels_timed: 0,
             ns_per_pixel: Times {
                 median: quantile(&times, 0.5),
-                min: times.first().map(|(time, _)| *time),
+                min: times.first().copied(),
                 lower_quartile: quantile(&times, 0.25),
                 upper_quartile: quantile(&times, 0.75),
             },
@@ -344,22 +315,16 @@ impl Tally {
     }
 }
 
-/// Returns the values with their weights, in ascending order.
-fn sorted(values: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let mut values: Vec<_> = values.collect();
-    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+/// Returns the values in ascending order.
+fn sorted(values: &[f64]) -> Vec<f64> {
+    let mut values = values.to_vec();
+    values.sort_by(f64::total_cmp);
     values
 }
 
-/// Returns the weighted quantile: the smallest value such that at least this share of the weight is not above
-/// it.
-fn quantile(sorted: &[(f64, f64)], share: f64) -> Option<f64> {
-    // Sums of integral weights are exact; others have small rounding errors.
-    let all: f64 = sorted.iter().map(|(_, weight)| weight).sum();
-    let mut below = 0.0;
-    let reaches = |(_, weight): &&(f64, f64)| {
-        below += weight;
-        below >= share * all * (1.0 - 1e-12)
-    };
-    sorted.iter().find(reaches).or(sorted.last()).map(|(value, _)| *value)
+/// Returns the quantile: the smallest value such that at least this share of the values is not above it.
+fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+    // The product has a rounding error.
+    let count = (share * sorted.len() as f64 * (1.0 - 1e-12)).ceil() as usize;
+    sorted.get(count.max(1) - 1).copied()
 }

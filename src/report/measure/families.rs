@@ -11,7 +11,7 @@ use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayC
 
 use super::case::{CaseRun, CaseWork, Limits, Set};
 use super::scenes::methods_for;
-use super::subject::{CaseSubject, MeasuredPicture, Sample};
+use super::subject::{CaseSubject, MeasuredPicture};
 use crate::report::model::Case;
 
 /// Rays for each setting of a knob.
@@ -80,7 +80,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> (CaseWork, Option<String>) {
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    (CaseWork::new(sets, None), left_out)
+    (CaseWork::new(sets), left_out)
 }
 
 /// Returns the precision of a method's input. The ladder's input is `f64`, regardless of the
@@ -114,14 +114,9 @@ fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     let camera = core_camera(&case.camera)?;
     let resolved: ResolvedCamera = camera.resolve().ok()?;
     let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
-    let (rows, columns) = (raster.rows().len(), raster.columns().len());
     let scene = Arc::new(scene_of(&case.objects)?);
     let timed = timed(&camera).unwrap_or((resolved, raster.clone()));
-    let pixels: Vec<_> =
-        (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();
-    let populations = [pixels.len(), 0];
-    let sample = Sample { pixels, strata: Vec::new(), populations };
-    Some(MeasuredPicture::new(scene, &camera, &resolved, raster, sample, timed))
+    Some(MeasuredPicture::new(scene, &camera, &resolved, raster, timed))
 }
 
 /// Returns a picture of usual size, in which work shared by all pixels takes little of the time.

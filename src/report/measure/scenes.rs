@@ -5,22 +5,18 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use pinhole_core::methods::{Formula, Method};
-use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
+use pinhole_core::{Camera, CameraError, Raster, ResolvedCamera, Scene};
 
 use super::case::{CaseRun, CaseWork, Limits, Set};
-use super::subject::{CaseSubject, MeasuredPicture, Sample, objects_of};
+use super::subject::{CaseSubject, MeasuredPicture, objects_of};
 use crate::report::model::Case;
 
 /// Maximum number of pixels per side when comparing with the truth.
-const SIDE: u32 = 400;
+const SIDE: u32 = 240;
 /// Maximum number of pixels per side when timing.
 const TIMED_SIDE: u32 = 256;
 /// Maximum number of intersection tests that are timed at once, so that slices stay short.
 const TIMED_TESTS: usize = 1 << 17;
-/// Maximum number of pixels that are compared with the truth.
-const MOST_PIXELS: usize = 60_000;
-const SEED: u64 = 1;
-
 /// A note for readers of a scene's numbers.
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
@@ -107,28 +103,21 @@ fn make(
     camera: &Camera,
     resolved: &ResolvedCamera,
 ) -> (CaseWork, Option<String>) {
-    let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
-    let frame = trace(&scene, resolved, &raster, Outputs::default());
-    let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
-    let sample = sample(&frame.object, raster.columns().len());
-    let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
-    let timed = timed_raster(resolved, scene.len());
-    let (all, seen) = (frame.object.len(), sample.pixels.len());
-    let outline = sample.strata.iter().filter(|stratum| **stratum == 0).count();
-    let left_out = (seen < all).then(|| {
+    let image = resolved.image();
+    let raster = Raster::shown_on(image, SIDE, SIDE);
+    let (all, compared) = (Raster::full(image).len(), raster.len());
+    let left_out = (compared < all).then(|| {
         format!(
-            "{title}: of {all} pixels, {} were not compared with the truth; those that were: {outline} \
-             beside an outline, of {}, {} others at random (seed {SEED}), each weighted by how many \
-             there are of its kind",
-            all - seen,
-            sample.populations[0],
-            seen - outline,
+            "{title}: of {all} pixels, {} were not compared with the truth; the {compared} that were are \
+             spread evenly",
+            all - compared
         )
     });
-    let picture = MeasuredPicture::new(scene, camera, resolved, raster, sample, (*resolved, timed));
-    let coverage = covered as f64 / all.max(1) as f64;
+    let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
+    let timed = (*resolved, timed_raster(resolved, scene.len()));
+    let picture = MeasuredPicture::new(scene, camera, resolved, raster, timed);
     let set = Set::new(CaseSubject::Frames(vec![picture]), methods);
-    (CaseWork::new(vec![set], Some(coverage)), left_out)
+    (CaseWork::new(vec![set]), left_out)
 }
 
 /// Returns the raster for timing: the image, or fewer of its pixels, in rows as long as possible.
@@ -136,40 +125,4 @@ fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
     let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());
     Raster::shown_on(resolved.image(), columns, (pixels / columns).min(TIMED_SIDE))
-}
-
-/// Selects the pixels to compare with the truth, alternating between two strata: pixels next to an outline,
-/// where a neighbour shows another object or none, and all others.
-fn sample(object: &[u32], width: usize) -> Sample {
-    let is_outline = |index: &usize| {
-        let (row, column) = (index / width, index % width);
-        let differs = |other: Option<&u32>| other.is_some_and(|other| *other != object[*index]);
-        (column > 0 && differs(object.get(index - 1)))
-            || (column + 1 < width && differs(object.get(index + 1)))
-            || (row > 0 && differs(object.get(index - width)))
-            || differs(object.get(index + width))
-    };
-    let mut order: Vec<usize> = (0..object.len()).collect();
-    order.sort_by_key(|index| mixed(SEED ^ *index as u64));
-    let (outline, others): (Vec<_>, Vec<_>) = order.into_iter().partition(is_outline);
-    let populations = [outline.len(), others.len()];
-    let (mut outline_left, mut others_left) = (outline.iter(), others.iter());
-    let in_turn = std::iter::from_fn(|| match (outline_left.next(), others_left.next()) {
-        (None, None) => None,
-        (one, other) => Some(one.into_iter().chain(other)),
-    });
-    let indices: Vec<usize> = in_turn.flatten().copied().take(MOST_PIXELS).collect();
-    Sample {
-        strata: indices.iter().map(|index| usize::from(!is_outline(index))).collect(),
-        pixels: indices.into_iter().map(|index| (index / width, index % width)).collect(),
-        populations,
-    }
-}
-
-/// Returns a pseudorandom number: the finalizer of SplitMix64 (Steele, Lea, Flood, *Fast splittable
-/// pseudorandom number generators*, 2014).
-fn mixed(x: u64) -> u64 {
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }

@@ -26,7 +26,7 @@ pub(super) enum CaseSubject {
     Frames(Vec<MeasuredPicture>),
 }
 
-/// A scene, a camera, and which of its pixels to compare with the truth.
+/// A scene as seen by a camera.
 pub(super) struct MeasuredPicture {
     pub(super) scene: Arc<Scene>,
     pub(super) camera: ResolvedCamera,
@@ -35,25 +35,11 @@ pub(super) struct MeasuredPicture {
     /// The exact numbers that all rays share; `None` for a scene of many objects, which are filtered for each
     /// pixel first.
     view: Option<View>,
+    /// The pixels that are compared with the truth.
     raster: Raster,
-    sample: Sample,
     /// The camera and raster that are traced for timing.
     timed: (ResolvedCamera, Raster),
 }
-
-/// The pixels of a picture that are compared with the truth.
-pub(super) struct Sample {
-    /// Rows and columns of the raster.
-    pub(super) pixels: Vec<(usize, usize)>,
-    /// The stratum of each pixel; empty if all are in the first.
-    pub(super) strata: Vec<usize>,
-    /// Number of pixels of each stratum in the whole raster.
-    pub(super) populations: Populations,
-}
-
-/// The number of rays in each of the two strata of a case, which may be sampled with different
-/// density. Errors and shares are weighted by these numbers.
-pub(super) type Populations = [usize; 2];
 
 /// One method at work on a subject.
 pub(super) enum Kernel {
@@ -79,9 +65,7 @@ impl CaseSubject {
     pub(super) fn len(&self) -> usize {
         match self {
             CaseSubject::Rays(cases) => cases.len(),
-            CaseSubject::Frames(pictures) => {
-                pictures.iter().map(|picture| picture.sample.pixels.len()).sum()
-            }
+            CaseSubject::Frames(pictures) => pictures.iter().map(|p| p.raster.len()).sum(),
         }
     }
 
@@ -90,31 +74,12 @@ impl CaseSubject {
         mut index: usize,
     ) -> Option<(usize, &MeasuredPicture, usize)> {
         for (number, picture) in pictures.iter().enumerate() {
-            if index < picture.sample.pixels.len() {
+            if index < picture.raster.len() {
                 return Some((number, picture, index));
             }
-            index -= picture.sample.pixels.len();
+            index -= picture.raster.len();
         }
         None
-    }
-
-    /// Returns the number of rays that each stratum stands for.
-    pub(super) fn populations(&self) -> Populations {
-        match self {
-            CaseSubject::Rays(cases) => [cases.len(), 0],
-            CaseSubject::Frames(pictures) => pictures.iter().fold([0, 0], |[a, b], picture| {
-                [a + picture.sample.populations[0], b + picture.sample.populations[1]]
-            }),
-        }
-    }
-
-    /// Returns the stratum of the ray with this number.
-    pub(super) fn stratum(&self, index: usize) -> usize {
-        let CaseSubject::Frames(pictures) = self else { return 0 };
-        let located = CaseSubject::locate(pictures, index);
-        located
-            .and_then(|(_, picture, pixel)| picture.sample.strata.get(pixel).copied())
-            .unwrap_or(0)
     }
 
     /// Returns the true first hit of the ray with this number, and the problem that it answers; `None` if the ray
@@ -165,8 +130,7 @@ impl CaseSubject {
         match (self, kernel) {
             (CaseSubject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
                 let (number, picture, pixel) = CaseSubject::locate(pictures, index)?;
-                let (row, column) = picture.sample.pixels[pixel];
-                of_pixels[number].hit(row * picture.raster.columns().len() + column)
+                of_pixels[number].hit(pixel)
             }
             (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
             (CaseSubject::Rays(_), Kernel::Frames { .. }) => None,
@@ -218,26 +182,29 @@ impl Kernel {
 }
 
 impl MeasuredPicture {
-    /// Creates a picture: the sample's pixels of `raster` are compared with the truth; `timed` is traced for
-    /// timing.
+    /// Creates a picture: the pixels of `raster` are compared with the truth; `timed` is traced for timing.
     pub(super) fn new(
         scene: Arc<Scene>,
         given: &Camera,
         camera: &ResolvedCamera,
         raster: Raster,
-        sample: Sample,
         timed: (ResolvedCamera, Raster),
     ) -> MeasuredPicture {
         let (objects, of_reference, camera) =
             (objects_of(&scene), reference_camera(given), *camera);
         let has_few = objects.len() < MANY_OBJECTS;
         let view = has_few.then(|| of_reference.prepare(&objects).ok()).flatten();
-        MeasuredPicture { scene, camera, of_reference, objects, view, raster, sample, timed }
+        MeasuredPicture { scene, camera, of_reference, objects, view, raster, timed }
+    }
+
+    /// Returns the row and the column in the raster of the pixel with this number.
+    fn place(&self, pixel: usize) -> (usize, usize) {
+        (pixel / self.raster.columns().len(), pixel % self.raster.columns().len())
     }
 
     /// Returns the pixel with this number.
     fn pixel(&self, pixel: usize) -> Pixel {
-        let (row, column) = self.sample.pixels[pixel];
+        let (row, column) = self.place(pixel);
         Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
     }
 
