@@ -59,19 +59,3 @@ impl DerivationSections {
         self.0[section as usize] = shown;
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_section_is_shown_alone() {
-        for section in DerivationSection::ALL {
-            let only: DerivationSections = [section].into_iter().collect();
-            assert!(DerivationSection::ALL.iter().all(|s| only.shows(*s) == (*s == section)));
-            let mut others = DerivationSections::default();
-            others.set(section, false);
-            assert!(DerivationSection::ALL.iter().all(|s| others.shows(*s) != (*s == section)));
-        }
-    }
-}

@@ -225,23 +225,6 @@ impl View {
         self.scene.roots(object, &self.of_pixel(row, column))
     }
 
-    /// Returns how far the line of the pixel's ray is from touching a sphere: `D / (|d|^2 |q|^2)`,
-    /// with q the vector from the eye to the centre and `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)`. The
-    /// result is negative if the line misses the sphere. `None` for a plane, and for a sphere
-    /// around the eye.
-    pub fn grazing_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
-        let Direction { field, multiple, .. } = self.of_pixel(row, column);
-        self.scene.objects[object].grazing(field, &multiple)
-    }
-
-    /// Returns the square of the cosine between the pixel's ray and the direction to a sphere's
-    /// centre or a plane's normal, with the sign of the cosine. Returns `None` for a sphere around
-    /// the eye.
-    pub fn cosine_squared_of_pixel(&self, object: usize, row: u32, column: u32) -> Option<Real> {
-        let Direction { field, multiple, .. } = self.of_pixel(row, column);
-        self.scene.objects[object].cosine_squared(field, &multiple)
-    }
-
     /// Returns the direction of the pixel's ray.
     pub fn direction_of_pixel(&self, row: u32, column: u32) -> [Real; 3] {
         self.of_pixel(row, column).values()

@@ -41,36 +41,6 @@ impl Object {
             ObjectFromEye::Plane { offset, .. } => offset.sign().reverse(),
         }
     }
-
-    /// Returns the relative distance of `q` from the object. For a sphere, this is
-    /// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)`. For a plane, it is the square of
-    /// the cosine between the normal and the vector from `q` to the plane's point, with the sign of
-    /// the cosine; 0 if `q` is the plane's point.
-    ///
-    /// # Panics
-    /// Panics if a number is NaN or infinite.
-    pub fn share_of_side(&self, q: [f64; 3]) -> Real {
-        let q = vector(q);
-        let (p, d) = match (self, ObjectFromEye::new(self, &q)) {
-            (_, ObjectFromEye::Sphere { radius, from_center, c }) => {
-                (c, &dot(&from_center, &from_center) + &radius.square())
-            }
-            (Object::Plane { point, .. }, ObjectFromEye::Plane { normal, offset }) => {
-                let way = minus(&vector(*point), &q);
-                (signed_square(&offset), &dot(&normal, &normal) * &dot(&way, &way))
-            }
-            (Object::Sphere { .. }, ObjectFromEye::Plane { .. }) => unreachable!("it is a sphere"),
-        };
-        if d.is_zero() {
-            return Real::from(0.0);
-        }
-        Quotient::without_root(Surd::rational(p), Surd::rational(d)).value(&Field::rational())
-    }
-}
-
-/// Returns `x |x|`.
-fn signed_square(x: &Dyadic) -> Dyadic {
-    if x.sign() == Ordering::Less { -&x.square() } else { x.square() }
 }
 
 /// An object, and the exact quantities that all rays from one origin share.
@@ -125,31 +95,6 @@ impl ObjectFromEye {
                 vec![Quotient::without_root(Surd::rational(p), d)]
             }
         }
-    }
-
-    /// Returns `D / (|d|^2 |q|^2)` with q the vector from the origin to the centre: the squared
-    /// sine of a sphere's angular radius, minus the squared sine of the angle between the direction
-    /// and q. Returns `None` for a plane, and if q or the direction is 0.
-    pub(crate) fn grazing(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
-        let ObjectFromEye::Sphere { from_center, c, .. } = self else { return None };
-        let (a, b) = (field.dot(direction, direction), Surd::dot(direction, from_center));
-        let discriminant = field.square(&b).minus(&a.scaled(c));
-        let squares = a.scaled(&dot(from_center, from_center));
-        (!squares.is_zero()).then(|| Quotient::without_root(discriminant, squares).value(field))
-    }
-
-    /// Returns the square of the cosine between the direction and the vector to a sphere's centre,
-    /// or a plane's normal, with the sign of the cosine. Returns `None` if one of the vectors is 0.
-    pub(crate) fn cosine_squared(&self, field: &Field, direction: &[Surd; 3]) -> Option<Real> {
-        let along = match self {
-            ObjectFromEye::Sphere { from_center, .. } => from_center.each_ref().map(|x| -x),
-            ObjectFromEye::Plane { normal, .. } => normal.clone(),
-        };
-        let rate = Surd::dot(direction, &along);
-        let square = field.square(&rate);
-        let square = if field.sign(&rate) == Ordering::Less { square.negated() } else { square };
-        let squares = field.dot(direction, direction).scaled(&dot(&along, &along));
-        (!squares.is_zero()).then(|| Quotient::without_root(square, squares).value(field))
     }
 
     /// Returns the unit normal at a root: outward on a sphere, along a plane's `normal` on a plane.

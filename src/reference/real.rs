@@ -120,22 +120,34 @@ impl Real {
         SINGLE.ulps(f64::from(x), &self.0)
     }
 
-    /// Returns `self - x` exactly.
-    ///
-    /// # Panics
-    /// Panics if `x` is NaN or infinite.
-    pub fn minus_f64(&self, x: f64) -> Real {
-        Real(&self.0 - &Dyadic::from_f64(x))
+    /// Returns `self + other` exactly.
+    pub fn plus(&self, other: &Real) -> Real {
+        Real(&self.0 + &other.0)
+    }
+
+    /// Returns `self - other` exactly.
+    pub fn minus(&self, other: &Real) -> Real {
+        Real(&self.0 - &other.0)
+    }
+
+    /// Returns `self * other` exactly.
+    pub fn times(&self, other: &Real) -> Real {
+        Real(&self.0 * &other.0)
+    }
+
+    /// Returns `self / other` as an `f64`, with a relative error of a few parts in `1e16`; NaN or infinite if
+    /// `other` is 0.
+    pub fn over(&self, other: &Real) -> f64 {
+        // Only the ratio matters: the divisor comes near 1.
+        let scale = -other.0.log2().unwrap_or(0);
+        Real(self.0.shifted(scale)).to_f64() / Real(other.0.shifted(scale)).to_f64()
     }
 
     /// Returns `(self - other) / (self + other)` as an `f64`: the relative difference of two
     /// positive numbers, with a relative error of a few parts in `1e16` and an absolute error of
     /// `2^-440`.
     pub fn relative_difference(&self, other: &Real) -> f64 {
-        let (difference, sum) = (&self.0 - &other.0, &self.0 + &other.0);
-        // Only the ratio matters: the sum comes near 1.
-        let scale = -sum.log2().unwrap_or(0);
-        Real(difference.shifted(scale)).to_f64() / Real(sum.shifted(scale)).to_f64()
+        self.minus(other).over(&self.plus(other))
     }
 }
 

@@ -25,7 +25,7 @@ pub struct Hit {
 #[derive(Debug)]
 pub(crate) struct SceneFromEye {
     origin: Vector,
-    pub(crate) objects: Vec<ObjectFromEye>,
+    objects: Vec<ObjectFromEye>,
 }
 
 /// A direction that may have roots in it. The computation uses a positive multiple of the true

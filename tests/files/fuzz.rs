@@ -38,7 +38,7 @@ const READERS: [Reader; 4] = [
 
 #[test]
 fn no_text_makes_the_window_panic_stall_or_chatter() {
-    let mut samples: Vec<Vec<u8>> = builtin::FILES.iter().map(|file| file.text.into()).collect();
+    let mut samples: Vec<Vec<u8>> = builtin::FILES.iter().map(|(_, text)| (*text).into()).collect();
     let cameras = [
         "glm::lookAt(glm::vec3(4, 3, 3), glm::vec3(0), glm::vec3(0, 1, 0));\n\
          glm::perspective(glm::radians(45.0f), 4.0f / 3.0f, 0.1f, 100.0f);\n",

@@ -17,7 +17,7 @@ macro_rules! lessons {
 }
 
 /// The names and texts of the lesson files, in the order of the lecture.
-const FILES: &[(&str, &str)] = lessons![
+pub const FILES: &[(&str, &str)] = lessons![
     "01-canonical-camera",
     "02-warm-up",
     "03-viewport-and-distance",

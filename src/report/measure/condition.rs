@@ -78,7 +78,7 @@ impl Problem {
             -2.0 * half / (1.0 + half)
         } else {
             // The difference is exact, so nothing is lost to cancellation.
-            -truth.t.minus_f64(t).to_f64() / self.t
+            -truth.t.minus(&Real::from(t)).to_f64() / self.t
         };
         moved.is_finite().then_some(moved)
     }

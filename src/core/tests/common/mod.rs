@@ -5,6 +5,7 @@ pub(crate) mod bases;
 pub(crate) mod given;
 pub(crate) mod invalid;
 pub(crate) mod levels;
+pub(crate) mod margins;
 pub(crate) mod oracle;
 pub(crate) mod seed;
 

@@ -2,6 +2,8 @@
 
 use pinhole_reference::{Camera, Hit, Object, Orientation, Real, Status, angle_between, basis};
 
+use crate::common::margins;
+
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
 fn camera(eye: [f64; 3], orientation: Orientation) -> Camera {
@@ -110,16 +112,16 @@ fn a_basis_by_hand_is_taken_as_it_is() {
 
 #[test]
 fn how_near_a_decision_is_of_the_canonical_ball() {
-    let ball = Object::Sphere { center: [0.0, 0.0, -5.0], radius: 1.0 };
+    let (ball, eye) = (Object::Sphere { center: [0.0, 0.0, -5.0], radius: 1.0 }, [0.0; 3]);
     let one_pixel = Camera { columns: 1, rows: 1, ..canonical() };
-    let view = one_pixel.prepare(&[ball, wall()]).unwrap();
+    let direction = one_pixel.prepare(&[]).unwrap().direction_of_pixel(0, 0);
     // sin^2 of the angular radius is 1/25, and the ray goes through the centre.
-    assert_eq!(view.grazing_of_pixel(0, 0, 0).unwrap().to_f64(), 0.04);
-    assert_eq!(view.grazing_of_pixel(1, 0, 0), None);
-    assert_eq!(view.cosine_squared_of_pixel(0, 0, 0).unwrap().to_f64(), 1.0);
-    assert_eq!(view.cosine_squared_of_pixel(1, 0, 0).unwrap().to_f64(), -1.0);
-    assert_eq!(ball.share_of_side([0.0; 3]).to_f64(), 24.0 / 26.0);
-    assert_eq!(wall().share_of_side([0.0; 3]).to_f64(), -1.0);
-    assert_eq!(wall().share_of_side([3.0, 0.0, -6.0]).to_f64(), 0.0);
+    assert_eq!(margins::grazing(&ball, eye, &direction), Some(0.04));
+    assert_eq!(margins::grazing(&wall(), eye, &direction), None);
+    assert_eq!(margins::ahead(&ball, eye, &direction), Some(1.0));
+    assert_eq!(margins::ahead(&wall(), eye, &direction), Some(-1.0));
+    assert_eq!(margins::side(&ball, eye), 24.0 / 26.0);
+    assert_eq!(margins::side(&wall(), eye), -1.0);
+    assert_eq!(margins::side(&wall(), [3.0, 0.0, -6.0]), 0.0);
     assert_eq!(Real::from(3.0).relative_difference(&Real::from(1.0)), 0.5);
 }

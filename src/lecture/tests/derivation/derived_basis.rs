@@ -216,7 +216,7 @@ fn the_vectors_are_those_of_the_reference() {
                 let across = derived.w_cross_u.unwrap();
                 let found = [derived.u.unwrap(), across.product, derived.w.unwrap()];
                 for (truth, found) in [u, v, w].iter().zip(found) {
-                    let off = |i: usize| Real::minus_f64(&truth[i], found[i]).to_f64().abs();
+                    let off = |i: usize| truth[i].minus(&Real::from(found[i])).to_f64().abs();
                     assert!((0..3).all(|i| off(i) <= 1.2e-16), "{camera:?}");
                     vectors += 1;
                 }
