@@ -42,16 +42,13 @@ pub(super) struct MeasuredPicture {
 }
 
 /// One method at work on a subject.
-pub(super) enum Kernel {
-    Rays {
-        kernel: Box<dyn MethodKernel>,
-        /// Number of passes through the list in one time measurement.
-        repeats: u32,
-    },
-    Frames {
-        of_pixels: Vec<Box<dyn MethodKernel>>,
-        timed: Vec<Box<dyn MethodKernel>>,
-    },
+pub(super) struct Kernel {
+    /// Kernels for the hits that are compared with the truth: one for each picture, or one for all single rays.
+    compared: Vec<Box<dyn MethodKernel>>,
+    /// Kernels that run while the method is timed.
+    timed: Vec<Box<dyn MethodKernel>>,
+    /// Number of passes in one time measurement.
+    repeats: u32,
 }
 
 /// Minimum duration of one time measurement of rays, if possible.
@@ -69,13 +66,13 @@ impl CaseSubject {
         }
     }
 
-    fn locate(
-        pictures: &[MeasuredPicture],
-        mut index: usize,
-    ) -> Option<(usize, &MeasuredPicture, usize)> {
+    /// Returns the number of the picture that the ray with this number belongs to, and its pixel's number there;
+    /// of single rays, 0 and the ray's own number.
+    fn locate(&self, mut index: usize) -> Option<(usize, usize)> {
+        let CaseSubject::Frames(pictures) = self else { return Some((0, index)) };
         for (number, picture) in pictures.iter().enumerate() {
             if index < picture.raster.len() {
-                return Some((number, picture, index));
+                return Some((number, index));
             }
             index -= picture.raster.len();
         }
@@ -92,7 +89,8 @@ impl CaseSubject {
                 (scene, *ray, reference::first_hit(&objects_of(scene), origin, direction)?)
             }
             CaseSubject::Frames(pictures) => {
-                let (_, picture, pixel) = CaseSubject::locate(pictures, index)?;
+                let (number, pixel) = self.locate(index)?;
+                let picture = &pictures[number];
                 let ray = picture.camera.ray_of_pixel(picture.pixel(pixel));
                 (&*picture.scene, ray, picture.truth(pixel)?)
             }
@@ -107,19 +105,22 @@ impl CaseSubject {
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
             CaseSubject::Rays(cases) => {
-                let mut kernel = ray_kernel(method, cases)?;
+                let (mut compared, timed) =
+                    (ray_kernel(method, cases)?, ray_kernel(method, cases)?);
                 let start = Instant::now();
-                kernel.run();
-                let fitting = MEASUREMENT.div_duration_f64(start.elapsed());
-                Kernel::Rays { kernel, repeats: (fitting as u32).clamp(1, 100) }
+                compared.run();
+                let fitting = MEASUREMENT.div_duration_f64(start.elapsed()) as u32;
+                let repeats = fitting.clamp(1, 100);
+                Kernel { compared: vec![compared], timed: vec![timed], repeats }
             }
             CaseSubject::Frames(pictures) => {
                 let make = |picture: &MeasuredPicture, camera: &ResolvedCamera, raster: &Raster| {
                     frame_kernel(method, &picture.scene, camera, raster)
                 };
-                Kernel::Frames {
-                    of_pixels: pictures.iter().map(|p| make(p, &p.camera, &p.raster)).collect(),
+                Kernel {
+                    compared: pictures.iter().map(|p| make(p, &p.camera, &p.raster)).collect(),
                     timed: pictures.iter().map(|p| make(p, &p.timed.0, &p.timed.1)).collect(),
+                    repeats: 1,
                 }
             }
         })
@@ -127,14 +128,8 @@ impl CaseSubject {
 
     /// Returns the hit that the method finds for the ray with this number.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
-        match (self, kernel) {
-            (CaseSubject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
-                let (number, picture, pixel) = CaseSubject::locate(pictures, index)?;
-                of_pixels[number].hit(pixel)
-            }
-            (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
-            (CaseSubject::Rays(_), Kernel::Frames { .. }) => None,
-        }
+        let (number, index) = self.locate(index)?;
+        kernel.compared[number].hit(index)
     }
 
     /// Returns the number of pixels (or rays) that are traced for timing.
@@ -147,13 +142,11 @@ impl CaseSubject {
 
     /// Returns the time of the method, in nanoseconds per pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
-        let repeats = if let Kernel::Rays { repeats, .. } = kernel { *repeats } else { 1 };
-        let pixels = self.pixels_timed() * repeats as usize;
+        let pixels = self.pixels_timed() * kernel.repeats as usize;
         let mut measure = || {
             let start = Instant::now();
-            match kernel {
-                Kernel::Rays { kernel, repeats } => (0..*repeats).for_each(|_| kernel.run()),
-                Kernel::Frames { timed, .. } => timed.iter_mut().for_each(|kernel| kernel.run()),
+            for _ in 0..kernel.repeats {
+                kernel.timed.iter_mut().for_each(|kernel| kernel.run());
             }
             start.elapsed()
         };
@@ -168,16 +161,11 @@ impl CaseSubject {
 impl Kernel {
     /// Returns the ladder's steps in the last time measurement: for decisions, and for `t`.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
-        match self {
-            Kernel::Rays { kernel, .. } => kernel.steps(),
-            Kernel::Frames { timed, .. } => {
-                let mut each = timed.iter().map(|kernel| kernel.steps());
-                each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
-                    let [more, more_of_t] = steps?;
-                    Some([decisions + more, of_t + more_of_t])
-                })
-            }
-        }
+        let mut each = self.timed.iter().map(|kernel| kernel.steps());
+        each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
+            let [more, more_of_t] = steps?;
+            Some([decisions + more, of_t + more_of_t])
+        })
     }
 }
 
@@ -197,15 +185,10 @@ impl MeasuredPicture {
         MeasuredPicture { scene, camera, of_reference, objects, view, raster, timed }
     }
 
-    /// Returns the row and the column in the raster of the pixel with this number.
-    fn place(&self, pixel: usize) -> (usize, usize) {
-        (pixel / self.raster.columns().len(), pixel % self.raster.columns().len())
-    }
-
     /// Returns the pixel with this number.
     fn pixel(&self, pixel: usize) -> Pixel {
-        let (row, column) = self.place(pixel);
-        Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
+        let (rows, columns) = (self.raster.rows(), self.raster.columns());
+        Pixel { row: rows[pixel / columns.len()], column: columns[pixel % columns.len()] }
     }
 
     fn truth(&self, pixel: usize) -> Option<Hit> {
