@@ -6,7 +6,6 @@
 //! value is rounded once.
 
 use std::cmp::Ordering;
-use std::fmt;
 
 use pinhole_core::arithmetic::{Dyadic, rounded_quotient};
 use pinhole_core::{DVec2, shortest};
@@ -33,34 +32,6 @@ pub struct ParametricLine {
     pub p: DVec2,
     /// The step from the point at `t = 0` to the point at `t = 1`; not normalized.
     pub d: DVec2,
-}
-
-/// Reason why numbers make no line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum LineError {
-    /// The named number is NaN or infinite.
-    NotFinite {
-        /// `a`, `b`, `c`, `p x`, `p y`, `d x` or `d y`.
-        field: &'static str,
-        /// The value.
-        value: f64,
-    },
-    /// `a = b = 0`: f is `c` at every point.
-    NoNormal {
-        /// The value of f everywhere.
-        c: f64,
-    },
-    /// `d = (0, 0)`: every t gives `p`.
-    NoDirection {
-        /// The one point.
-        p: DVec2,
-    },
-    /// The two points are the same: many lines pass through it.
-    SamePoint {
-        /// The point.
-        point: DVec2,
-    },
 }
 
 /// A parametric line substituted into an implicit one: `a (px + t dx) + b (py + t dy) + c = (a dx +
@@ -106,43 +77,20 @@ pub struct Crossing {
     pub ray_hits: bool,
 }
 
-impl fmt::Display for LineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            LineError::NotFinite { field, value } => {
-                write!(f, "{field} is {value}: it must be a finite number")
-            }
-            LineError::NoNormal { c } => {
-                let c = shortest(*c);
-                write!(f, "a and b are both 0: f is {c} at every point, and no line is left")
-            }
-            LineError::NoDirection { p } => {
-                let (x, y) = (shortest(p.x), shortest(p.y));
-                write!(f, "d is (0, 0): every t gives the one point ({x}, {y})")
-            }
-            LineError::SamePoint { point } => {
-                let (x, y) = (shortest(point.x), shortest(point.y));
-                write!(f, "both points are ({x}, {y}): many lines go through one point")
-            }
-        }
-    }
-}
-
-impl std::error::Error for LineError {}
-
 impl ImplicitLine {
     /// Returns the line through two points, directed from the first to the second, so that f is
     /// positive on its left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or both points are the same.
-    pub fn through(first: DVec2, second: DVec2) -> Result<ImplicitLine, LineError> {
+    pub fn through(first: DVec2, second: DVec2) -> Result<ImplicitLine, String> {
         for (field, value) in [("x1", first.x), ("y1", first.y), ("x2", second.x), ("y2", second.y)]
         {
             finite(field, value)?;
         }
         if first == second {
-            return Err(LineError::SamePoint { point: first });
+            let (x, y) = (shortest(first.x), shortest(first.y));
+            return Err(format!("both points are ({x}, {y}): many lines go through one point"));
         }
         let [x1, y1, x2, y2] = [first.x, first.y, second.x, second.y].map(Dyadic::from);
         let c = (&(&x1 * &y2) - &(&x2 * &y1)).rounded_times(0);
@@ -160,13 +108,18 @@ impl ImplicitLine {
     /// Checks that the numbers define a line.
     ///
     /// # Errors
-    /// Returns an error if they do not.
-    pub fn check(&self) -> Result<(), LineError> {
+    /// Returns the reason if they do not.
+    pub fn check(&self) -> Result<(), String> {
         for (field, value) in [("a", self.a), ("b", self.b), ("c", self.c)] {
             finite(field, value)?;
         }
-        let none = self.a == 0.0 && self.b == 0.0;
-        if none { Err(LineError::NoNormal { c: self.c }) } else { Ok(()) }
+        if self.a == 0.0 && self.b == 0.0 {
+            let c = shortest(self.c);
+            return Err(format!(
+                "a and b are both 0: f is {c} at every point, and no line is left"
+            ));
+        }
+        Ok(())
     }
 
     /// Returns `f(x, y) = a x + b y + c`, rounded once. The numbers must be finite; the result is
@@ -214,13 +167,17 @@ impl ParametricLine {
     /// Checks that the numbers define a line.
     ///
     /// # Errors
-    /// Returns an error if they do not.
-    pub fn check(&self) -> Result<(), LineError> {
+    /// Returns the reason if they do not.
+    pub fn check(&self) -> Result<(), String> {
         let ParametricLine { p, d } = *self;
         for (field, value) in [("p x", p.x), ("p y", p.y), ("d x", d.x), ("d y", d.y)] {
             finite(field, value)?;
         }
-        if d == DVec2::ZERO { Err(LineError::NoDirection { p }) } else { Ok(()) }
+        if d == DVec2::ZERO {
+            let (x, y) = (shortest(p.x), shortest(p.y));
+            return Err(format!("d is (0, 0): every t gives the one point ({x}, {y})"));
+        }
+        Ok(())
     }
 
     /// Returns `p + t d`.
@@ -268,9 +225,9 @@ impl Substitution {
     /// let ray = ParametricLine { p: DVec2::ZERO, d: DVec2::ONE };
     /// let Meeting::At(crossing) = Substitution::new(line, ray)?.meeting else { panic!() };
     /// assert_eq!((crossing.t, crossing.ray_hits), (-1.0, false));
-    /// # Ok::<(), LineError>(())
+    /// # Ok::<(), String>(())
     /// ```
-    pub fn new(line: ImplicitLine, ray: ParametricLine) -> Result<Substitution, LineError> {
+    pub fn new(line: ImplicitLine, ray: ParametricLine) -> Result<Substitution, String> {
         line.check()?;
         ray.check()?;
         let (rate, offset) = terms(&line, &ray);
@@ -319,6 +276,9 @@ fn terms(line: &ImplicitLine, ray: &ParametricLine) -> (Dyadic, Dyadic) {
     (&(&a * &x) + &(&b * &y), line.exact_f(ray.p))
 }
 
-fn finite(field: &'static str, value: f64) -> Result<(), LineError> {
-    if value.is_finite() { Ok(()) } else { Err(LineError::NotFinite { field, value }) }
+fn finite(field: &str, value: f64) -> Result<(), String> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(format!("{field} is {value}: it must be a finite number")),
+    }
 }

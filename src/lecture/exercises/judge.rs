@@ -2,8 +2,9 @@
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere, shortest};
 
-use super::question::{Answer, QuestionPart};
+use super::question::{Answer, Asked, QuestionPart};
 use crate::mistakes::Mistake;
+use crate::numbers::exact_if_short as short;
 
 /// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,8 +33,8 @@ pub enum Verdict {
     },
     /// Each of these mistakes gives the answer and agrees with the answers to the other parts.
     Mistakes(Vec<Mistake>),
-    /// No known mistake gives it; these findings describe what is wrong.
-    Wrong(Vec<Finding>),
+    /// No known mistake gives it; these words say what is wrong, each without a full stop.
+    Wrong(Vec<String>),
 }
 
 /// Minimum number of significant digits of an answer that counts as right. The program shows at
@@ -107,11 +108,10 @@ fn is_settled(verdict: &Verdict, part: &QuestionPart) -> bool {
 /// Returns the verdict if no known mistake gives the answer.
 fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
-        let another = || Verdict::Wrong(vec![Finding::Another]);
-        return if part.truth == *answer { Verdict::Right } else { another() };
+        return if part.truth == *answer { Verdict::Right } else { Verdict::Wrong(another(part)) };
     };
     if truth.len() != given.len() || !given.iter().all(|x| x.is_finite()) {
-        return Verdict::Wrong(vec![Finding::Another]);
+        return Verdict::Wrong(another(part));
     }
     if is_near(given, truth) {
         return Verdict::Right;
@@ -166,24 +166,32 @@ fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     mistakes
 }
 
-fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+/// Says that every number is wrong.
+fn another(part: &QuestionPart) -> Vec<String> {
+    let what = if part.count() == 1 { "it" } else { "every coordinate" };
+    vec![format!("{what} should be another number")]
+}
+
+/// Says what is wrong with an answer that no known mistake gives.
+fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
-        return vec![Finding::Zero];
+        return vec!["a direction cannot be (0, 0, 0)".to_owned()];
     }
     let size = size(truth);
     let is_off = |k: &usize| (given[*k] - truth[*k]).abs() > TOLERANCE * size;
     let off: Vec<usize> = (0..truth.len()).filter(is_off).collect();
     let mut findings = Vec::new();
     if off.len() < truth.len() {
-        findings.extend(off.into_iter().map(Finding::Coordinate));
+        let coordinate = |k: usize| format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k]);
+        findings.extend(off.into_iter().map(coordinate));
     }
     findings.extend(part.conditions.iter().filter_map(|condition| condition.missed_by(given)));
     findings.extend(of_direction(part, truth, given));
-    if findings.is_empty() { vec![Finding::Another] } else { findings }
+    if findings.is_empty() { another(part) } else { findings }
 }
 
-/// Returns the findings on the length and the direction of a vector that should have length 1.
-fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+/// Says what is wrong with the length and the direction of a vector that should have length 1.
+fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
     let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
     else {
@@ -192,20 +200,26 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Findin
     let length = given.length();
     let mut findings = Vec::new();
     if (length - 1.0).abs() > TOLERANCE {
-        findings.push(Finding::Length(length));
+        findings.push(format!("its length is {}, not 1", short(length)));
     }
-    let others = part.orthogonal_to.iter().filter_map(|(to, vector)| {
+    let count = findings.len();
+    findings.extend(part.orthogonal_to.iter().filter_map(|(to, vector)| {
         let dot = given.dot(*vector);
         let is_off = dot.abs() > TOLERANCE * length * vector.length();
-        is_off.then_some(Finding::NotOrthogonal { to, dot })
-    });
-    let count = findings.len();
-    findings.extend(others);
+        let dot = short(dot);
+        is_off.then(|| format!("it is not perpendicular to {to}: the dot product is {dot}"))
+    }));
     // A failed orthogonality says where to look; without one, at least the size of the error is
     // given.
     if findings.len() == count {
         let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
-        findings.push(Finding::Angle { degrees });
+        let from = match part.asked {
+            Asked::U => "right in the image",
+            Asked::V => "up in the image",
+            Asked::W => "straight backwards",
+            _ => "the direction from the centre to the hit",
+        };
+        findings.push(format!("it is {}° off {from}", short(degrees)));
     }
     findings
 }
@@ -285,72 +299,6 @@ fn cut_off(y: f64, place: i32) -> Option<f64> {
 /// Maximum relative difference between an answer and the truth that counts as rounding.
 const TOLERANCE: f64 = 1e-9;
 
-/// A fault of an answer.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Finding {
-    /// It is (0, 0, 0).
-    Zero,
-    /// The coordinate with this index, counted from 0, is wrong; the other coordinates are right.
-    Coordinate(usize),
-    /// The length is this number but should be 1.
-    Length(f64),
-    /// It should be perpendicular to the named vector.
-    NotOrthogonal {
-        /// `up`, `u`, `w`, ...
-        to: &'static str,
-        /// The dot product, which should be 0.
-        dot: f64,
-    },
-    /// It points in another direction.
-    Angle {
-        /// The angle between the answer and the right direction.
-        degrees: f64,
-    },
-    /// The point, or the ray's point at this t, is not on the wall.
-    OffWall {
-        /// The point's z.
-        z: f64,
-        /// The wall's z.
-        wall: f64,
-    },
-    /// The point, or the ray's point at this t, is not on the sphere.
-    OffSphere {
-        /// The point's distance from the centre.
-        distance: f64,
-        /// The sphere's radius.
-        radius: f64,
-    },
-    /// The point, or the ray's point at this t, is not on the line.
-    OffLine {
-        /// `a x + b y + c`, which should be 0.
-        value: f64,
-    },
-    /// The point is not on the ray's line.
-    OffRay {
-        /// The distance to the line.
-        distance: f64,
-    },
-    /// The origin is not the eye.
-    OffEye {
-        /// The distance to the eye.
-        distance: f64,
-    },
-    /// The ray passes through the viewport's plane at another position.
-    OffUv {
-        /// The position through which it passes.
-        uv: DVec2,
-        /// The position through which it should pass.
-        wanted: DVec2,
-    },
-    /// The ray never reaches the viewport's plane.
-    NotForwards {
-        /// `d . w`, which should be below 0.
-        along_w: f64,
-    },
-    /// The answer is another number, or not a number.
-    Another,
-}
-
 /// A condition that an answer must meet.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Condition {
@@ -385,51 +333,76 @@ pub(super) enum Surface {
 }
 
 impl Condition {
-    /// Returns how an answer of one, two or three numbers fails the condition; `None` if it meets
-    /// the condition.
-    fn missed_by(&self, given: &[f64]) -> Option<Finding> {
+    /// Says how an answer of one, two or three numbers fails the condition. Returns `None` if it
+    /// meets the condition.
+    fn missed_by(&self, given: &[f64]) -> Option<String> {
         let point = |given: &[f64]| match *given {
             [x, y] => Some(DVec3::new(x, y, 0.0)),
             [x, y, z] => Some(DVec3::new(x, y, z)),
             _ => None,
         };
         match (self, given) {
-            (Condition::Meets(ray, surface), [t]) => surface.missed_by(ray.at(*t)),
+            (Condition::Meets(ray, surface), [t]) => surface.missed_by(ray.at(*t), true),
             (Condition::Meets(..), _) => None,
-            (Condition::On(surface), _) => surface.missed_by(point(given)?),
+            (Condition::On(surface), _) => surface.missed_by(point(given)?, false),
             (Condition::OnRay(ray), _) => {
                 let from = point(given)? - ray.origin;
                 let distance = from.cross(ray.direction).length() / ray.direction.length();
-                is_off(distance, from.length()).then_some(Finding::OffRay { distance })
+                is_off(distance, from.length())
+                    .then(|| format!("it is not on the ray, but {} away from it", short(distance)))
             }
             (Condition::Eye(eye), _) => {
                 let distance = point(given)?.distance(*eye);
-                is_off(distance, eye.length()).then_some(Finding::OffEye { distance })
+                let from = "from the eye, where every view ray starts";
+                is_off(distance, eye.length()).then(|| format!("it is {} {from}", short(distance)))
             }
             (Condition::Through { basis, distance, uv }, _) => {
                 let d = basis.to_camera_from_world(point(given)?);
                 if d.z >= 0.0 {
-                    return Some(Finding::NotForwards { along_w: d.z });
+                    let along_w = short(d.z);
+                    return Some(format!(
+                        "it does not point forwards: 𝐝 · 𝐰 is {along_w}, and must be below 0"
+                    ));
                 }
                 let passed = d.truncate() * (distance / -d.z);
-                let is_elsewhere = is_off(passed.distance(*uv), passed.length());
-                is_elsewhere.then_some(Finding::OffUv { uv: passed, wanted: *uv })
+                let [text, wanted] =
+                    [passed, *uv].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
+                is_off(passed.distance(*uv), passed.length())
+                    .then(|| format!("it passes the viewport at (𝑢, 𝑣) = {text}, not {wanted}"))
             }
         }
     }
 }
 
 impl Surface {
-    fn missed_by(self, point: DVec3) -> Option<Finding> {
+    /// Says how far the point is off the surface; `is_of_ray` is true for a ray's point at the given
+    /// t. Returns `None` if it is on the surface.
+    fn missed_by(self, point: DVec3, is_of_ray: bool) -> Option<String> {
+        let it = if is_of_ray { "the point at this 𝑡" } else { "it" };
         let (off, finding) = match self {
-            Surface::Wall(wall) => (point.z - wall, Finding::OffWall { z: point.z, wall }),
+            Surface::Wall(wall) => {
+                let its = if is_of_ray { "at this 𝑡, 𝑧" } else { "its 𝑧" };
+                let (z, wanted) = (short(point.z), short(wall));
+                (point.z - wall, format!("{its} is {z}, not the wall's {wanted}"))
+            }
             Surface::Sphere(Sphere { center, radius }) => {
-                let distance = point.distance(center);
-                (distance - radius, Finding::OffSphere { distance, radius })
+                let away = point.distance(center);
+                let (distance, wanted) = (short(away), short(radius));
+                let says = format!(
+                    "{it} is not on the sphere: it is {distance} from the centre, and the radius is \
+                     {wanted}"
+                );
+                (away - radius, says)
             }
             Surface::Line(DVec3 { x: a, y: b, z: c }) => {
                 let value = a * point.x + b * point.y + c;
-                (value, Finding::OffLine { value })
+                let gives = short(value);
+                (
+                    value,
+                    format!(
+                        "{it} is not on the line: put into its equation, it gives {gives}, not 0"
+                    ),
+                )
             }
         };
         is_off(off, point.length()).then_some(finding)

@@ -9,7 +9,7 @@ mod texts;
 
 use pinhole_core::{Camera, DVec2, Plane, Sphere};
 
-pub use judge::{Finding, Verdict};
+pub use judge::Verdict;
 pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title};
 pub use texts::{follows, question};
 

@@ -246,9 +246,9 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let t = t_of_wall(&ray, z);
     let through = Condition::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
     let parts = vec![
-        QuestionPart { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
-        QuestionPart { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
-        QuestionPart { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
+        QuestionPart { orthogonal_to: vec![("𝐰", w)], ..part(Asked::U, vector(u)) },
+        QuestionPart { orthogonal_to: vec![("𝐮", u), ("𝐰", w)], ..part(Asked::V, vector(v)) },
+        QuestionPart { orthogonal_to: vec![("𝐮", u)], ..part(Asked::W, vector(w)) },
         part_with(Asked::Direction, vector(ray.direction), vec![through]),
         part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
@@ -302,10 +302,10 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
     let parts = vec![
         part(Asked::W, vector(w)),
         QuestionPart {
-            orthogonal_to: vec![("up", camera.up()), ("w", w)],
+            orthogonal_to: vec![("up", camera.up()), ("𝐰", w)],
             ..part(Asked::U, vector(u))
         },
-        QuestionPart { orthogonal_to: vec![("w", w), ("u", u)], ..part(Asked::V, vector(v)) },
+        QuestionPart { orthogonal_to: vec![("𝐰", w), ("𝐮", u)], ..part(Asked::V, vector(v)) },
     ];
     let basis =
         |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };

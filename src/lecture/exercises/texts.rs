@@ -3,7 +3,7 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
-use super::judge::{ENOUGH_DIGITS, Finding, Verdict};
+use super::judge::{ENOUGH_DIGITS, Verdict};
 use super::question::{Asked, Given, QuestionPart};
 use crate::numbers::{exact_if_short as short, written_whole as number};
 
@@ -196,77 +196,8 @@ impl Verdict {
                     mistakes.iter().map(|mistake| mistake.exercise_feedback()).collect();
                 format!("Wrong: {}", texts.join(" Or: "))
             }
-            Verdict::Wrong(findings) => {
-                let texts: Vec<String> =
-                    findings.iter().map(|finding| found(finding, part)).collect();
-                format!("Wrong: {}.", texts.join("; "))
-            }
+            Verdict::Wrong(findings) => format!("Wrong: {}.", findings.join("; ")),
         }
-    }
-}
-
-fn found(finding: &Finding, part: &QuestionPart) -> String {
-    let is_t = part.asked == Asked::T;
-    match *finding {
-        Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
-        Finding::Coordinate(k) => {
-            format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k.min(2)])
-        }
-        Finding::Length(length) => format!("its length is {}, not 1", short(length)),
-        Finding::NotOrthogonal { to, dot } => {
-            format!("it is not perpendicular to {}: the dot product is {}", bold(to), short(dot))
-        }
-        Finding::Angle { degrees } => {
-            let from = match part.asked {
-                Asked::U => "right in the image",
-                Asked::V => "up in the image",
-                Asked::W => "straight backwards",
-                _ => "the direction from the centre to the hit",
-            };
-            format!("it is {}° off {from}", short(degrees))
-        }
-        Finding::OffWall { z, wall } if is_t => {
-            format!("at this 𝑡, 𝑧 is {}, not the wall's {}", short(z), short(wall))
-        }
-        Finding::OffWall { z, wall } => {
-            format!("its 𝑧 is {}, not the wall's {}", short(z), short(wall))
-        }
-        Finding::OffSphere { distance, radius } => format!(
-            "{} is not on the sphere: it is {} from the centre, and the radius is {}",
-            if is_t { "the point at this 𝑡" } else { "it" },
-            short(distance),
-            short(radius)
-        ),
-        Finding::OffLine { value } => format!(
-            "{} is not on the line: put into its equation, it gives {}, not 0",
-            if is_t { "the point at this 𝑡" } else { "it" },
-            short(value)
-        ),
-        Finding::OffRay { distance } => {
-            format!("it is not on the ray, but {} away from it", short(distance))
-        }
-        Finding::OffEye { distance } => {
-            format!("it is {} from the eye, where every view ray starts", short(distance))
-        }
-        Finding::OffUv { uv, wanted } => {
-            let [passed, wanted] =
-                [uv, wanted].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
-            format!("it passes the viewport at (𝑢, 𝑣) = {passed}, not {wanted}")
-        }
-        Finding::NotForwards { along_w } => {
-            format!("it does not point forwards: 𝐝 · 𝐰 is {}, and must be below 0", short(along_w))
-        }
-        Finding::Another if part.count() == 1 => "it should be another number".to_owned(),
-        Finding::Another => "every coordinate should be another number".to_owned(),
-    }
-}
-
-fn bold(name: &str) -> &str {
-    match name {
-        "u" => "𝐮",
-        "v" => "𝐯",
-        "w" => "𝐰",
-        other => other,
     }
 }
 

@@ -1,10 +1,6 @@
 //! Grades: which answers are right, how large the worst error is, and which mistakes explain it.
 
-use std::fmt;
-
-use pinhole_core::{
-    Camera, CameraError, DVec3, ImageSize, Pixel, Ray, Rgb, Scene, Shade, shortest,
-};
+use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
@@ -193,62 +189,4 @@ impl Grade {
 pub(super) fn digits_wanted(tolerance: f64) -> u32 {
     let digits = (1.0 - tolerance.max(f64::EPSILON).log10() - 1e-9).ceil();
     digits.clamp(6.0, 17.0) as u32
-}
-
-/// Reason why answers cannot be graded.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum GradeError {
-    /// The camera sees nothing.
-    Camera(CameraError),
-    /// There is no answer.
-    NoAnswer,
-    /// A picture's number of pixels does not match the camera's image.
-    PictureSize {
-        /// The picture's number of pixels.
-        pixels: usize,
-        /// The camera's image.
-        image: ImageSize,
-    },
-    /// The tolerance is negative or not a number.
-    Tolerance(f64),
-    /// The true t of this pixel's hit is too large or too small to have all digits of an `f64`, in
-    /// which answers are graded.
-    BeyondRange(Pixel),
-}
-
-impl fmt::Display for GradeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            GradeError::Camera(error) => error.fmt(f),
-            GradeError::NoAnswer => f.write_str("there is no answer to grade"),
-            GradeError::PictureSize { pixels, image } => {
-                let (w, h) = (image.width(), image.height());
-                write!(f, "the picture has {pixels} pixels: it must have {w} x {h}, as the image")
-            }
-            GradeError::Tolerance(tolerance) => {
-                write!(f, "the tolerance is {tolerance}: it must be a number of at least 0")
-            }
-            GradeError::BeyondRange(Pixel { row, column }) => write!(
-                f,
-                "the true t of row {row}, column {column} (counted from 0) is beyond the range of f64, \
-                 in which answers are graded: scale width, height and distance of the viewport"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for GradeError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            GradeError::Camera(error) => Some(error),
-            _ => None,
-        }
-    }
-}
-
-impl From<CameraError> for GradeError {
-    fn from(error: CameraError) -> GradeError {
-        GradeError::Camera(error)
-    }
 }

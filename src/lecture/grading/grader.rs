@@ -8,8 +8,7 @@ use rayon::prelude::*;
 use super::answers::{AnswerKind, Answers, HitAnswer, Precision};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::grade::{
-    Grade, GradeError, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst,
-    digits_wanted,
+    Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
 use super::hits::{Hits, truth_of};
 use super::hits::{Rays, Vectors};
@@ -33,16 +32,17 @@ impl<'a> Grader<'a> {
         truth: &'a Truth<'a>,
         answers: &'a Answers,
         tolerance: Option<f64>,
-    ) -> Result<Grader<'a>, GradeError> {
-        let given = GivenCamera::new(truth.camera)?;
+    ) -> Result<Grader<'a>, String> {
+        let given = GivenCamera::new(truth.camera).map_err(|error| error.to_string())?;
         let image = given.resolved.image();
-        match answers {
-            Answers::Picture(pixels) if pixels.len() as u64 != image.pixel_count() => {
-                return Err(GradeError::PictureSize { pixels: pixels.len(), image });
-            }
-            Answers::Rays(rays) if rays.is_empty() => return Err(GradeError::NoAnswer),
-            Answers::Hits(hits) if hits.is_empty() => return Err(GradeError::NoAnswer),
-            _ => (),
+        if answers.is_empty() && answers.kind() != AnswerKind::Picture {
+            return Err("there is no answer to grade".to_owned());
+        }
+        if answers.kind() == AnswerKind::Picture && answers.len() as u64 != image.pixel_count() {
+            let (pixels, w, h) = (answers.len(), image.width(), image.height());
+            return Err(format!(
+                "the picture has {pixels} pixels: it must have {w} x {h}, as the image"
+            ));
         }
         // Make the index here, and not within the parallel work that uses it.
         truth.scene.make_index();
@@ -52,7 +52,7 @@ impl<'a> Grader<'a> {
         };
         let tolerance = tolerance.unwrap_or(usual);
         if tolerance.is_nan() || tolerance < 0.0 {
-            return Err(GradeError::Tolerance(tolerance));
+            return Err(format!("the tolerance is {tolerance}: it must be a number of at least 0"));
         }
         let digits = (tolerance / RELATIVE_TOLERANCE).min(1.0);
         let may_be_single = answers.may_be_single();
@@ -61,7 +61,11 @@ impl<'a> Grader<'a> {
             let first = grader.first_of(hits);
             let is_beyond = |hit: &Option<Hit>| hit.is_some_and(|hit| !hit.t.is_normal());
             if let Some(index) = first.iter().position(is_beyond) {
-                return Err(GradeError::BeyondRange(hits[index].pixel));
+                let Pixel { row, column } = hits[index].pixel;
+                return Err(format!(
+                    "the true t of row {row}, column {column} (counted from 0) is beyond the range of f64, \
+                     in which answers are graded: scale width, height and distance of the viewport"
+                ));
             }
         }
         Ok(grader)

@@ -41,9 +41,7 @@ pub use self::answers::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
 pub use self::diagnosis::Diagnosis;
-pub use self::grade::{
-    Grade, GradeError, Hit, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
-};
+pub use self::grade::{Grade, Hit, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst};
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 
@@ -67,12 +65,9 @@ use self::grader::Grader;
 /// ```
 ///
 /// # Errors
-/// Returns an error if the camera sees nothing, there is no answer, a picture's number of pixels
-/// differs from that of the camera's image, or the tolerance is negative or not a number.
-pub fn grade(
-    truth: &Truth,
-    answers: &Answers,
-    tolerance: Option<f64>,
-) -> Result<Grade, GradeError> {
+/// Returns the reason if the camera sees nothing, there is no answer, a picture's number of pixels
+/// differs from that of the camera's image, the tolerance is negative or not a number, or the t of a
+/// true hit is too large or too small to have all digits of an `f64`.
+pub fn grade(truth: &Truth, answers: &Answers, tolerance: Option<f64>) -> Result<Grade, String> {
     Ok(Grader::new(truth, answers, tolerance)?.grade())
 }

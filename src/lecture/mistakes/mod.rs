@@ -19,5 +19,5 @@ pub(crate) use pipeline::{
 pub use table::Mistake;
 pub(crate) use wrong_picture::SplitMix64;
 
-pub use wrong_camera::{NoWrongCamera, WrongCamera};
+pub use wrong_camera::WrongCamera;
 pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, Vote, WrongPicture};

@@ -1,7 +1,5 @@
 //! The camera that results from a mistake in a right camera.
 
-use std::fmt;
-
 use pinhole_core::arithmetic::length;
 use pinhole_core::{
     Camera, CameraError, DVec2, DVec3, ImageSize, Pixel, Ray, RayError, ResolvedCamera,
@@ -9,46 +7,6 @@ use pinhole_core::{
 
 use super::pipeline::{BasisChoices, GivenCamera, Pipeline, PipelineCamera};
 use super::table::Mistake;
-
-/// The reason why there is no wrong camera to show.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum NoWrongCamera {
-    /// The right camera sees nothing.
-    Camera(CameraError),
-    /// u, v and w are set by hand, so that no mistake is possible in their calculation.
-    GivenByHand(Mistake),
-    /// The camera is given by view, so there is no at.
-    NotGivenByAt,
-    /// The wrong camera is the right one.
-    ChangesNothing(Mistake),
-    /// The camera's numbers are beyond the range of `f64`.
-    OutOfRange(Mistake),
-}
-
-impl fmt::Display for NoWrongCamera {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoWrongCamera::Camera(e) => e.fmt(f),
-            NoWrongCamera::GivenByHand(_) => f.write_str(
-                "𝐮, 𝐯, 𝐰 are set by hand here, so this mistake has no place: give the camera by \
-                 view and up, or by at and up.",
-            ),
-            NoWrongCamera::NotGivenByAt => f.write_str(
-                "The camera is given by view here, so there is no at − eye to mistake for 𝐰: give \
-                 it by eye, at and up.",
-            ),
-            NoWrongCamera::ChangesNothing(mistake) => {
-                write!(f, "This changes nothing here. {}", mistake.hint())
-            }
-            NoWrongCamera::OutOfRange(_) => {
-                f.write_str("The wrong camera's numbers are beyond the range of f64.")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoWrongCamera {}
 
 /// A camera with a mistake in the calculation of its rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,24 +25,27 @@ impl WrongCamera {
     /// Creates the camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
     ///
     /// # Errors
-    /// Returns an error if the camera sees nothing, or if the mistake cannot be made with it or
-    /// changes nothing.
-    pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, NoWrongCamera> {
-        let right = WrongCamera::right(camera).map_err(NoWrongCamera::Camera)?;
+    /// Returns the reason, as a sentence, if the camera sees nothing, or if the mistake cannot be
+    /// made with it or changes nothing.
+    pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, String> {
+        let right = WrongCamera::right(camera).map_err(|error| error.to_string())?;
         let pipeline = mistake.usual();
         if pipeline.basis != BasisChoices::RIGHT && right.given.by_hand {
-            return Err(NoWrongCamera::GivenByHand(mistake));
+            let why = "𝐮, 𝐯, 𝐰 are set by hand here, so this mistake has no place: give the camera by \
+                       view and up, or by at and up.";
+            return Err(why.to_owned());
         }
-        let is_at = camera.orientation.has_at();
-        if mistake == Mistake::WIsAtMinusEye && !is_at {
-            return Err(NoWrongCamera::NotGivenByAt);
+        if mistake == Mistake::WIsAtMinusEye && !camera.orientation.has_at() {
+            let why = "The camera is given by view here, so there is no at − eye to mistake for 𝐰: give \
+                       it by eye, at and up.";
+            return Err(why.to_owned());
         }
         let wrong = WrongCamera { made: right.given.camera_of(pipeline), ..right };
         if !wrong.is_finite() {
-            return Err(NoWrongCamera::OutOfRange(mistake));
+            return Err("The wrong camera's numbers are beyond the range of f64.".to_owned());
         }
         if wrong.is_right() {
-            return Err(NoWrongCamera::ChangesNothing(mistake));
+            return Err(format!("This changes nothing here. {}", mistake.hint()));
         }
         Ok(wrong)
     }

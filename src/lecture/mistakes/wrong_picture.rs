@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use crate::mistakes::checks::Checked;
 use crate::mistakes::pipeline::{Rows, Swap};
 use crate::mistakes::table::Mistake;
-use crate::mistakes::wrong_camera::{NoWrongCamera, WrongCamera};
+use crate::mistakes::wrong_camera::WrongCamera;
 
 /// The first hits of a wrong camera's rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -250,15 +250,15 @@ pub struct ComparedCamera {
     /// The mistake that was made.
     pub mistake: Mistake,
     /// The camera that results from the mistake, or the reason why there is none.
-    pub camera: Result<WrongCamera, NoWrongCamera>,
+    pub camera: Result<WrongCamera, String>,
     /// Every check of the right camera.
     pub right_checks: Vec<Checked>,
     /// Every check of the wrong camera; empty if there is no wrong camera.
     pub checks: Vec<Checked>,
     /// The number of compared pixels, and of those that differ.
     pub seen: Option<ComparedPixels>,
-    /// The reason why the wrong camera sees nothing.
-    pub blind: Option<CameraError>,
+    /// The reason why there is no wrong picture.
+    pub why_not: Option<String>,
 }
 
 /// The pixels of both pictures, compared.
@@ -293,13 +293,14 @@ impl ComparedCamera {
         raster: &Raster,
         paint: Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
     ) -> (ComparedCamera, Option<ComparedPicture<P>>) {
+        let made = WrongCamera::new(camera, mistake);
         let mut wrong = ComparedCamera {
             mistake,
-            camera: WrongCamera::new(camera, mistake),
+            why_not: made.as_ref().err().cloned(),
+            camera: made,
             right_checks: WrongCamera::right(camera).map(|c| c.checks()).unwrap_or_default(),
             checks: Vec::new(),
             seen: None,
-            blind: None,
         };
         let Ok(camera) = &wrong.camera else { return (wrong, None) };
         wrong.checks = camera.checks();
@@ -313,17 +314,9 @@ impl ComparedCamera {
                 (wrong, Some(ComparedPicture { pixels, wrong: picture.object, right }))
             }
             Err(error) => {
-                wrong.blind = Some(error);
+                wrong.why_not = Some(format!("The wrong camera sees nothing: {error}"));
                 (wrong, None)
             }
-        }
-    }
-
-    /// Returns the reason why there is no wrong picture, in words.
-    pub fn why_not(&self) -> Option<String> {
-        match &self.camera {
-            Err(why) => Some(why.to_string()),
-            Ok(_) => self.blind.map(|error| format!("The wrong camera sees nothing: {error}")),
         }
     }
 }

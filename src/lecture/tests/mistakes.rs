@@ -4,9 +4,7 @@
 use std::f64::consts::FRAC_1_SQRT_2 as S;
 
 use pinhole_core::*;
-use pinhole_lecture::mistakes::{
-    Check, Mistake, NoWrongCamera, Value, Vote, WrongCamera, WrongPicture,
-};
+use pinhole_lecture::mistakes::{Check, Mistake, Value, Vote, WrongCamera, WrongPicture};
 use proptest::prelude::*;
 
 fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
@@ -98,10 +96,10 @@ fn the_lectures_view_down_as_printed() {
     assert_near(printed.w(), vec3(0.0, -1.0, 0.0));
     // up x w = (1, 1, 0) x (0, 1, 0) = (0, 0, 1): it is a unit vector even without normalization.
     let none = WrongCamera::new(&camera, Mistake::NotNormalized);
-    assert_eq!(none, Err(NoWrongCamera::ChangesNothing(Mistake::NotNormalized)));
+    assert!(none.unwrap_err().starts_with("This changes nothing here. "));
     assert_eq!(wrong(&camera, Mistake::UpAsV).v(), up);
     let none = WrongCamera::new(&camera, Mistake::WIsAtMinusEye);
-    assert_eq!(none, Err(NoWrongCamera::NotGivenByAt));
+    assert!(none.unwrap_err().starts_with("The camera is given by view here"));
 }
 
 #[test]
@@ -131,8 +129,7 @@ fn what_changes_nothing_says_so_and_what_to_change() {
     let mut nothing: Vec<&str> = Vec::new();
     for &mistake in Mistake::GALLERY {
         if let Err(why) = WrongCamera::new(&Camera::CANONICAL, mistake) {
-            assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
-            assert!(why.to_string().ends_with(mistake.hint()), "{why}");
+            assert_eq!(why, format!("This changes nothing here. {}", mistake.hint()));
             nothing.push(mistake.id());
         }
     }
@@ -142,13 +139,11 @@ fn what_changes_nothing_says_so_and_what_to_change() {
     let basis = Basis { u: vec3(S, 0.0, -S), v: DVec3::Y, w: vec3(S, 0.0, S) };
     let by_hand = Camera { orientation: Orientation::Basis(basis), ..Camera::CANONICAL };
     let given = WrongCamera::new(&by_hand, Mistake::WAsPrinted);
-    assert_eq!(given, Err(NoWrongCamera::GivenByHand(Mistake::WAsPrinted)));
+    assert!(given.unwrap_err().contains("are set by hand here"));
     assert!(WrongCamera::new(&by_hand, Mistake::PixelCorner).is_ok());
     let none = Camera { eye: DVec3::NEG_Z, ..Camera::CANONICAL };
-    assert!(matches!(
-        WrongCamera::new(&none, Mistake::WAsPrinted),
-        Err(NoWrongCamera::Camera(CameraError::Basis(BasisError::EyeIsAt { .. })))
-    ));
+    let why = WrongCamera::new(&none, Mistake::WAsPrinted).unwrap_err();
+    assert!(why.starts_with("eye and at are the same point"), "{why}");
 }
 
 #[test]

@@ -86,7 +86,7 @@ pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> St
 
 /// Returns the reason why there is no wrong picture. During a vote, the reason does not name the mistake.
 pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
-    let why = wrong.why_not()?;
+    let why = wrong.why_not.clone()?;
     Some(match mistakes_view.is_revealed() {
         true => why,
         false => "This mistake changes nothing with this camera: press Another one.".to_owned(),
@@ -166,7 +166,7 @@ fn list(ui: &mut Ui, mistakes_view: &mut MistakesView) {
 /// Shows the mistake, its effect, and the right and the wrong basis.
 fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     let mistake = wrong.mistake;
-    if let Some(why) = wrong.why_not() {
+    if let Some(why) = &wrong.why_not {
         ui.label(RichText::new(why).strong());
         ui.add_space(4.0);
     }

@@ -315,7 +315,7 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
         .map_err(|error| Arc::from(error.to_string()))?;
     let color_of = |object| document.color_of(object);
     let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
-    let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
+    let grade = grade(&truth, &answers, None).map_err(Arc::from)?;
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
 }
 

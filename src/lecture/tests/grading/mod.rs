@@ -448,18 +448,18 @@ fn what_cannot_be_graded_is_told() {
     let basis = Answers::Basis([DVec3::X, DVec3::Y, DVec3::Z].map(Written::exactly));
     let orientation = Orientation::At { at: exercise.eye.into(), up: DVec3::Y };
     let broken = graded_by(&Camera { orientation, ..camera }, &basis, None);
-    assert!(matches!(broken, Err(GradeError::Camera(_))));
+    assert!(broken.unwrap_err().starts_with("eye and at are the same point"));
     for tolerance in [-1.0, f64::NAN] {
         let message = graded_by(&camera, &basis, Some(tolerance)).unwrap_err().to_string();
         assert!(message.ends_with("it must be a number of at least 0"), "{message}");
     }
     for none in [Answers::Rays(vec![]), Answers::Hits(vec![])] {
-        assert_eq!(graded_by(&camera, &none, None), Err(GradeError::NoAnswer));
+        assert_eq!(graded_by(&camera, &none, None), Err("there is no answer to grade".to_owned()));
     }
     for pixels in [0, 20, 601] {
         let picture = Answers::Picture(vec![[0; 3]; pixels]);
         let error = graded_by(&camera, &picture, None).unwrap_err();
-        assert_eq!(error, GradeError::PictureSize { pixels, image: camera.image });
+        assert!(error.starts_with(&format!("the picture has {pixels} pixels: it must have ")));
     }
     // The directions are so short that t is too large.
     let viewport = Viewport { width: 1e-310, height: 1e-310, distance: 1e-310 };
@@ -469,7 +469,11 @@ fn what_cannot_be_graded_is_told() {
     let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };
     let pixel = Pixel { row: 0, column: 0 };
     let answers = Answers::Hits(vec![HitAnswer { pixel, hit: None }]);
-    assert_eq!(grade(&truth, &answers, None), Err(GradeError::BeyondRange(pixel)));
+    let error = grade(&truth, &answers, None).unwrap_err();
+    assert!(
+        error.starts_with("the true t of row 0, column 0 (counted from 0) is beyond"),
+        "{error}"
+    );
 }
 
 #[test]
