@@ -7,9 +7,7 @@ use std::path::Path;
 use pinhole_core::ImageSize;
 use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic, limits};
-use pinhole_lecture::grading::{
-    AnswerKind, Answers, GivenHit, Grade, Graded, Right, Truth, Worst, grade,
-};
+use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Worst, grade};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -103,11 +101,6 @@ fn text(graded: &Graded) -> String {
     }
     if let Some(worst) = graded.worst().filter(|_| grade.agree() < grade.is_right.len()) {
         let _ = writeln!(text, "worst: {worst}");
-        let sketch = graded.sketch().filter(|_| graded.shows_where()).unwrap_or_default();
-        for (index, line) in sketch.iter().enumerate() {
-            let head = if index == 0 { "where: " } else { "       " };
-            let _ = writeln!(text, "{head}{}", line.trim_end());
-        }
     }
     if grade.agree() == grade.is_right.len() {
         return text;
@@ -171,35 +164,19 @@ impl Check {
 /// the pixel does not exist, the right answer is missing.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
-    let given = match &graded.answers {
-        Answers::Basis(vectors) => json!(vectors[index].value.to_array()),
-        Answers::Rays(rays) => {
-            let (origin, direction) = (rays[index].origin.value, rays[index].direction.value);
-            json!({"origin": origin.to_array(), "direction": direction.to_array()})
-        }
-        Answers::Hits(hits) => {
-            hits[index].hit.map_or(json!("miss"), |GivenHit { t, point, object }| {
-                json!({
-                    "t": t.map(|t| t.value),
-                    "point": point.map(|point| point.value.to_array()),
-                    "object": object,
-                })
-            })
-        }
-        Answers::Picture(pixels) => json!(pixels[index]),
-    };
-    let right = match worst.right {
-        Right::Vector(vector) => json!(vector.to_array()),
-        Right::Ray(ray) => {
+    let json_of = |value: AnswerValue| match value {
+        AnswerValue::Vector(vector) => json!(vector.to_array()),
+        AnswerValue::Ray(ray) => {
             json!({"origin": ray.origin.to_array(), "direction": ray.direction.to_array()})
         }
-        Right::Hit(Some(hit)) => {
-            json!({"t": hit.t, "point": hit.point.to_array(), "object": hit.object})
+        AnswerValue::Hit { t, point, object } => {
+            json!({"t": t, "point": point.map(|point| point.to_array()), "object": object})
         }
-        Right::Hit(None) => json!("miss"),
-        Right::NoPixel => Value::Null,
-        Right::Color(color) => json!(color),
+        AnswerValue::Miss => json!("miss"),
+        AnswerValue::NoPixel => Value::Null,
+        AnswerValue::Color(color) => json!(color),
     };
+    let (given, right) = (json_of(graded.given(index)), json_of(worst.right));
     let name = ["u", "v", "w"].get(index);
     let error = worst.error.is_finite().then_some(worst.error);
     let mut value = json!({"given": given, "right": right, "error": error});

@@ -43,7 +43,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
     let output = arguments.output.as_deref().filter(|output| !is_standard(output));
     apart(std::slice::from_ref(&arguments.file), output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::TEXT)?;
-    let (text, note) = file_text(path, bytes)?;
+    let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };
     let importer = Importer::of_file(&text)?;
     let taken = importer.read(&text, &Camera::CANONICAL)?;
@@ -57,6 +57,6 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
         Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
     }
-    note.iter().chain(&taken.notes).for_each(|note| warn(note));
+    taken.notes.iter().for_each(|note| warn(note));
     Ok(())
 }

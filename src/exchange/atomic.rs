@@ -178,50 +178,6 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-/// A file that is written in parts, and then replaces an old file as a whole.
-#[derive(Debug)]
-pub struct Draft {
-    new: Temporary,
-    path: PathBuf,
-}
-
-impl Draft {
-    /// Creates a draft in the folder of the file that it will replace. If the draft is dropped,
-    /// nothing is written.
-    ///
-    /// # Errors
-    /// Returns an error if nothing can be written in the folder.
-    pub fn create(path: &Path) -> Result<Draft, FileError> {
-        let new = target_of(path).and_then(|(target, _)| Temporary::in_folder(folder_of(&target)));
-        let new = new.map_err(|error| FileError::unwritable(path, &error))?;
-        Ok(Draft { new, path: path.to_owned() })
-    }
-
-    /// Returns the file written so far, to continue writing.
-    ///
-    /// # Errors
-    /// Returns an error if the system cannot open another file.
-    pub fn file(&self) -> Result<File, FileError> {
-        self.new
-            .file
-            .as_file()
-            .try_clone()
-            .map_err(|error| FileError::unwritable(&self.path, &error))
-    }
-
-    /// Renames the draft to its final name.
-    ///
-    /// # Errors
-    /// Returns the errors of [`write()`].
-    pub fn finish(mut self) -> Result<(), FileError> {
-        write(&self.path, |file| {
-            let written = self.new.file.as_file_mut();
-            written.rewind()?;
-            io::copy(written, file).map(drop)
-        })
-    }
-}
-
 /// Writes to a device or pipe, which supports neither seeking nor replacement.
 fn write_through(target: &Path, mut content: File) -> io::Result<()> {
     content.rewind()?;

@@ -16,7 +16,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::format::{ExportScene, Format, LeftOut, OwnValues, Unsupported};
+use crate::format::{ExportScene, Format, LeftOut, OwnValues};
 use crate::template::n;
 
 /// Every language.
@@ -55,7 +55,7 @@ const fn language(
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
 /// Checks that no number is outside the range of `f32`, in which GLSL calculates.
-fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
     let camera = subject.resolve();
     let viewport = camera.viewport();
     // A component of the eye that is too small may become 0.
@@ -66,10 +66,10 @@ fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Un
         ("the viewport's distance", viewport.distance),
     ]);
     if let Some((field, x)) = numbers.into_iter().find(|(_, x)| !SINGLE.contains(&x.abs())) {
-        return Err(Unsupported(format!(
+        return Err(format!(
             "{field} has the number {}, and GLSL calculates in f32: it must be between 1e-37 and 1e38 in size",
             n(x)
-        )));
+        ));
     }
     Ok(Vec::new())
 }

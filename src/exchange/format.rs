@@ -1,7 +1,6 @@
 //! Formats of other programs and languages: the name, the template and the conventions of each, and
 //! the scene that is written.
 
-use std::fmt;
 use std::path::Path;
 
 use pinhole_core::arithmetic::{length, unit};
@@ -34,7 +33,7 @@ pub struct Format {
     pub(crate) left_out: LeftOut,
     /// Returns the values that only this format has, and adds notes. Fails if the format cannot
     /// express the scene.
-    pub(crate) own: fn(&ExportScene, &mut Vec<String>) -> Result<OwnValues, Unsupported>,
+    pub(crate) own: fn(&ExportScene, &mut Vec<String>) -> Result<OwnValues, String>,
 }
 
 /// The values that only one format has, by their names in its template.
@@ -87,7 +86,7 @@ impl Format {
     }
 
     /// Returns no values, for a format whose template says everything.
-    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
         Ok(Vec::new())
     }
 
@@ -95,7 +94,7 @@ impl Format {
     ///
     /// # Errors
     /// Returns the first quantity that the format cannot express, such as one that is not finite.
-    pub fn write(&self, subject: &ExportScene) -> Result<Exported, Unsupported> {
+    pub fn write(&self, subject: &ExportScene) -> Result<Exported, String> {
         if self.conventions.as_ref().is_some_and(|own| own.shape.starts_with("square only")) {
             subject.square_pixels(self.label)?;
         }
@@ -104,10 +103,10 @@ impl Format {
         let marked = template::written(self.template, subject, &own)?;
         if let Some(line) = marked.lines().find(|line| line.contains(BEYOND)) {
             let line = Text::from_marked(&line.replace(BEYOND, "infinite")).text;
-            return Err(Unsupported(format!(
+            return Err(format!(
                 "a number would not be finite, in {}: bring the eye and the objects nearer to each other",
                 one_line(&line)
-            )));
+            ));
         }
         let planes = subject.planes();
         match self.left_out {
@@ -217,18 +216,6 @@ impl Conventions {
     }
 }
 
-/// The reason why a format cannot express a scene, and what would have to change.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unsupported(pub String);
-
-impl fmt::Display for Unsupported {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Unsupported {}
-
 /// The objects to export with the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Include {
@@ -269,11 +256,11 @@ impl<'a> ExportScene<'a> {
     ///
     /// # Errors
     /// Returns an error if the camera, or a requested object, is invalid.
-    pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, Unsupported> {
-        let resolved = document.camera.resolve().map_err(|error| Unsupported(error.to_string()))?;
+    pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, String> {
+        let resolved = document.camera.resolve().map_err(|error| error.to_string())?;
         let scene = match include {
             Include::CameraAlone => Scene::default(),
-            _ => document.scene().map_err(|error| Unsupported(error.to_string()))?,
+            _ => document.scene().map_err(|error| error.to_string())?,
         };
         let object = |(k, shape): (usize, Object)| ExportObject {
             shape,
@@ -298,15 +285,15 @@ impl<'a> ExportScene<'a> {
     }
 
     /// Returns the point at and the vector up.
-    pub(crate) fn look_at(&self) -> Result<[DVec3; 2], Unsupported> {
+    pub(crate) fn look_at(&self) -> Result<[DVec3; 2], String> {
         let camera = self.document.camera.given_by(OrientationKind::At);
         match camera.map(|camera| camera.orientation) {
             Ok(Orientation::At { at, up }) => Ok([at, up]),
-            _ => Err(Unsupported(
+            _ => Err(
                 "eye is so far out that no point ahead of it keeps the direction: move the scene \
-                 nearer to the origin"
+                      nearer to the origin"
                     .to_owned(),
-            )),
+            ),
         }
     }
 
@@ -320,13 +307,13 @@ impl<'a> ExportScene<'a> {
     }
 
     /// Returns an error if the pixels are not square.
-    fn square_pixels(&self, program: &str) -> Result<(), Unsupported> {
+    fn square_pixels(&self, program: &str) -> Result<(), String> {
         let shape = self.pixel_shape();
         if shape == 1.0 {
             return Ok(());
         }
         let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
-        Err(Unsupported(format!(
+        Err(format!(
             "pixels are {} times as wide as high, and {program} has square ones only: make the \
              viewport's width / height, {} / {}, the image's {} / {}",
             n((shape * 1e6).round() / 1e6),
@@ -334,7 +321,7 @@ impl<'a> ExportScene<'a> {
             n(viewport.height),
             image.width(),
             image.height(),
-        )))
+        ))
     }
 
     /// Returns the near and far distances for programs that clip.

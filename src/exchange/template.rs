@@ -15,7 +15,7 @@ use pinhole_core::arithmetic::unit;
 use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Viewport};
 
 use crate::error::is_hidden;
-use crate::format::{ExportObject, ExportScene, Unsupported};
+use crate::format::{ExportObject, ExportScene};
 
 /// A text, and the parts whose sign is the opposite of Pinhole's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -132,7 +132,7 @@ pub(crate) fn written(
     template: &str,
     subject: &ExportScene,
     own: &[(&str, Value)],
-) -> Result<String, Unsupported> {
+) -> Result<String, String> {
     let value = |name: &str| match own.iter().find(|(known, _)| *known == name) {
         Some((_, value)) => Ok(Some(value.clone())),
         None => scene_value(subject, name),
@@ -163,8 +163,8 @@ fn before_mark(text: &str) -> &str {
 /// Returns a text in which each name in braces is replaced by its value, if it has one.
 pub(crate) fn filled(
     template: &str,
-    value: impl Fn(&str) -> Result<Option<Value>, Unsupported>,
-) -> Result<String, Unsupported> {
+    value: impl Fn(&str) -> Result<Option<Value>, String>,
+) -> Result<String, String> {
     let (mut text, mut rest) = (String::with_capacity(template.len()), template);
     while let Some((before, after)) = rest.split_once('{') {
         text += before;
@@ -179,7 +179,7 @@ pub(crate) fn filled(
 }
 
 /// Returns the value of this name that a scene has without its objects; `None` if there is none.
-pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Value>, Unsupported> {
+pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Value>, String> {
     let (camera, resolved) = (&subject.document.camera, subject.resolve());
     let Basis { u, v, w } = *resolved.basis();
     let (eye, viewport, image) = (resolved.eye(), resolved.viewport(), resolved.image());

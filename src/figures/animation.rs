@@ -1,13 +1,11 @@
 //! Animations as GIF, with a figure for each phase.
 
-use std::fs::File;
-use std::io::BufWriter;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use pinhole_exchange::FileError;
-use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::gif;
+use pinhole_exchange::{FileError, atomic};
 
 use super::order::Order;
 use super::{Figure, to_srgba};
@@ -64,29 +62,25 @@ pub struct Animation {
     pub frames: Frames,
 }
 
-/// Writes an animation, frame by frame. A recorder that is dropped before [`Recorder::finish`]
-/// leaves no file.
+/// Draws an animation, frame by frame, and writes its file at the end.
 pub struct Recorder {
     animation: Animation,
     done: u32,
     path: PathBuf,
-    gif: gif::Animated<BufWriter<File>>,
-    /// The unfinished file, in the folder of the final one.
-    draft: Draft,
+    gif: gif::Animated<Vec<u8>>,
 }
 
 impl Recorder {
-    /// Starts an animation file.
+    /// Starts an animation. Nothing is written before [`Recorder::finish`].
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written.
     pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
-        let draft = Draft::create(&path).map_err(|error| error.to_string())?;
-        let out = BufWriter::new(draft.file().map_err(|error| error.to_string())?);
-        let per_second = animation.frames.per_second;
-        let gif = gif::Animated::new(out, animation.order.size, per_second, animation.loops)
+        atomic::check(&path).map_err(|error| error.to_string())?;
+        let Animation { order, frames, loops, .. } = &animation;
+        let gif = gif::Animated::new(Vec::new(), order.size, frames.per_second, *loops)
             .map_err(|error| FileError::unwritable(&path, &error).to_string())?;
-        Ok(Recorder { animation, done: 0, path, gif, draft })
+        Ok(Recorder { animation, done: 0, path, gif })
     }
 
     /// Returns the number of frames written so far and the total number of frames.
@@ -124,7 +118,8 @@ impl Recorder {
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written; then no file is left.
     pub fn finish(self) -> Result<(), String> {
-        self.gif.finish().map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
-        self.draft.finish().map_err(|error| error.to_string())
+        let bytes = self.gif.finish();
+        let bytes = bytes.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
+        atomic::write(&self.path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
     }
 }

@@ -22,10 +22,14 @@ use pinhole_core::DVec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NumberForm {
-    numerator: i64,
-    root: u64,
-    denominator: u64,
-    is_root_below: bool,
+    /// n, with the number's sign.
+    pub numerator: i64,
+    /// k, the square-free number under the root; 1 if there is no root.
+    pub root: u64,
+    /// m; 1 if the root is in the denominator.
+    pub denominator: u64,
+    /// True if the form is `n / sqrt k` rather than `n sqrt k / m`.
+    pub is_root_below: bool,
 }
 
 /// Maximum relative distance of a number from its form: 4 ulps of noise, each at most the spacing
@@ -123,26 +127,6 @@ impl NumberForm {
     /// Returns the number divided by its numerator, which must not be 0.
     fn over_numerator(self) -> NumberForm {
         NumberForm { numerator: 1, ..self }
-    }
-
-    /// Returns n, with the number's sign.
-    pub fn numerator(self) -> i64 {
-        self.numerator
-    }
-
-    /// Returns k, the square-free number under the root; 1 if there is no root.
-    pub fn root(self) -> u64 {
-        self.root
-    }
-
-    /// Returns m; 1 if the root is in the denominator.
-    pub fn denominator(self) -> u64 {
-        self.denominator
-    }
-
-    /// Returns true if the form is `n / sqrt k` rather than `n sqrt k / m`.
-    pub fn is_root_below(self) -> bool {
-        self.is_root_below
     }
 
     /// Returns true if the form is shorter to read than its decimals: numerator and denominator
@@ -333,11 +317,11 @@ fn common(v: DVec3) -> Option<VectorForm> {
     let whole: [i64; 3] = std::array::from_fn(|i| {
         let (n, m) = ratios[i];
         let n = (n * (denominator / m)) as i64;
-        factor.numerator() * if v[i] < 0.0 { -n } else { n }
+        factor.numerator * if v[i] < 0.0 { -n } else { n }
     });
     let entries = VectorForm::Entries(whole.map(|n| factor.over_numerator().times(n)));
     let factor = factor.over_numerator();
-    let is_plain = factor.root() == 1 && factor.denominator() == 1;
+    let is_plain = factor.root == 1 && factor.denominator == 1;
     let is_signs = whole.iter().all(|n| n.abs() <= 1);
     Some(if is_plain || is_signs { entries } else { VectorForm::Common { whole, factor } })
 }

@@ -37,23 +37,19 @@ fn rounded(value: f64, digits: usize) -> String {
     }
     let digits = digits.max(1);
     let scientific = format!("{:.*e}", digits - 1, value);
-    let exponent: i32 =
-        scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or_default();
-    if (-5..digits.max(7) as i32).contains(&exponent) {
-        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-        let fixed = format!("{value:.decimals$}");
-        if fixed.contains('.') {
-            return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
-        }
-        return fixed;
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let power: i32 = exponent.parse().unwrap_or_default();
+    if (-5..digits.max(7) as i32).contains(&power) {
+        let decimals = (digits as i32 - 1 - power).max(0) as usize;
+        return trimmed(&format!("{value:.decimals$}")).to_owned();
     }
-    match scientific.split_once('e') {
-        Some((mantissa, exponent)) if mantissa.contains('.') => {
-            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-            format!("{mantissa}e{exponent}")
-        }
-        _ => scientific,
-    }
+    format!("{}e{exponent}", trimmed(mantissa))
+}
+
+/// Returns a number's text without zeros at the end of its decimals.
+fn trimmed(text: &str) -> &str {
+    let is_whole = !text.contains('.');
+    if is_whole { text } else { text.trim_end_matches('0').trim_end_matches('.') }
 }
 
 /// Writes a number to this many [`significant`] digits, with the real minus sign.
@@ -133,12 +129,7 @@ pub fn short_plain(x: f64) -> String {
     }
     let digits_before = magnitude.log10().floor() as i32 + 1;
     let decimals = (3 - digits_before).clamp(0, 5) as usize;
-    let text = format!("{x:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
+    trimmed(&format!("{x:.decimals$}")).to_owned()
 }
 
 /// Formats a power of ten: `10⁻⁶`, but `1` and `10`.
@@ -147,17 +138,14 @@ pub fn power_of_ten(exponent: i32) -> String {
         0 => "1".to_owned(),
         1 => "10".to_owned(),
         _ => {
-            let raised = |c: char| match c {
-                '-' => '⁻',
-                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
-                    .chars()
-                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
-                    .unwrap_or(digit),
-            };
+            let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
             format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
         }
     }
 }
+
+/// The digits as exponents.
+const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 /// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. A share that is neither none nor
 /// all is never written as 0 % or 100 %.
@@ -180,7 +168,7 @@ const SHORT: u64 = 100;
 pub(crate) fn exact_if_short(x: f64) -> String {
     let is_short = |form: &NumberForm| match form.decimals() {
         Some(decimals) => decimals <= 5,
-        None => [form.numerator().unsigned_abs(), form.root(), form.denominator()]
+        None => [form.numerator.unsigned_abs(), form.root, form.denominator]
             .into_iter()
             .all(|n| n <= SHORT),
     };

@@ -7,7 +7,7 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, shortest};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Axis, Conventions, Exported, Format, Input, PixelConvention, Text};
-use pinhole_exchange::format::{ExportScene, Include, Unsupported};
+use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
 use pinhole_exchange::{FileError, limits, scene_file};
 use pinhole_lecture::numbers::{written, written_whole};
@@ -128,7 +128,7 @@ pub fn with(document: &Document, objects: bool) -> Include {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
     /// The text, or the reason why there is none.
-    pub written: Result<Exported, Unsupported>,
+    pub written: Result<Exported, String>,
     /// The table of conventions; empty if there is no camera, and for code, which uses the
     /// lecture's own conventions.
     pub rows: Vec<Row>,

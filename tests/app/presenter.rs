@@ -10,7 +10,7 @@ use pinhole::model::session::presenting::{WRITTEN, zoom};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
-use pinhole_lecture::exercises::{Exercise, title};
+use pinhole_lecture::exercises::Exercise;
 
 use crate::harness::{assert_says, says, show, texts_with, unfolded, window, window_with};
 
@@ -308,7 +308,7 @@ fn an_exercise_is_as_large_as_its_fields_leave_room_for() {
         let mut harness = window("canonical");
         show(&mut harness, ViewLayout::Exercises);
         if exercise != Exercise::WarmUpRay {
-            harness.get_by_role_and_label(Role::Button, title(exercise)).click();
+            harness.get_by_role_and_label(Role::Button, exercise.title()).click();
             harness.run();
         }
         press(&mut harness, Key::F5);

@@ -52,6 +52,42 @@ fn json_without_a_path_is_all_there_is_on_standard_output() {
     assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
 }
 
+/// The fields that the command line promises; further ones may be added.
+#[test]
+fn json_has_the_fields_of_the_contract() {
+    let folder = folder();
+    let answer = json_of(&report(folder.path(), "report s.toml --json").done());
+    let has = |object: &serde_json::Value, fields: &[&str]| {
+        let missing: Vec<_> = fields.iter().filter(|field| object.get(field).is_none()).collect();
+        assert!(missing.is_empty(), "no {missing:?} in {object:#}");
+    };
+    has(&answer, &["reference", "cpu", "cases", "left_out"]);
+    assert!(answer["reference"].is_string() && answer["cpu"].is_string());
+    assert!(answer["left_out"].as_array().unwrap().iter().all(|text| text.is_string()));
+    let case = &answer["cases"][0];
+    has(case, &["name", "knob", "coverage", "methods"]);
+    let methods = case["methods"].as_array().unwrap();
+    for method in methods {
+        let numbers = ["wrong", "decisions", "normal_error_max"];
+        has(method, &["name", "ulp", "ns_per_pixel", "steps"]);
+        has(method, &numbers);
+        has(&method["ulp"], &["median", "p99", "max"]);
+        has(&method["ns_per_pixel"], &["median", "min"]);
+        if !method["steps"].is_null() {
+            has(&method["steps"], &["f64", "double_double", "exact"]);
+        }
+    }
+    let formulas =
+        ["textbook", "half-b", "kahan", "perpendicular", "closest-point", "recentred", "lagrange"];
+    let with_precision = |formula: &str| ["f32", "f64"].map(|type_| format!("{formula}-{type_}"));
+    let ladder = ["ladder", "ladder-f32", "double-double"].map(str::to_owned);
+    for name in ladder.into_iter().chain(formulas.into_iter().flat_map(with_precision)) {
+        assert!(methods.iter().any(|method| method["name"] == *name), "no {name}");
+    }
+    let ladder = methods.iter().find(|method| method["name"] == "ladder").unwrap();
+    assert!(ladder["steps"].is_object());
+}
+
 #[test]
 fn several_scenes_are_several_cases_in_every_file() {
     let folder = folder();

@@ -80,12 +80,12 @@ impl<W: Write> Animated<W> {
         (end(self.done + 1) - end(self.done)) as u16
     }
 
-    /// Finishes the file after the last frame.
+    /// Finishes the animation after the last frame, and returns what it was written to.
     ///
     /// # Errors
     /// Returns an error if writing fails.
-    pub fn finish(self) -> io::Result<()> {
-        self.encoder.into_inner().map_err(to_io)?.flush()
+    pub fn finish(self) -> io::Result<W> {
+        self.encoder.into_inner().map_err(to_io)
     }
 }
 

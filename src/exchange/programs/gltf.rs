@@ -9,7 +9,7 @@ use base64::prelude::BASE64_STANDARD;
 use pinhole_core::{Object, Rgb};
 
 use crate::format::{Conventions, ExportScene, Format, Include, LeftOut};
-use crate::format::{OwnValues, PixelConvention, Unsupported, square_note};
+use crate::format::{OwnValues, PixelConvention, square_note};
 use crate::template::{commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {
@@ -33,7 +33,7 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// Returns the nodes of the objects, and the glTF tables to which the nodes refer.
-fn own(subject: &ExportScene, notes: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn own(subject: &ExportScene, notes: &mut Vec<String>) -> Result<OwnValues, String> {
     let mut nodes = Vec::new();
     let mut tables = String::new();
     if subject.objects.is_empty() {

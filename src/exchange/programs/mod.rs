@@ -102,24 +102,15 @@ impl Importer {
     }
 }
 
-/// Returns the text in a file's bytes: the JSON of a binary glTF, UTF-8, or otherwise Latin-1 with a note.
+/// Returns the text in a file's bytes: the JSON of a binary glTF, otherwise UTF-8.
 ///
 /// # Errors
 /// Returns an error if a binary glTF is damaged, or the bytes are not text.
-pub fn file_text(path: &Path, bytes: Vec<u8>) -> Result<(String, Option<String>), FileError> {
+pub fn file_text(path: &Path, bytes: Vec<u8>) -> Result<String, FileError> {
     if bytes.starts_with(gltf_read::MAGIC) {
-        let json =
-            gltf_read::json_of(&bytes).map_err(|problem| FileError::of_file(path, problem))?;
-        return Ok((json.to_owned(), None));
+        let json = gltf_read::json_of(&bytes);
+        return json.map(str::to_owned).map_err(|problem| FileError::of_file(path, problem));
     }
-    let bytes = match String::from_utf8(bytes) {
-        Ok(text) => return Ok((text, None)),
-        Err(error) => error.into_bytes(),
-    };
-    // Every byte is valid in Latin-1, but a text has no control characters except white space.
-    if bytes.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace()) {
-        return Err(FileError::of_file(path, "not text: a camera is read from text in UTF-8"));
-    }
-    let note = "it is not UTF-8: read as Latin-1";
-    Ok((bytes.into_iter().map(char::from).collect(), Some(note.to_owned())))
+    let not_text = |_| FileError::of_file(path, "not text: a camera is read from text in UTF-8");
+    String::from_utf8(bytes).map_err(not_text)
 }

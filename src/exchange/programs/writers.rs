@@ -5,7 +5,7 @@ use pinhole_core::{DVec3, Object};
 
 use super::gltf;
 use crate::format::{Axis, Conventions, ExportScene, Format, LeftOut};
-use crate::format::{OwnValues, PixelConvention, Unsupported};
+use crate::format::{OwnValues, PixelConvention};
 use crate::template::{Value, commas, n, quotable};
 
 /// Every format in which a camera can be written.
@@ -65,7 +65,7 @@ const PBRT: Format = Format {
     own: frame_aspect,
 };
 
-fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
     let viewport = subject.resolve().viewport();
     let aspect = n(viewport.width / viewport.height);
     let line = match subject.pixel_shape() == 1.0 {
@@ -119,14 +119,14 @@ const BLENDER: Format = Format {
 };
 
 /// Returns Blender's two numbers for the shape of a pixel, of which it allows neither to be below 1.
-fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
     let shape = subject.pixel_shape();
     let (x, y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
     if x.max(y) > 200.0 {
-        return Err(Unsupported(format!(
+        return Err(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
             n(shape)
-        )));
+        ));
     }
     Ok(vec![("pixel_aspect_x", x.into()), ("pixel_aspect_y", y.into())])
 }
@@ -154,7 +154,7 @@ const WEEKEND: Format = Format {
 };
 
 /// Returns the ratio for which `int(image_width / aspect_ratio)` is the height.
-fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
     let image = subject.resolve().image();
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     let ratio = match (w / (w / h)) as u32 == image.height() {
@@ -274,7 +274,7 @@ const THREE: Format = Format {
 };
 
 /// Returns the meshes that represent the objects in three.js, with their geometries and materials.
-fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, Unsupported> {
+fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
     let uuid = |k: usize| format!("00000000-0000-4000-8000-{k:012x}");
     let matrix = |[a, b, c, at]: [DVec3; 4]| {
         format!("{}, 0, {}, 0, {}, 0, {}, 1", commas(a), commas(b), commas(c), commas(at))

@@ -10,7 +10,7 @@ mod texts;
 use pinhole_core::{Camera, DVec2, Plane, Sphere};
 
 pub use judge::Verdict;
-pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title};
+pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart};
 pub use texts::{follows, question};
 
 impl Question {

@@ -185,31 +185,36 @@ impl Exercise {
         self.names().0
     }
 
-    /// Returns the exercise with this [`Exercise::id`].
-    pub fn from_id(id: &str) -> Option<Exercise> {
-        Exercise::ALL.iter().copied().find(|exercise| exercise.id() == id)
+    /// Returns the exercise's title in a list.
+    pub fn title(self) -> &'static str {
+        self.names().1
     }
 }
 
-/// Returns the title of an exercise in a list.
-pub fn title(exercise: Exercise) -> &'static str {
-    exercise.names().1
-}
-
 impl Asked {
+    /// Returns the name of the answer's field, and the quantity's symbol.
+    fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Asked::Origin => ("p", "𝐩"),
+            Asked::Direction => ("d", "𝐝"),
+            Asked::T => ("t", "𝑡"),
+            Asked::U => ("u", "𝐮"),
+            Asked::V => ("v", "𝐯"),
+            Asked::W => ("w", "𝐰"),
+            Asked::Point => ("point", "point"),
+            Asked::Normal => ("normal", "normal"),
+            Asked::Hits => ("hits", "the ray hits"),
+        }
+    }
+
     /// Returns the name of the answer's field.
     pub fn id(self) -> &'static str {
-        match self {
-            Asked::Origin => "p",
-            Asked::Direction => "d",
-            Asked::T => "t",
-            Asked::U => "u",
-            Asked::V => "v",
-            Asked::W => "w",
-            Asked::Point => "point",
-            Asked::Normal => "normal",
-            Asked::Hits => "hits",
-        }
+        self.names().0
+    }
+
+    /// Returns the quantity's symbol, for the label in front of its fields.
+    pub fn symbol(self) -> &'static str {
+        self.names().1
     }
 
     /// Returns true if the answer has length 1.

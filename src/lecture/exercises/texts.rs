@@ -127,23 +127,6 @@ fn implicit(line: DVec3) -> String {
     text
 }
 
-impl Asked {
-    /// Returns the quantity's symbol, for the label in front of its fields.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Asked::Origin => "𝐩",
-            Asked::Direction => "𝐝",
-            Asked::T => "𝑡",
-            Asked::U => "𝐮",
-            Asked::V => "𝐯",
-            Asked::W => "𝐰",
-            Asked::Point => "point",
-            Asked::Normal => "normal",
-            Asked::Hits => "the ray hits",
-        }
-    }
-}
-
 /// Returns, for example, `(u, v) = (0.2, −0.1)`.
 fn uv_text(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))

@@ -127,33 +127,20 @@ impl Answers {
         /// is enough.
         const LOOKED_AT: usize = 2000;
         let step = self.len().div_ceil(LOOKED_AT).max(1);
-        let vector = |vector: &WrittenVector| {
-            let rounding = vector.rounding;
-            vector.value.to_array().into_iter().all(|value| is_single(Written { value, rounding }))
-        };
-        match self {
-            Answers::Basis(vectors) => vectors.iter().all(vector),
-            Answers::Rays(rays) => {
-                let mut rays = rays.iter().step_by(step);
-                rays.all(|ray| vector(&ray.origin) && vector(&ray.direction))
-            }
-            Answers::Hits(hits) => {
-                let mut hits = hits.iter().step_by(step).filter_map(|answer| answer.hit);
-                hits.all(|hit| hit.t.is_none_or(is_single) && hit.point.as_ref().is_none_or(vector))
-            }
-            // Eight bits are too few to decide.
-            Answers::Picture(_) => false,
-        }
+        let is_single =
+            |numbers: &[f64], rounding: &mut f64| numbers.iter().all(|x| is_single(*x, *rounding));
+        // Eight bits are too few to decide.
+        self.kind() != AnswerKind::Picture && for_each(&mut self.clone(), step, is_single)
     }
 }
 
 /// Returns true if a number, to its written digits, is an `f32` or the shortest decimal of an
 /// `f32`.
-fn is_single(number: Written<f64>) -> bool {
-    let single = number.value as f32;
-    let off = (f64::from(single) - number.value).abs();
+fn is_single(value: f64, rounding: f64) -> bool {
+    let single = value as f32;
+    let off = (f64::from(single) - value).abs();
     // The margin is slightly above half a unit, because C rounds halves to even.
-    off <= number.rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(number.value)
+    off <= rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(value)
 }
 
 /// The number of digits to which some answers are written. Trailing zeros are not written, so the
@@ -173,7 +160,7 @@ impl Precision {
         /// Above this many significant digits, a number counts as complete.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
-        for_each(&mut answers.clone(), |numbers, _| {
+        for_each(&mut answers.clone(), 1, |numbers, _| {
             for (digits, decimals) in numbers.iter().filter_map(|x| written(x.abs())) {
                 let before = longest.unwrap_or(Precision { digits, decimals });
                 let (digits, decimals) = (before.digits.max(digits), before.decimals.max(decimals));
@@ -198,7 +185,7 @@ impl Precision {
     pub(super) fn allowed(self, answers: &Answers) -> (Answers, i32) {
         let mut fewest = self.digits;
         let mut allowed = answers.clone();
-        for_each(&mut allowed, |numbers, rounding| {
+        for_each(&mut allowed, 1, |numbers, rounding| {
             let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
             *rounding = rounding.max(self.half_unit(size));
             if let Some(exponent) = exponent(size) {
@@ -224,24 +211,28 @@ fn written(size: f64) -> Option<(i32, i32)> {
     Some((digits, digits - 1 - exponent.parse::<i32>().ok()?))
 }
 
-/// Calls `each` with every number, or every vector's numbers, and their rounding, until it returns
-/// false.
-fn for_each(answers: &mut Answers, mut each: impl FnMut(&[f64], &mut f64) -> bool) {
+/// Calls `each` with every number, or every vector's numbers, and their rounding, of every `step`th
+/// answer, until it returns false. Returns true if it never does.
+fn for_each(
+    answers: &mut Answers,
+    step: usize,
+    mut each: impl FnMut(&[f64], &mut f64) -> bool,
+) -> bool {
     let mut vector =
         |vector: &mut WrittenVector| each(&vector.value.to_array(), &mut vector.rounding);
     match answers {
-        Answers::Basis(vectors) => drop(vectors.iter_mut().all(vector)),
+        Answers::Basis(vectors) => vectors.iter_mut().all(vector),
         Answers::Rays(rays) => {
-            rays.iter_mut().all(|ray| vector(&mut ray.origin) && vector(&mut ray.direction));
+            let mut rays = rays.iter_mut().step_by(step);
+            rays.all(|ray| vector(&mut ray.origin) && vector(&mut ray.direction))
         }
         Answers::Hits(hits) => {
-            hits.iter_mut().filter_map(|answer| answer.hit.as_mut()).all(
-                |GivenHit { t, point, .. }| {
-                    point.as_mut().is_none_or(|v| each(&v.value.to_array(), &mut v.rounding))
-                        && t.as_mut().is_none_or(|t| each(&[t.value], &mut t.rounding))
-                },
-            );
+            let hits = hits.iter_mut().step_by(step);
+            hits.filter_map(|answer| answer.hit.as_mut()).all(|GivenHit { t, point, .. }| {
+                point.as_mut().is_none_or(|v| each(&v.value.to_array(), &mut v.rounding))
+                    && t.as_mut().is_none_or(|t| each(&[t.value], &mut t.rounding))
+            })
         }
-        Answers::Picture(_) => {}
+        Answers::Picture(_) => true,
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::grade::{Judged, Right};
+use super::grade::AnswerValue;
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
 /// The mistakes that explain wrong answers.
@@ -62,11 +62,14 @@ pub(super) trait Fits: Sync {
         false
     }
 
-    /// Returns the verdict on this answer, and its distance from the truth.
-    fn judged(&self, index: usize) -> Judged;
+    /// Returns the camera without any mistake.
+    fn right_camera(&self) -> &PipelineCamera;
+
+    /// Returns this answer's distance from the truth, in the units of the tolerance.
+    fn error(&self, index: usize) -> f64;
 
     /// Returns the right answer in place of this one.
-    fn right(&self, index: usize) -> Right;
+    fn right(&self, index: usize) -> AnswerValue;
 }
 
 /// Number of wrong answers, and of right answers, that are compared before all others.

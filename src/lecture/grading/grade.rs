@@ -63,19 +63,28 @@ pub struct Worst {
     /// if the hits are of different objects.
     pub error: f64,
     /// The right answer.
-    pub right: Right,
+    pub right: AnswerValue,
 }
 
-/// The right answer.
+/// The value of an answer, given or right.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Right {
-    /// This vector of the basis.
+pub enum AnswerValue {
+    /// A vector of the basis.
     Vector(DVec3),
-    /// This ray.
+    /// A ray.
     Ray(Ray),
-    /// This hit, or a miss.
-    Hit(Option<Hit>),
-    /// This colour.
+    /// A first hit.
+    Hit {
+        /// The position on the ray, in units of the direction's length, if it is answered.
+        t: Option<f64>,
+        /// The position in the world, if it is answered.
+        point: Option<DVec3>,
+        /// The object's index, if it is answered.
+        object: Option<u32>,
+    },
+    /// A miss.
+    Miss,
+    /// A colour.
     Color(Rgb),
     /// There is no such pixel.
     NoPixel,
@@ -83,13 +92,23 @@ pub enum Right {
 
 /// A first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub(super) struct Hit {
     /// The position on the ray, in units of the direction's length.
-    pub t: f64,
+    pub(super) t: f64,
     /// The position in the world.
-    pub point: DVec3,
+    pub(super) point: DVec3,
     /// The object's index.
-    pub object: u32,
+    pub(super) object: u32,
+}
+
+impl From<Option<Hit>> for AnswerValue {
+    fn from(hit: Option<Hit>) -> AnswerValue {
+        hit.map_or(AnswerValue::Miss, |Hit { t, point, object }| AnswerValue::Hit {
+            t: Some(t),
+            point: Some(point),
+            object: Some(object),
+        })
+    }
 }
 
 /// The verdict on one answer.

@@ -1,9 +1,9 @@
 //! Grades in words and as a map, for the command line and the window.
 
-use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel, Rgb};
+use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel, Ray, Rgb};
 
-use super::answers::{AnswerKind, Answers, GivenHit};
-use super::grade::{Grade, Right, Worst};
+use super::answers::{AnswerKind, Answers};
+use super::grade::{AnswerValue, Grade, Worst};
 use super::picture::off;
 use crate::mistakes::Mistake;
 use crate::numbers::{grouped, significant};
@@ -123,12 +123,6 @@ impl Graded {
         }
     }
 
-    /// Returns true if at least a twentieth of the image is answered, so that a map is useful.
-    pub fn shows_where(&self) -> bool {
-        let pixels = u64::from(self.image.width()) * u64::from(self.image.height());
-        20 * self.grade.is_right.len() as u64 >= pixels
-    }
-
     fn tolerance(&self) -> String {
         let tolerance = significant(self.grade.tolerance, 3);
         match (self.grade.kind, self.grade.shade) {
@@ -151,7 +145,8 @@ impl Graded {
             (None, 1) => "v".to_owned(),
             (None, _) => "w".to_owned(),
         };
-        let texts = DIGITS.map(|digits| (self.given(worst, digits), self.right(worst, digits)));
+        let (given, right) = (self.given(worst.index), self.right(worst));
+        let texts = DIGITS.map(|digits| (self.words(given, digits), self.words(right, digits)));
         let differ = texts.iter().find(|(given, right)| given != right);
         let (given, right) = differ.unwrap_or(&texts[0]);
         Some(format!(
@@ -166,50 +161,62 @@ impl Graded {
         format!("row {row}, column {column}")
     }
 
-    fn given(&self, worst: &Worst, digits: usize) -> String {
+    /// Returns the answer with this index, as it was given.
+    pub fn given(&self, index: usize) -> AnswerValue {
         match &self.answers {
-            Answers::Basis(vectors) => triple(vectors[worst.index].value, digits),
+            Answers::Basis(vectors) => AnswerValue::Vector(vectors[index].value),
             Answers::Rays(rays) => {
-                let ray = &rays[worst.index];
-                ray_words(ray.origin.value, ray.direction.value, digits)
+                let (origin, direction) = (rays[index].origin.value, rays[index].direction.value);
+                AnswerValue::Ray(Ray { origin, direction })
             }
-            Answers::Hits(hits) => match hits[worst.index].hit {
-                None => "a miss".to_owned(),
-                Some(GivenHit { t, point, object }) => {
-                    hit_words(t.map(|t| t.value), point.map(|point| point.value), object, digits)
-                }
-            },
-            Answers::Picture(pixels) => color_words(pixels[worst.index]),
+            Answers::Hits(hits) => hits[index].hit.map_or(AnswerValue::Miss, |hit| {
+                let (t, point) = (hit.t.map(|t| t.value), hit.point.map(|point| point.value));
+                AnswerValue::Hit { t, point, object: hit.object }
+            }),
+            Answers::Picture(pixels) => AnswerValue::Color(pixels[index]),
         }
     }
 
-    /// Returns the right answer, with the parts that were answered.
-    fn right(&self, worst: &Worst, digits: usize) -> String {
-        let given = match &self.answers {
-            Answers::Hits(hits) => hits[worst.index].hit,
-            _ => None,
+    /// Returns the right answer, with the parts that were answered; t and the object in place of a
+    /// miss.
+    fn right(&self, worst: &Worst) -> AnswerValue {
+        let AnswerValue::Hit { t, point, object } = worst.right else { return worst.right };
+        match self.given(worst.index) {
+            AnswerValue::Hit { t: given_t, point: given_point, object: given_object } => {
+                AnswerValue::Hit {
+                    t: t.filter(|_| given_t.is_some()),
+                    point: point.filter(|_| given_point.is_some()),
+                    object: object.filter(|_| given_object.is_some()),
+                }
+            }
+            _ => AnswerValue::Hit { t, point: None, object },
+        }
+    }
+
+    /// Returns an answer in words, with this number of significant digits.
+    fn words(&self, value: AnswerValue, digits: usize) -> String {
+        let triple = |v: DVec3| {
+            let [x, y, z] = v.to_array().map(|x| significant(x, digits));
+            format!("({x}, {y}, {z})")
         };
-        match worst.right {
-            Right::Vector(vector) => triple(vector, digits),
-            Right::Ray(ray) => ray_words(ray.origin, ray.direction, digits),
-            Right::Hit(None) => "a miss".to_owned(),
-            Right::Hit(Some(hit)) => match given {
-                None => hit_words(Some(hit.t), None, Some(hit.object), digits),
-                Some(given) => hit_words(
-                    given.t.map(|_| hit.t),
-                    given.point.map(|_| hit.point),
-                    given.object.map(|_| hit.object),
-                    digits,
-                ),
-            },
-            Right::Color(color) => color_words(color),
-            Right::NoPixel => {
-                let (rows, columns) = (self.image.height(), self.image.width());
-                format!(
-                    "that there is none: rows are 0 to {}, columns 0 to {}",
-                    rows - 1,
-                    columns - 1
-                )
+        match value {
+            AnswerValue::Vector(vector) => triple(vector),
+            AnswerValue::Ray(ray) => {
+                format!("{} + t {}", triple(ray.origin), triple(ray.direction))
+            }
+            AnswerValue::Miss => "a miss".to_owned(),
+            AnswerValue::Hit { t, point, object } => {
+                let parts = [
+                    t.map(|t| format!("t = {}", significant(t, digits))),
+                    point.map(|point| format!("point {}", triple(point))),
+                    object.map(|object| format!("object {object}")),
+                ];
+                parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+            }
+            AnswerValue::Color([r, g, b]) => format!("#{r:02x}{g:02x}{b:02x}"),
+            AnswerValue::NoPixel => {
+                let (row, column) = (self.image.height() - 1, self.image.width() - 1);
+                format!("that there is none: rows are 0 to {row}, columns 0 to {column}")
             }
         }
     }
@@ -287,28 +294,6 @@ impl Graded {
             format!("It may be another mistake, with the same answers here: {words}.")
         })
     }
-
-    /// Returns the image as text, with several pixels for each letter: `#` if one of them is wrong,
-    /// `.` if all are right, and a blank if none is answered.
-    pub fn sketch(&self) -> Option<Vec<String>> {
-        const COLUMNS: usize = 48;
-        const ROWS: usize = 16;
-        let cells = self.map()?;
-        let (width, height) = (self.image.width() as usize, self.image.height() as usize);
-        let (columns, rows) = (width.min(COLUMNS), height.min(ROWS));
-        let mut letters = vec![vec![' '; columns]; rows];
-        for (index, cell) in cells.iter().enumerate() {
-            let (row, column) = (index / width * rows / height, index % width * columns / width);
-            let letter = &mut letters[row][column];
-            match cell {
-                Cell::Unanswered => {}
-                Cell::Right if *letter == ' ' => *letter = '.',
-                Cell::Right => {}
-                Cell::Wrong => *letter = '#',
-            }
-        }
-        Some(letters.into_iter().map(String::from_iter).collect())
-    }
 }
 
 /// Returns the size of an error in words; empty if it is 0 or not finite.
@@ -322,26 +307,4 @@ fn off_by(error: f64, kind: AnswerKind) -> String {
 
 fn ids(mistakes: &[Mistake], between: &str) -> String {
     mistakes.iter().map(|mistake| mistake.id()).collect::<Vec<_>>().join(between)
-}
-
-fn triple(v: DVec3, digits: usize) -> String {
-    let [x, y, z] = v.to_array().map(|x| significant(x, digits));
-    format!("({x}, {y}, {z})")
-}
-
-fn ray_words(origin: DVec3, direction: DVec3, digits: usize) -> String {
-    format!("{} + t {}", triple(origin, digits), triple(direction, digits))
-}
-
-fn hit_words(t: Option<f64>, point: Option<DVec3>, object: Option<u32>, digits: usize) -> String {
-    let parts = [
-        t.map(|t| format!("t = {}", significant(t, digits))),
-        point.map(|point| format!("point {}", triple(point, digits))),
-        object.map(|object| format!("object {object}")),
-    ];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
-}
-
-fn color_words([r, g, b]: Rgb) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -10,10 +10,13 @@ use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::grade::{
     Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
-use super::hits::{Hits, truth_of};
-use super::hits::{Rays, Vectors};
+use super::hits::{Comparison, Hits, Rays, Vectors, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
-use crate::mistakes::{GivenCamera, Mistake};
+use crate::mistakes::{GivenCamera, Mistake, Pipeline};
+
+/// Minimum number of written digits from which a single mistake is diagnosed if the digits are fewer
+/// than wanted.
+const ENOUGH_FOR_MISTAKES: u32 = 3;
 
 /// Answers, and everything that grading them needs.
 pub(super) struct Grader<'a> {
@@ -112,14 +115,18 @@ impl<'a> Grader<'a> {
         };
         let Some((answers, digits)) = self.few_digits() else { return grade };
         let Ok(held) = self.held(&answers, 1.0) else { return grade };
-        let diagnosis = match digits >= least && judged(&*held).iter().all(|j| j.is_right) {
-            true => Some(Diagnosis::default()),
-            false => self.mistake_in_few_digits(&*held, digits, &grade.is_right),
-        };
-        match diagnosis {
-            Some(diagnosis) => Grade { right_digits: Some(digits), diagnosis, ..grade },
-            None => grade,
+        let right_digits = Some(digits);
+        if digits >= least && self.judged(&*held).iter().all(|judged| judged.is_right) {
+            return Grade { right_digits, diagnosis: Diagnosis::default(), ..grade };
         }
+        if digits >= ENOUGH_FOR_MISTAKES {
+            // The missing digits are not attributed to `f32`.
+            let diagnosis = diagnose(&self.given, &*held, &grade.is_right, false);
+            if diagnosis.mistakes.len() == 1 {
+                return Grade { right_digits, diagnosis, ..grade };
+            }
+        }
+        grade
     }
 
     /// Returns the answers with the uncertainty of their digits, and the number of digits; `None`
@@ -128,20 +135,6 @@ impl<'a> Grader<'a> {
         let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
         too_few.contains(&digits).then_some((answers, digits as u32))
-    }
-
-    /// Returns the single mistake that explains the answers to their written digits, if these are
-    /// too few. The missing digits are not attributed to `f32`.
-    fn mistake_in_few_digits(
-        &self,
-        answers: &dyn Fits,
-        digits: u32,
-        is_right: &[bool],
-    ) -> Option<Diagnosis> {
-        const LEAST: u32 = 3;
-        let diagnosis =
-            (digits >= LEAST).then(|| diagnose(&self.given, answers, is_right, false))?;
-        (diagnosis.mistakes.len() == 1).then_some(diagnosis)
     }
 
     /// Returns the answers together with the truth that they are compared with.
@@ -153,13 +146,14 @@ impl<'a> Grader<'a> {
         answers: &'b Answers,
         digits: f64,
     ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
-        let (given, tolerance) = (&self.given, self.tolerance);
+        let right = self.given.camera_of(Pipeline::RIGHT);
+        let with = Comparison { given: &self.given, right, tolerance: self.tolerance, digits };
         Ok(match answers {
-            Answers::Basis(answers) => Box::new(Vectors { answers, given, tolerance, digits }),
-            Answers::Rays(answers) => Box::new(Rays { answers, given, tolerance, digits }),
+            Answers::Basis(answers) => Box::new(Vectors { answers, with }),
+            Answers::Rays(answers) => Box::new(Rays { answers, with }),
             Answers::Hits(answers) => {
                 let (first, scene) = (self.first_of(answers), self.truth.scene);
-                Box::new(Hits { answers, first, given, scene, tolerance, digits })
+                Box::new(Hits { answers, first, scene, with })
             }
             Answers::Picture(pixels) => return Err(pixels),
         })
@@ -210,8 +204,19 @@ impl<'a> Grader<'a> {
         best
     }
 
+    /// Returns the verdict on each answer. An answer is right if its error is within the tolerance,
+    /// or if a program without mistakes may have given it.
+    fn judged(&self, answers: &dyn Fits) -> Vec<Judged> {
+        let judged = |index| {
+            let error = answers.error(index);
+            let is_near = error <= self.tolerance;
+            Judged { is_right: is_near || answers.fits(answers.right_camera(), index), error }
+        };
+        (0..answers.len()).into_par_iter().map(judged).collect()
+    }
+
     fn graded(&self, answers: &dyn Fits) -> Grade {
-        let judged = judged(answers);
+        let judged = self.judged(answers);
         let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()
@@ -231,10 +236,6 @@ impl<'a> Grader<'a> {
             unanswered: 0,
         }
     }
-}
-
-fn judged(answers: &dyn Fits) -> Vec<Judged> {
-    (0..answers.len()).into_par_iter().map(|index| answers.judged(index)).collect()
 }
 
 /// Returns the number that stands for a miss. It is at most 0 or beyond all hits, and more than half

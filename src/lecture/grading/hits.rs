@@ -6,18 +6,27 @@ use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Sce
 use crate::grading::answers::{GivenHit, HitAnswer, RayAnswer, WrittenVector};
 use crate::grading::diagnosis::Fits;
 use crate::grading::first_hits::{FirstHits, PossibleHit, hits_of_each, work};
-use crate::grading::grade::{Hit, Judged, Right, Truth};
+use crate::grading::grade::{AnswerValue, Hit, Truth};
 use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
+
+/// What the answers of a kind are compared with, and how exactly.
+#[derive(Clone, Copy)]
+pub(super) struct Comparison<'a> {
+    pub(super) given: &'a GivenCamera,
+    /// The camera without any mistake.
+    pub(super) right: PipelineCamera,
+    /// The maximum relative error.
+    pub(super) tolerance: f64,
+    /// The share of the unwritten digits' uncertainty that is allowed.
+    pub(super) digits: f64,
+}
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],
     /// The true hits in their places.
     pub(super) first: Vec<Option<Hit>>,
-    pub(super) given: &'a GivenCamera,
     pub(super) scene: &'a Scene,
-    pub(super) tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
-    pub(super) digits: f64,
+    pub(super) with: Comparison<'a>,
 }
 
 impl Fits for Hits<'_> {
@@ -35,7 +44,7 @@ impl Fits for Hits<'_> {
             return false;
         }
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let first = FirstHits::find(self.scene, camera, direction, self.tolerance);
+        let first = FirstHits::find(self.scene, camera, direction, self.with.tolerance);
         match hit {
             None => first.may_miss,
             Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
@@ -47,27 +56,36 @@ impl Fits for Hits<'_> {
         let (Some(truth), Some(given)) = (self.first[index], hit) else {
             return self.first[index].is_some();
         };
-        let camera = self.given.camera_of(Pipeline::RIGHT);
+        let camera = self.right_camera();
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        hits_of_each(self.scene, &camera, direction, self.tolerance)
+        hits_of_each(self.scene, camera, direction, self.with.tolerance)
             .iter()
-            .any(|hit| hit.object != truth.object && self.is(&camera, direction, hit, &given))
+            .any(|hit| hit.object != truth.object && self.is(camera, direction, hit, &given))
     }
 
-    fn judged(&self, index: usize) -> Judged {
-        let Right::Hit(truth) = self.right(index) else {
-            return Judged { is_right: false, error: f64::INFINITY };
-        };
-        let given = self.answers[index].hit;
-        let error = error_of(given.as_ref(), truth.as_ref(), self.given.resolved.eye());
-        let is_right =
-            error <= self.tolerance || self.fits(&self.given.camera_of(Pipeline::RIGHT), index);
-        Judged { is_right, error }
+    fn right_camera(&self) -> &PipelineCamera {
+        &self.with.right
     }
 
-    fn right(&self, index: usize) -> Right {
-        let is_pixel = self.given.resolved.image().contains(self.answers[index].pixel);
-        if is_pixel { Right::Hit(self.first[index]) } else { Right::NoPixel }
+    fn error(&self, index: usize) -> f64 {
+        match self.with.has(self.answers[index].pixel) {
+            true => error_of(self.answers[index].hit, self.first[index], self.with.right.eye),
+            false => f64::INFINITY,
+        }
+    }
+
+    fn right(&self, index: usize) -> AnswerValue {
+        match self.with.has(self.answers[index].pixel) {
+            true => self.first[index].into(),
+            false => AnswerValue::NoPixel,
+        }
+    }
+}
+
+impl Comparison<'_> {
+    /// Returns true if the image has this pixel.
+    fn has(&self, pixel: Pixel) -> bool {
+        self.given.resolved.image().contains(pixel)
     }
 }
 
@@ -92,14 +110,14 @@ impl Hits<'_> {
         let is_object =
             given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
-            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits * given.rounding;
+            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.with.digits * given.rounding;
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
         let is_point = |given: WrittenVector| {
             let from_eye = given.value - camera.eye;
             let reach = least.abs().max(most.abs()) * step.length();
-            let off = (self.tolerance + camera.off) * reach
-                + self.digits * given.rounding
+            let off = (self.with.tolerance + camera.off) * reach
+                + self.with.digits * given.rounding
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
             // There must be a point of the ray, within the allowed range of t, that differs by at
             // most `off` in each coordinate.
@@ -121,7 +139,7 @@ impl Hits<'_> {
 
 /// Returns the distance of a hit from the true one, relative to the true one's distance. Infinite
 /// if one of them is a miss and the other is not, or if they are hits of different objects.
-fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
+fn error_of(given: Option<GivenHit>, truth: Option<Hit>, eye: DVec3) -> f64 {
     let (given, truth) = match (given, truth) {
         (None, None) => return 0.0,
         (Some(given), Some(truth)) => (given, truth),
@@ -187,10 +205,7 @@ pub(super) fn truth_of(
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
-    pub(super) given: &'a GivenCamera,
-    pub(super) tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
-    pub(super) digits: f64,
+    pub(super) with: Comparison<'a>,
 }
 
 impl Fits for Vectors<'_> {
@@ -205,28 +220,28 @@ impl Fits for Vectors<'_> {
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let WrittenVector { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
-        let off = (self.tolerance + camera.off) * length(wanted) + self.digits * rounding;
+        let off = (self.with.tolerance + camera.off) * length(wanted) + self.with.digits * rounding;
         (value - wanted).abs().max_element() <= off
     }
 
-    fn judged(&self, index: usize) -> Judged {
-        let right = self.given.camera_of(Pipeline::RIGHT);
-        let error = length(self.answers[index].value - [right.u, right.v, right.w][index]);
-        Judged { is_right: self.fits(&right, index), error }
+    fn right_camera(&self) -> &PipelineCamera {
+        &self.with.right
     }
 
-    fn right(&self, index: usize) -> Right {
-        let basis = self.given.resolved.basis();
-        Right::Vector([basis.u, basis.v, basis.w][index])
+    fn error(&self, index: usize) -> f64 {
+        let PipelineCamera { u, v, w, .. } = self.with.right;
+        length(self.answers[index].value - [u, v, w][index])
+    }
+
+    fn right(&self, index: usize) -> AnswerValue {
+        let basis = self.with.given.resolved.basis();
+        AnswerValue::Vector([basis.u, basis.v, basis.w][index])
     }
 }
 
 pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
-    pub(super) given: &'a GivenCamera,
-    pub(super) tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
-    pub(super) digits: f64,
+    pub(super) with: Comparison<'a>,
 }
 
 impl Fits for Rays<'_> {
@@ -236,33 +251,36 @@ impl Fits for Rays<'_> {
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
+        let Comparison { tolerance, digits, .. } = self.with;
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let rounding = self.digits * direction.rounding / length(direction.value);
-        let origin_off = self.tolerance * self.size(camera)
+        let rounding = digits * direction.rounding / length(direction.value);
+        let origin_off = tolerance * self.size(camera)
             + camera.epsilon * length(camera.eye)
-            + self.digits * origin.rounding;
+            + digits * origin.rounding;
         camera.answers_for(pixel)
-            && turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
+            && turned(direction.value, wanted) <= tolerance + camera.off + rounding
             && (origin.value - camera.eye).abs().max_element() <= origin_off
     }
 
-    fn judged(&self, index: usize) -> Judged {
-        let RayAnswer { origin, direction, .. } = self.answers[index];
-        let Right::Ray(ray) = self.right(index) else {
-            return Judged { is_right: false, error: f64::INFINITY };
-        };
-        let right = self.given.camera_of(Pipeline::RIGHT);
-        let turned = turned(direction.value, ray.direction);
-        let moved = length(origin.value - right.eye) / self.size(&right);
-        let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
-        let error = if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY };
-        Judged { is_right: self.fits(&right, index), error }
+    fn right_camera(&self) -> &PipelineCamera {
+        &self.with.right
     }
 
-    fn right(&self, index: usize) -> Right {
-        let (pixel, resolved) = (self.answers[index].pixel, &self.given.resolved);
-        let is_pixel = resolved.image().contains(pixel);
-        if is_pixel { Right::Ray(resolved.ray_of_pixel(pixel)) } else { Right::NoPixel }
+    fn error(&self, index: usize) -> f64 {
+        let RayAnswer { origin, direction, .. } = self.answers[index];
+        let AnswerValue::Ray(ray) = self.right(index) else { return f64::INFINITY };
+        let turned = turned(direction.value, ray.direction);
+        let moved = length(origin.value - self.with.right.eye) / self.size(&self.with.right);
+        let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
+        if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY }
+    }
+
+    fn right(&self, index: usize) -> AnswerValue {
+        let pixel = self.answers[index].pixel;
+        match self.with.has(pixel) {
+            true => AnswerValue::Ray(self.with.given.resolved.ray_of_pixel(pixel)),
+            false => AnswerValue::NoPixel,
+        }
     }
 }
 
@@ -270,7 +288,7 @@ impl Rays<'_> {
     /// Returns the length by which an origin's error is divided: the eye's distance from the
     /// world's origin, or the viewport's distance if that is larger.
     fn size(&self, camera: &PipelineCamera) -> f64 {
-        length(camera.eye).max(self.given.resolved.viewport().distance)
+        length(camera.eye).max(self.with.given.resolved.viewport().distance)
     }
 }
 

@@ -41,7 +41,7 @@ pub use self::answers::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
 pub use self::diagnosis::Diagnosis;
-pub use self::grade::{Grade, Hit, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst};
+pub use self::grade::{AnswerValue, Grade, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst};
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 

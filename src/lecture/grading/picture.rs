@@ -10,7 +10,7 @@ use pinhole_core::{
 
 use super::diagnosis::Fits;
 use super::first_hits::{FirstHits, normal_at, work};
-use super::grade::{Judged, RELATIVE_TOLERANCE, Right, Truth};
+use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 /// A picture that is assumed to have one of the shadings.
@@ -85,14 +85,16 @@ impl Fits for Picture<'_> {
         })
     }
 
-    fn judged(&self, index: usize) -> Judged {
-        let error = off(self.pixels[index], self.right[index]);
-        let is_right = error <= self.tolerance || self.fits(&self.right_camera, index);
-        Judged { is_right, error }
+    fn right_camera(&self) -> &PipelineCamera {
+        &self.right_camera
     }
 
-    fn right(&self, index: usize) -> Right {
-        Right::Color(self.right[index])
+    fn error(&self, index: usize) -> f64 {
+        off(self.pixels[index], self.right[index])
+    }
+
+    fn right(&self, index: usize) -> AnswerValue {
+        AnswerValue::Color(self.right[index])
     }
 }
 

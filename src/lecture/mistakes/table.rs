@@ -574,11 +574,6 @@ impl Mistake {
         self.entry().id
     }
 
-    /// Returns the mistake of this [`Mistake::id`].
-    pub fn from_id(id: &str) -> Option<Mistake> {
-        Mistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
-    }
-
     /// Returns true if the mistake has a wrong camera to show, that is, if it is one of
     /// [`Mistake::GALLERY`].
     pub fn is_in_gallery(self) -> bool {

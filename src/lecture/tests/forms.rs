@@ -75,7 +75,7 @@ fn one_canonical_form() {
 fn its_parts_for_typesetting() {
     let parts = |x: f64| {
         let form = NumberForm::recognise(x).unwrap();
-        (form.numerator(), form.root(), form.denominator(), form.is_root_below())
+        (form.numerator, form.root, form.denominator, form.is_root_below)
     };
     assert_eq!(parts(-12.5), (-25, 1, 2, false));
     assert_eq!(parts(-0.8 * 0.5_f64.sqrt()), (-2, 2, 5, false));
@@ -125,11 +125,11 @@ proptest! {
         prop_assert_eq!(NumberForm::recognise(off_by(form.value(), noise)), Some(form));
         prop_assert_eq!(form.negated().value(), -form.value());
         // The form is unique: there is no common divisor and no square under the root.
-        let (n, k, m) = (form.numerator().unsigned_abs(), form.root(), form.denominator());
+        let (n, k, m) = (form.numerator.unsigned_abs(), form.root, form.denominator);
         prop_assert!((2..=m).all(|p| m % p != 0 || n % p != 0), "{}", form);
         prop_assert!((2..=k).all(|p| k % (p * p) != 0), "{}", form);
-        prop_assert!(k > 1 || !form.is_root_below());
-        prop_assert!(!form.is_root_below() || m == 1);
+        prop_assert!(k > 1 || !form.is_root_below);
+        prop_assert!(!form.is_root_below || m == 1);
     }
 
     /// Tests vectors of whole numbers scaled to length 1, as in a basis.
@@ -148,7 +148,7 @@ proptest! {
             prop_assert!(ulps(vector_value(form)[i], unit[i]) <= 3, "{:?} for {:?}", form, unit);
         }
         if let VectorForm::Common { whole, factor } = form {
-            prop_assert!(factor.numerator() == 1 && whole.iter().any(|n| n.abs() > 1));
+            prop_assert!(factor.numerator == 1 && whole.iter().any(|n| n.abs() > 1));
         }
     }
 }

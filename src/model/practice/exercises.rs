@@ -3,7 +3,7 @@
 
 use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::exercises::{
-    Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows, title,
+    Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows,
 };
 
 use crate::model::expression::evaluate;
@@ -151,7 +151,7 @@ impl Exercises {
     pub(crate) fn document(&self) -> Option<Document> {
         let question = &self.question;
         Some(Document {
-            note: format!("{}.", title(question.exercise)),
+            note: format!("{}.", question.exercise.title()),
             camera: question.camera()?,
             spheres: question.sphere().map(Item::plain).into_iter().collect(),
             planes: question.plane().map(Item::plain).into_iter().collect(),

@@ -8,7 +8,7 @@ use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 use pinhole_exchange::format::Format;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
-use pinhole_lecture::exercises::{Exercise, title};
+use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
 use crate::model::derivation_sections::DerivationSection;
@@ -332,7 +332,7 @@ fn destinations() -> Vec<UiCommand> {
         commands.extend(of_lesson(Which::Builtin(index), lesson));
     }
     for &exercise in Exercise::ALL {
-        let name = title(exercise);
+        let name = exercise.title();
         commands.push(command(
             Group::Exercise,
             name,

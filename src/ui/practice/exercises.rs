@@ -123,7 +123,7 @@ pub(crate) fn ui(
         let presenting = theme::installed(ui.ctx()).presenting;
         if is_narrow && !presenting {
             let menu = ComboBox::from_id_salt("exercise menu")
-                .selected_text(exercises::title(exercises.question().exercise))
+                .selected_text(exercises.question().exercise.title())
                 .width(ui.available_width().min(320.0))
                 .show_ui(ui, |ui| choose(ui, exercises));
             menu.response.named("exercise");
@@ -147,7 +147,7 @@ pub(crate) fn ui(
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     let chosen = exercises.question().exercise;
     for &exercise in Exercise::ALL {
-        let text = RichText::new(exercises::title(exercise)).size(15.0);
+        let text = RichText::new(exercise.title()).size(15.0);
         let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
         if response.clicked() && exercise != chosen {
             exercises.show(exercise, None);
@@ -159,7 +159,7 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
 fn exercise(ui: &mut Ui, exercises: &mut Exercises, has_title: bool, has_source: bool) -> bool {
     let question = exercises.question().clone();
     if has_title {
-        ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
+        ui.heading(RichText::new(question.exercise.title()).size(22.0).strong());
     }
     if has_source {
         source(ui, exercises);
@@ -421,7 +421,7 @@ fn world_title(
             let hint = "Opens this camera and the objects that its ray meets as a scene";
             if ui.small_button("Show this scene").on_hover_text(hint).clicked() {
                 let question = open.question();
-                let title = exercises::title(question.exercise).to_owned();
+                let title = question.exercise.title().to_owned();
                 let made_up = MadeUp { document, title, uv: question.uv() };
                 actions.push(Leave::Show(Box::new(made_up)).into());
                 ui.ctx().request_repaint();

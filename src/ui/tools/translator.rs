@@ -147,7 +147,7 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     let written = match &translation.written {
         Ok(written) => written,
         Err(error) => {
-            ui.label(RichText::new(sentence(&error.0)).strong().color(error_color(ui)));
+            ui.label(RichText::new(sentence(error)).strong().color(error_color(ui)));
             return;
         }
     };

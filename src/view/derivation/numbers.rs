@@ -96,7 +96,7 @@ impl NumberFormat {
 
     /// Returns the number as a denominator: in its exact form, unless that form is itself a fraction.
     pub(super) fn divisor(self, x: f64) -> Formula {
-        let form = self.form(x).filter(|form| !form.is_root_below() && form.denominator() == 1);
+        let form = self.form(x).filter(|form| !form.is_root_below && form.denominator == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
@@ -115,9 +115,9 @@ impl NumberFormat {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));
         };
-        let (k, m) = (factor.root(), factor.denominator());
+        let (k, m) = (factor.root, factor.denominator);
         let whole = tuple(whole.map(|n| number(&n.to_string())));
-        if factor.is_root_below() {
+        if factor.is_root_below {
             return fraction(whole, square_root(number(&k.to_string())));
         }
         let above = if k > 1 { row([square_root(number(&k.to_string())), whole]) } else { whole };
@@ -155,12 +155,12 @@ fn significant_digits(text: &str) -> usize {
 
 /// Returns the formula of a recognised number.
 fn exact(form: NumberForm) -> Formula {
-    let (n, k, m) = (form.numerator(), form.root(), form.denominator());
+    let (n, k, m) = (form.numerator, form.root, form.denominator);
     let size = n.unsigned_abs();
     let sign = (n < 0).then(|| Formula::from(Operator::Negative));
     let whole = || number(&size.to_string());
     let radical = || square_root(number(&k.to_string()));
-    let magnitude = if form.is_root_below() {
+    let magnitude = if form.is_root_below {
         fraction(whole(), radical())
     } else {
         let above = match (size, k) {

@@ -8,7 +8,7 @@ use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Orientation, Selection};
-use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
+use pinhole_lecture::exercises::{Exercise, Given, Question, question};
 
 use crate::harness::{
     assert_reads, assert_says, command, drag_from, open_scene, show, texts_with, type_into, window,
@@ -23,9 +23,9 @@ fn open(exercise: Exercise) -> Harness<'static, App> {
     let mut window = window("canonical");
     show(&mut window, ViewLayout::Exercises);
     if exercise != Exercise::WarmUpRay {
-        click(&mut window, title(exercise));
+        click(&mut window, exercise.title());
     }
-    assert_says(&window, title(exercise));
+    assert_says(&window, exercise.title());
     window
 }
 
@@ -191,7 +191,7 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
         click(&mut window, "Check");
         assert_eq!((said(&window, "t"), said(&window, "point")), (of_t.into(), of_point.into()));
     }
-    click(&mut window, title(Exercise::Sphere));
+    click(&mut window, Exercise::Sphere.title());
     answer(&mut window, "t", "2.5");
     answers(&mut window, "point", &["3", "4", "-5"]);
     answers(&mut window, "normal", &["0", "0.6", "0.8"]);
@@ -260,7 +260,7 @@ fn scalars_are_italic_and_a_question_is_read_without_marks() {
     let formulas = ["p + 𝑡 d", "(𝑢, 𝑣) = (0.2, −0.1)?"].map(|text| text.replace(' ', "\u{a0}"));
     let shown = &format!("What is the viewing ray {} through {}", formulas[0], formulas[1]);
     assert_eq!(texts_with(&window, shown), [shown.as_str()]);
-    click(&mut window, title(Exercise::Lines));
+    click(&mut window, Exercise::Lines.title());
     let formulas = ["𝑥 + 𝑦 − 2 = 0", "(0, 0) + 𝑡 (1, 1)."].map(|text| text.replace(' ', "\u{a0}"));
     let shown = &format!("The line {} and the ray {}", formulas[0], formulas[1]);
     assert_eq!(texts_with(&window, shown), [shown.as_str()]);
@@ -327,11 +327,11 @@ fn the_solution_is_the_derivation_and_is_hidden_again() {
     click(&mut window, "Hide the solution");
     assert!(texts_with(&window, fold).is_empty());
     assert_eq!(drawn(&window), "no answer is drawn");
-    click(&mut window, title(Exercise::Sphere));
+    click(&mut window, Exercise::Sphere.title());
     click(&mut window, "Show the solution");
     assert!(texts_with(&window, "Fold: Basis").is_empty(), "the ray is given");
     assert!(!texts_with(&window, "Fold: ").is_empty());
-    click(&mut window, title(Exercise::Lines));
+    click(&mut window, Exercise::Lines.title());
     click(&mut window, "Show the solution");
     assert!(!texts_with(&window, "They meet at").is_empty());
 }
@@ -350,13 +350,13 @@ fn what_is_typed_is_drawn_and_what_is_right_only_once_it_was_found_or_shown() {
     assert_eq!(drawn(&window), "drawn: your u (dashed), w");
     click(&mut window, "Show the solution");
     assert_eq!(drawn(&window), "drawn: u, your u (dashed), v, w");
-    click(&mut window, title(Exercise::Distance));
+    click(&mut window, Exercise::Distance.title());
     answers(&mut window, "d", &["0.2", "-0.1", "-1"]);
     answer(&mut window, "t", "6");
     assert_eq!(drawn(&window), "drawn: ray? (dashed)");
     click(&mut window, "Check");
     assert_eq!(drawn(&window), "drawn: your ray (dashed)");
-    click(&mut window, title(Exercise::Sphere));
+    click(&mut window, Exercise::Sphere.title());
     assert_eq!(drawn(&window), "drawn: d", "the ray is given, and where it hits is asked for");
     answer(&mut window, "t", "6");
     answers(&mut window, "point", &["0", "0", "-6"]);
@@ -390,16 +390,16 @@ fn typed_answers_are_kept_whatever_is_opened_in_between() {
         window.get_by_role_and_label(Role::TextInput, "answer u x").value().unwrap_or_default()
     };
     answer(&mut window, "u x", "5/sqrt(74)");
-    click(&mut window, title(Exercise::Sphere));
+    click(&mut window, Exercise::Sphere.title());
     answer(&mut window, "t", "4");
-    click(&mut window, title(Exercise::EyeAtUp));
+    click(&mut window, Exercise::EyeAtUp.title());
     assert_eq!(typed(&window), "5/sqrt(74)");
     // Other numbers are another question.
     click(&mut window, "New numbers");
     assert_eq!(typed(&window), "");
     click(&mut window, "Lecture version");
     assert_eq!(typed(&window), "5/sqrt(74)");
-    click(&mut window, title(Exercise::Sphere));
+    click(&mut window, Exercise::Sphere.title());
     let t = |window: &Harness<'_, App>| {
         window.get_by_role_and_label(Role::TextInput, "answer t").value().unwrap_or_default()
     };
@@ -426,7 +426,7 @@ fn the_questions_camera_opens_and_asks_about_changes_first() {
     assert_eq!(app.session().settings.layout, ViewLayout::Both);
     let hit = app.derived().inspection.clone().unwrap().first_hit().copied().unwrap();
     assert_eq!(hit.t, 3.0, "the exercise's own answer");
-    assert_says(&window, title(Exercise::Distance));
+    assert_says(&window, Exercise::Distance.title());
     let app = window.state();
     // The answers are still there when one comes back.
     assert_eq!(app.session().exercises.question().exercise, Exercise::Distance);

@@ -42,7 +42,7 @@ fn a_loop_from_one_to_the_last_is_counted_from_one() {
             let mut expected = vec!["counted-from-one"];
             if !mistake.is_empty() {
                 expected.push(mistake);
-                expected.sort_by_key(|id| Mistake::from_id(id));
+                expected.sort_by_key(|id| mistake_of(id));
             }
             assert_eq!(ids(&grade.diagnosis.mistakes), expected);
             assert!(!grade.diagnosis.counted_from_one);
@@ -81,7 +81,7 @@ fn one_mistake_that_looks_like_two_is_told_too() {
         for answers in [rays_of(&student), hits_of(&student)] {
             let found = graded(&exercise, &answers);
             assert_eq!(ids(&found.diagnosis.mistakes), names);
-            assert_eq!(found.diagnosis.other, Mistake::from_id(id));
+            assert_eq!(found.diagnosis.other, mistake_of(id));
             assert!(
                 found.advice().ends_with(&format!("Another explanation: {advice}")),
                 "{}",

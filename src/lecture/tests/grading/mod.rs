@@ -143,6 +143,10 @@ const OF_BASIS: [&str; 5] =
     ["w-as-printed", "v-is-u-cross-w", "not-normalized", "up-as-v", "left-handed"];
 const OF_HITS: [&str; 4] = ["b-for-half-b", "far-root", "negative-t", "t-for-distance"];
 
+fn mistake_of(id: &str) -> Option<Mistake> {
+    Mistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
+}
+
 #[test]
 fn each_mistake_alone_is_found_by_name() {
     let exercise = general();
@@ -303,7 +307,7 @@ fn rows_and_columns_from_one_are_right_when_said_and_a_mistake_when_not() {
     assert_eq!(found(&exercise, &hits), [["counted-from-one"]]);
     let grade = graded(&exercise, &rays);
     let worst = grade.worst.unwrap();
-    assert_eq!((worst.right, worst.error), (Right::NoPixel, f64::INFINITY));
+    assert_eq!((worst.right, worst.error), (AnswerValue::NoPixel, f64::INFINITY));
 }
 
 #[test]
@@ -401,7 +405,7 @@ fn single_precision_is_found_where_it_does_not_suffice() {
         let student = single::Student { exercise: &exercise, mistakes: &mistakes };
         let sets = found(&exercise, &Answers::Hits(student.hits()));
         let mut wanted = vec![mistake, "single-precision"];
-        wanted.sort_by_key(|id| Mistake::from_id(id));
+        wanted.sort_by_key(|id| mistake_of(id));
         assert_eq!(sets[0], wanted);
         // In double precision, `f32` is not mentioned.
         let student = Student { exercise: &exercise, mistakes: &mistakes };
