@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     apart(&files_of(&arguments.scene, &document), output.map(|output| ("-o", output.as_path())))?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
-    let progress = Progress::during("drawing");
+    let progress = Progress::new("drawing", None);
     let bytes = match content {
         Content::Text(markup) => {
             figures::derivation_of(&document, &session).written_in(markup).into_bytes()
@@ -97,7 +97,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     // What cannot move is known before anything is written.
     animation.start.at(kind, 0.5).map_err(|error| why(error.to_string()))?;
     let mut recorder = Recorder::new(animation, output.clone()).map_err(CommandError::Input)?;
-    let progress = Progress::counting("frame", frames.count as usize);
+    let progress = Progress::new("frame", Some(frames.count as usize));
     for _ in 0..frames.count {
         let figure = recorder.figure().map_err(why)?;
         recorder.push(&figure).map_err(CommandError::Input)?;

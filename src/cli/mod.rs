@@ -18,7 +18,7 @@ mod report;
 mod trace;
 
 use pinhole_exchange::scenes::BuiltinScene;
-use serde::Serialize;
+use serde_json::json;
 
 pub use self::arguments::mistyped;
 pub use self::console::{CommandError, exit_code, print};
@@ -57,25 +57,12 @@ fn complete(shell: Shell) -> Result<(), CommandError> {
     to_stdout(|out| out.write_all(script.as_bytes()))
 }
 
-/// The JSON output of `pinhole scenes --json`.
-#[derive(Serialize)]
-struct SceneList {
-    scenes: Vec<Listed>,
-}
-
-#[derive(Serialize)]
-struct Listed {
-    name: &'static str,
-    summary: String,
-}
-
 /// `pinhole scenes`: lists the built-in scenes, one per line.
 fn list_scenes(arguments: &ScenesArguments) -> Result<(), CommandError> {
     let scenes = BuiltinScene::all();
     if arguments.json {
-        let listed =
-            scenes.iter().map(|scene| Listed { name: scene.name, summary: scene.summary() });
-        let text = to_json(&SceneList { scenes: listed.collect() })?;
+        let listed = |scene: &BuiltinScene| json!({"name": scene.name, "summary": scene.summary()});
+        let text = to_json(&json!({"scenes": scenes.iter().map(listed).collect::<Vec<_>>()}))?;
         return to_stdout(|out| out.write_all(text.as_bytes()));
     }
     let width = scenes.iter().map(|scene| scene.name.len()).max().unwrap_or(0);

@@ -30,16 +30,6 @@ struct ProgressState {
 }
 
 impl Progress {
-    /// Creates the progress of work on `all` units, such as `row`.
-    pub(super) fn counting(what: &'static str, all: usize) -> Progress {
-        Progress::new(what, Some(all))
-    }
-
-    /// Creates the progress of work whose amount is unknown.
-    pub(super) fn during(work: &'static str) -> Progress {
-        Progress::new(work, None)
-    }
-
     /// Continues with work whose amount is unknown.
     pub(super) fn go_on(&self, work: &'static str) {
         *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
@@ -50,9 +40,10 @@ impl Progress {
         self.work.done.fetch_add(count, Ordering::Relaxed);
     }
 
-    /// Starts another thread that watches the clock, because the work may report nothing for a long
-    /// time.
-    fn new(what: &'static str, all: Option<usize>) -> Progress {
+    /// Creates the progress of work, whose unit is `what`, such as `row`, if the number of all units is
+    /// known; otherwise `what` is the name of the work. Another thread watches the clock, because the
+    /// work may report nothing for a long time.
+    pub(super) fn new(what: &'static str, all: Option<usize>) -> Progress {
         let what = Mutex::new((what, all));
         let work =
             Arc::new(ProgressState { since: Instant::now(), done: AtomicUsize::new(0), what });
@@ -121,7 +112,7 @@ mod tests {
 
     #[test]
     fn a_line_says_how_far_it_is_and_how_long_it_takes() {
-        let progress = Progress::counting("row", 200);
+        let progress = Progress::new("row", Some(200));
         assert_eq!(progress.work.line(), "row 0 of 200");
         progress.add(50);
         assert_eq!(progress.work.line(), "row 50 of 200, 0 s left");

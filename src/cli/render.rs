@@ -59,11 +59,11 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         aov: arguments.aov.is_some(),
     };
     let progress = if arguments.overlay || arguments.view == FigureSubject::World {
-        Progress::during("drawing")
+        Progress::new("drawing", None)
     } else {
         // Each row is traced, and for the OpenEXR file, its certificates are computed.
         let passes = 1 + usize::from(options.aov);
-        Progress::counting("row", passes * image.height() as usize)
+        Progress::new("row", Some(passes * image.height() as usize))
     };
     let rendering = render_view(&document, options, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;

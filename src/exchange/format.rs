@@ -11,7 +11,7 @@ use pinhole_core::{
 use crate::document::Document;
 use crate::error::one_line;
 pub use crate::template::Text;
-use crate::template::{self, BEYOND, Value, n};
+use crate::template::{self, BEYOND, TemplateValue, n};
 use crate::{FileError, Location, legible};
 
 /// A program, a notation for cameras, or a programming language that Pinhole writes.
@@ -37,7 +37,7 @@ pub struct Format {
 }
 
 /// The values that only one format has, by their names in its template.
-pub(crate) type OwnValues = Vec<(&'static str, Value)>;
+pub(crate) type OwnValues = Vec<(&'static str, TemplateValue)>;
 
 /// The objects that a format leaves out or replaces.
 #[derive(Clone, Copy, Debug)]

@@ -82,34 +82,34 @@ pub(crate) fn light(color: Rgb) -> DVec3 {
 
 /// A value that replaces a name in a template.
 #[derive(Clone, Debug)]
-pub(crate) enum Value {
+pub(crate) enum TemplateValue {
     Numbers(Vec<f64>),
     Text(String),
 }
 
-impl From<f64> for Value {
-    fn from(x: f64) -> Value {
-        Value::Numbers(vec![x])
+impl From<f64> for TemplateValue {
+    fn from(x: f64) -> TemplateValue {
+        TemplateValue::Numbers(vec![x])
     }
 }
 
-impl From<DVec3> for Value {
-    fn from(v: DVec3) -> Value {
-        Value::Numbers(v.to_array().to_vec())
+impl From<DVec3> for TemplateValue {
+    fn from(v: DVec3) -> TemplateValue {
+        TemplateValue::Numbers(v.to_array().to_vec())
     }
 }
 
-impl From<String> for Value {
-    fn from(text: String) -> Value {
-        Value::Text(text)
+impl From<String> for TemplateValue {
+    fn from(text: String) -> TemplateValue {
+        TemplateValue::Text(text)
     }
 }
 
-impl Value {
+impl TemplateValue {
     fn written(self, style: &str) -> String {
         let numbers = match self {
-            Value::Numbers(numbers) => numbers,
-            Value::Text(text) => return text,
+            TemplateValue::Numbers(numbers) => numbers,
+            TemplateValue::Text(text) => return text,
         };
         let with_point = |text: String| if text.contains(['.', 'e']) { text } else { text + ".0" };
         let number = |x: f64| match style {
@@ -131,7 +131,7 @@ impl Value {
 pub(crate) fn written(
     template: &str,
     subject: &ExportScene,
-    own: &[(&str, Value)],
+    own: &[(&str, TemplateValue)],
 ) -> Result<String, String> {
     let value = |name: &str| match own.iter().find(|(known, _)| *known == name) {
         Some((_, value)) => Ok(Some(value.clone())),
@@ -152,7 +152,7 @@ pub(crate) fn written(
 }
 
 /// Returns the text after the line that begins a section; empty if there is no such line.
-fn section<'t>(template: &'t str, line: &str) -> &'t str {
+pub(crate) fn section<'t>(template: &'t str, line: &str) -> &'t str {
     template.split_once(line).map_or("", |(_, section)| before_mark(section))
 }
 
@@ -163,7 +163,7 @@ fn before_mark(text: &str) -> &str {
 /// Returns a text in which each name in braces is replaced by its value, if it has one.
 pub(crate) fn filled(
     template: &str,
-    value: impl Fn(&str) -> Result<Option<Value>, String>,
+    value: impl Fn(&str) -> Result<Option<TemplateValue>, String>,
 ) -> Result<String, String> {
     let (mut text, mut rest) = (String::with_capacity(template.len()), template);
     while let Some((before, after)) = rest.split_once('{') {
@@ -179,7 +179,10 @@ pub(crate) fn filled(
 }
 
 /// Returns the value of this name that a scene has without its objects; `None` if there is none.
-pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Value>, String> {
+pub(crate) fn scene_value(
+    subject: &ExportScene,
+    name: &str,
+) -> Result<Option<TemplateValue>, String> {
     let (camera, resolved) = (&subject.document.camera, subject.resolve());
     let Basis { u, v, w } = *resolved.basis();
     let (eye, viewport, image) = (resolved.eye(), resolved.viewport(), resolved.image());
@@ -187,7 +190,7 @@ pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Va
     let (across, upwards) = (viewport.horizontal_fov(), viewport.vertical_fov());
     let intrinsics = || Intrinsics::from_viewport(viewport, image);
     let from_eye = || resolved.basis().to_camera_from_world(eye);
-    let row = |k: usize| Value::Numbers([u, v, w, eye].map(|column| column[k]).to_vec());
+    let row = |k: usize| TemplateValue::Numbers([u, v, w, eye].map(|column| column[k]).to_vec());
     Ok(Some(match name {
         "columns" => image.width().to_string().into(),
         "rows" => image.height().to_string().into(),
@@ -234,7 +237,7 @@ pub(crate) fn scene_value(subject: &ExportScene, name: &str) -> Result<Option<Va
 
 /// Returns the value of this name that an object has; `None` if there is none. The square that
 /// replaces a plane has rows, the matrix from the unit square to the world, and corners.
-fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Option<Value> {
+fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Option<TemplateValue> {
     match name {
         "title" => return Some(sanitized(&object.title).into()),
         "name" => return Some(quotable(&object.title).into()),
@@ -257,7 +260,7 @@ fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Opt
     let normal = unit(plane.normal);
     let (middle, half, [a, b]) = subject.square_of(&plane);
     let columns = [half * a, half * b, a.cross(b), middle];
-    let row = |k: usize| Value::Numbers(columns.map(|column| column[k]).to_vec());
+    let row = |k: usize| TemplateValue::Numbers(columns.map(|column| column[k]).to_vec());
     let corner = |x: f64, y: f64| (middle + half * (x * a + y * b)).into();
     Some(match name {
         "normal" => normal.into(),

@@ -10,7 +10,7 @@ use pinhole_core::{Object, Rgb};
 
 use crate::format::{Conventions, ExportScene, Format, Include, LeftOut};
 use crate::format::{OwnValues, PixelConvention, square_note};
-use crate::template::{commas, light, n, quotable};
+use crate::template::{self, commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {
     name: "gltf",
@@ -44,7 +44,7 @@ fn own(subject: &ExportScene, notes: &mut Vec<String>) -> Result<OwnValues, Stri
     } else {
         let colors;
         (nodes, colors) = nodes_of(subject, notes);
-        tables = tables_of(&colors);
+        tables = tables_of(&colors)?;
     }
     let indices: Vec<String> = (0..=nodes.len()).map(|k| k.to_string()).collect();
     let objects: String = nodes.iter().map(|node| format!(",\n    {node}")).collect();
@@ -102,44 +102,9 @@ fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec
     (nodes, colors)
 }
 
-/// Returns the vertices of all shapes as bytes, with the views and accessors that describe them.
-fn vertices() -> (Vec<u8>, Vec<String>, Vec<String>) {
-    let (mut bytes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
-    for Mesh { points, triangles } in [sphere(), square()] {
-        let mut add = |part: Vec<u8>, target: u16| {
-            let (from, length) = (bytes.len(), part.len());
-            views.push(format!(
-                "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": {target} }}"
-            ));
-            bytes.extend(part);
-            bytes.resize(bytes.len().next_multiple_of(4), 0);
-        };
-        add(points.iter().flatten().flat_map(|x| x.to_le_bytes()).collect(), 34962);
-        add(triangles.iter().flatten().flat_map(|k| k.to_le_bytes()).collect(), 34963);
-        let (view, points_count, index_count) =
-            (accessors.len(), points.len(), 3 * triangles.len());
-        let bound = |of: fn(f32, f32) -> f32| {
-            let bound = |k: usize| points.iter().map(|p| p[k]).reduce(of).unwrap_or_default();
-            [0, 1, 2].map(|k| bound(k).to_string()).join(", ")
-        };
-        accessors.push(format!(
-            "{{ \"bufferView\": {view}, \"componentType\": 5126, \"count\": {points_count}, \
-             \"type\": \"VEC3\", \"min\": [{}], \"max\": [{}] }}",
-            bound(f32::min),
-            bound(f32::max)
-        ));
-        accessors.push(format!(
-            "{{ \"bufferView\": {}, \"componentType\": 5123, \"count\": {index_count}, \
-             \"type\": \"SCALAR\" }}",
-            view + 1
-        ));
-    }
-    (bytes, views, accessors)
-}
-
-/// Returns the meshes, two for each colour, with their materials and vertices.
-fn tables_of(colors: &[Rgb]) -> String {
-    let (bytes, views, accessors) = vertices();
+/// Returns the meshes, two for each colour, with their materials and vertices. The template states
+/// the number of vertices of each shape, and where in the buffer they are.
+fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     let material = |color: &Rgb| {
         format!(
             "{{ \"pbrMetallicRoughness\": {{ \"baseColorFactor\": [{}, 1], \"metallicFactor\": 0 }}, \
@@ -155,18 +120,22 @@ fn tables_of(colors: &[Rgb]) -> String {
             points + 1
         )
     };
-    let list = |items: Vec<String>| items.join(",\n    ");
-    format!(
-        ",\n  \"meshes\": [\n    {}\n  ],\n  \"materials\": [\n    {}\n  ],\n  \
-         \"accessors\": [\n    {}\n  ],\n  \"bufferViews\": [\n    {}\n  ],\n  \
-         \"buffers\": [{{ \"byteLength\": {}, \"uri\": \"data:application/octet-stream;base64,{}\" }}]",
-        list((0..2 * colors.len()).map(mesh).collect()),
-        list(colors.iter().map(material).collect()),
-        list(accessors),
-        list(views),
-        bytes.len(),
-        BASE64_STANDARD.encode(&bytes)
-    )
+    let mut bytes: Vec<u8> = Vec::new();
+    for Mesh { points, triangles } in [sphere(), square()] {
+        bytes.extend(points.iter().flatten().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(triangles.iter().flatten().flat_map(|k| k.to_le_bytes()));
+    }
+    let list = |items: Vec<String>| Some(items.join(",\n    ").into());
+    let tables = template::section(FORMAT.template, "\n@meshes\n").trim_end();
+    template::filled(tables, |name| {
+        Ok(match name {
+            "meshes" => list((0..2 * colors.len()).map(mesh).collect()),
+            "materials" => list(colors.iter().map(material).collect()),
+            "length" => Some(bytes.len().to_string().into()),
+            "bytes" => Some(BASE64_STANDARD.encode(&bytes).into()),
+            _ => None,
+        })
+    })
 }
 
 /// Returns the unit sphere, divided by longitude and latitude, with counterclockwise triangles as seen from

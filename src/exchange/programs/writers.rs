@@ -6,7 +6,7 @@ use pinhole_core::{DVec3, Object};
 use super::gltf;
 use crate::format::{Axis, Conventions, ExportScene, Format, LeftOut};
 use crate::format::{OwnValues, PixelConvention};
-use crate::template::{Value, commas, n, quotable};
+use crate::template::{TemplateValue, commas, n, quotable};
 
 /// Every format in which a camera can be written.
 pub static FORMATS: [Format; 10] =
@@ -317,6 +317,6 @@ fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, St
     Ok(vec![
         ("geometries", list("geometries", geometries).into()),
         ("materials", list("materials", materials).into()),
-        ("meshes", Value::Text(meshes.concat())),
+        ("meshes", TemplateValue::Text(meshes.concat())),
     ])
 }

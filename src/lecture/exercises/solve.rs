@@ -18,12 +18,10 @@ pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
         Given::Sphere { ray, sphere } => ray_and_sphere(&ray, &sphere)?,
         Given::Lines { line, origin, direction } => two_lines(line, origin, direction),
     };
-    for Wrong { mistake, answers } in wrongs {
-        for (asked, answer) in answers {
-            let part = parts.iter_mut().find(|part| part.asked == asked);
-            if let Some(part) = part.filter(|part| is_another(&part.truth, &answer)) {
-                part.mistakes.push((mistake, answer));
-            }
+    for (mistake, asked, answer) in wrongs {
+        let part = parts.iter_mut().find(|part| part.asked == asked);
+        if let Some(part) = part.filter(|part| is_another(&part.truth, &answer)) {
+            part.mistakes.push((mistake, answer));
         }
     }
     Some(parts)
@@ -38,14 +36,11 @@ fn is_another(truth: &Answer, answer: &Answer) -> bool {
     }
 }
 
-/// A mistake, with the wrong answer to each quantity that it changes.
-pub(super) struct Wrong {
-    pub(super) mistake: Mistake,
-    pub(super) answers: Vec<(Asked, Answer)>,
-}
+/// A mistake, with the wrong answer that it gives to a quantity.
+type Wrong = (Mistake, Asked, Answer);
 
 /// The parts of a question, and the wrong answers that mistakes give.
-pub(super) type Parts = (Vec<QuestionPart>, Vec<Wrong>);
+type Parts = (Vec<QuestionPart>, Vec<Wrong>);
 
 /// Returns the camera of a question. The question's ray is the camera's ray through its (u, v).
 pub(super) fn camera(given: &Given) -> Option<Camera> {
@@ -100,10 +95,6 @@ fn pair(v: DVec2) -> Answer {
     Answer::Numbers(v.to_array().to_vec())
 }
 
-fn one_wrong(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong {
-    Wrong { mistake, answers: vec![(asked, answer)] }
-}
-
 /// Returns the ray from the origin through a position in the viewport: `u U + v V - distance W`.
 fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
     let Basis { u, v, w } = basis;
@@ -117,8 +108,13 @@ fn t_of_wall(ray: &Ray, z: f64) -> f64 {
 }
 
 /// Returns a wrong t and the point that follows from it.
-fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> Wrong {
-    Wrong { mistake, answers: vec![(Asked::T, number(t)), (Asked::Point, point)] }
+fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> [Wrong; 2] {
+    [(mistake, Asked::T, number(t)), (mistake, Asked::Point, point)]
+}
+
+/// Returns a wrong direction and the t at which the ray meets the wall at this z.
+fn wrong_direction(mistake: Mistake, d: DVec3, z: f64) -> [Wrong; 2] {
+    [(mistake, Asked::Direction, vector(d)), (mistake, Asked::T, number(z / d.z))]
 }
 
 /// Returns the canonical camera with another orientation, eye and distance.
@@ -141,10 +137,9 @@ fn ray_through(uv: DVec2) -> Parts {
             ..part_with(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
         },
     ];
-    let p =
-        |x, y, z| one_wrong(Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
+    let p = |x, y, z| (Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
     let mut wrongs = vec![p(0.0, 0.0, -1.0), p(uv.x, uv.y, -1.0), p(uv.x, uv.y, 0.0)];
-    let d = |(mistake, d)| one_wrong(mistake, Asked::Direction, vector(d));
+    let d = |(mistake, d)| (mistake, Asked::Direction, vector(d));
     wrongs.extend(wrong_directions(uv, 1.0).map(d));
     (parts, wrongs)
 }
@@ -182,8 +177,9 @@ fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
         (Mistake::TInverted, 1.0 / t),
         (Mistake::FromViewport, t - 1.0),
     ]
-    .map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t))))
-    .into()
+    .into_iter()
+    .flat_map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t))))
+    .collect()
 }
 
 fn ray_and_wall(uv: DVec2, z: f64) -> Parts {
@@ -200,17 +196,14 @@ fn ray_and_wall(uv: DVec2, z: f64) -> Parts {
     ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
     // The wrong ray's t and point.
-    wrongs.extend(wrong_directions(uv, 1.0).map(|(mistake, d)| {
+    wrongs.extend(wrong_directions(uv, 1.0).flat_map(|(mistake, d)| {
         let t = z / d.z;
         wrong_t(mistake, t, vector(t * d))
     }));
     // d's z calculated from a right t, and t calculated from a right z.
-    wrongs.push(one_wrong(
-        Mistake::SignOfZ,
-        Asked::Point,
-        vector(DVec3::new(point.x, point.y, -z)),
-    ));
-    wrongs.push(one_wrong(Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
+    let mirrored = DVec3::new(point.x, point.y, -z);
+    wrongs.push((Mistake::SignOfZ, Asked::Point, vector(mirrored)));
+    wrongs.push((Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
     (parts, wrongs)
 }
 
@@ -222,10 +215,6 @@ fn wall_at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
         part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
     let scaled = distance * uv;
-    let wrong = |(mistake, d): (Mistake, DVec3)| Wrong {
-        mistake,
-        answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
-    };
     let dropped = Mistake::DistanceDropped;
     let of_distance = [
         (dropped, dropped.usual().direction(AXES, distance, uv)),
@@ -233,10 +222,11 @@ fn wall_at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
         (Mistake::DistanceOnUv, scaled.extend(-1.0)),
         (Mistake::ViewportAtOne, (uv / distance).extend(-1.0)),
     ];
+    let directions = of_distance.into_iter().chain(wrong_directions(uv, distance));
     let mut wrongs: Vec<Wrong> =
-        of_distance.into_iter().chain(wrong_directions(uv, distance)).map(wrong).collect();
+        directions.flat_map(|(mistake, d)| wrong_direction(mistake, d, z)).collect();
     wrongs.extend(wrong_t_of_wall(&ray, t, z));
-    wrongs.push(one_wrong(Mistake::FromViewport, Asked::T, number(-z - distance)));
+    wrongs.push((Mistake::FromViewport, Asked::T, number(-z - distance)));
     (parts, wrongs)
 }
 
@@ -252,20 +242,16 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         part_with(Asked::Direction, vector(ray.direction), vec![through]),
         part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
-    // The t is that of the wall along the wrong direction.
-    let direction = |mistake, d: DVec3| Wrong {
-        mistake,
-        answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
-    };
+    let direction = |mistake, d: DVec3| wrong_direction(mistake, d, z).to_vec();
     let basis = |mistake, u: DVec3, v: DVec3, w: DVec3| {
-        let mut wrong = direction(mistake, uv.x * u + uv.y * v - w);
-        wrong.answers.extend(basis_answers(u, v, w));
-        wrong
+        let mut wrongs = direction(mistake, uv.x * u + uv.y * v - w);
+        wrongs.extend(wrong_basis(mistake, u, v, w));
+        wrongs
     };
     // The vectors of length √2 and √½: the sum of the two axes, and their mean.
     let sum = |v: DVec3| v.signum() * v.abs().ceil();
     let other_way = turned(DVec3::new(right.x, right.y, -right.z));
-    let mut wrongs = vec![
+    let mut wrongs = [
         basis(Mistake::WForwards, u, v, -w),
         basis(Mistake::ULeftwards, -u, v, w),
         basis(Mistake::VIsUCrossW, u, -v, w),
@@ -284,13 +270,14 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         direction(Mistake::ULeft, -uv.x * u + uv.y * v - w),
         direction(Mistake::FlatDirection, uv.x * u + uv.y * v),
         direction(Mistake::UvLeftOut, -w),
-    ];
+    ]
+    .concat();
     wrongs.extend(wrong_t_of_wall(&ray, t, z));
     (parts, wrongs)
 }
 
-fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, Answer); 3] {
-    [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
+fn wrong_basis(mistake: Mistake, u: DVec3, v: DVec3, w: DVec3) -> [Wrong; 3] {
+    [(Asked::U, u), (Asked::V, v), (Asked::W, w)].map(|(asked, v)| (mistake, asked, vector(v)))
 }
 
 /// Returns the parts of a question about a basis found from view or at, and up; `None` if up does
@@ -307,18 +294,17 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
         },
         QuestionPart { orthogonal_to: vec![("𝐰", w), ("𝐮", u)], ..part(Asked::V, vector(v)) },
     ];
-    let basis =
-        |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };
     // Effects that are visible in the answer come before their possible causes.
-    let mut wrongs = vec![basis(Mistake::ULeftwards, -u, v, w)];
-    wrongs.extend(
-        wrong_cameras(&camera).map(|(mistake, made)| basis(mistake, made.u, made.v, made.w)),
-    );
-    wrongs.push(basis(Mistake::UAndVSwapped, v, u, w));
-    wrongs.extend(wrong_points(&camera).filter_map(|(mistake, back)| {
-        let Basis { u, v, w } = Basis::from_view_up(-back, camera.up()).ok()?;
-        Some(basis(mistake, u, v, w))
-    }));
+    let mut wrongs = wrong_basis(Mistake::ULeftwards, -u, v, w).to_vec();
+    for (mistake, made) in wrong_cameras(&camera) {
+        wrongs.extend(wrong_basis(mistake, made.u, made.v, made.w));
+    }
+    wrongs.extend(wrong_basis(Mistake::UAndVSwapped, v, u, w));
+    for (mistake, back) in wrong_points(&camera) {
+        if let Ok(Basis { u, v, w }) = Basis::from_view_up(-back, camera.up()) {
+            wrongs.extend(wrong_basis(mistake, u, v, w));
+        }
+    }
     Some((parts, wrongs))
 }
 
@@ -381,15 +367,13 @@ fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     ];
     let mut wrongs: Vec<Wrong> = Vec::new();
     if let Roots::Two(_, far) = roots {
-        let mut wrong = wrong_t(Mistake::FarRoot, far, vector(ray.at(far)));
-        wrong.answers.push((Asked::Normal, vector(normal(ray.at(far)))));
-        wrongs.push(wrong);
+        wrongs.extend(wrong_t(Mistake::FarRoot, far, vector(ray.at(far))));
+        wrongs.push((Mistake::FarRoot, Asked::Normal, vector(normal(ray.at(far)))));
     }
     let ts = wrong_roots(ray, sphere)
         .into_iter()
         .chain([(Mistake::TForDistance, ray.distance_along(t)), (Mistake::SignOfT, -t)]);
-    wrongs.extend(ts.map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t)))));
-    let of_normal = |(mistake, n)| one_wrong(mistake, Asked::Normal, vector(n));
+    wrongs.extend(ts.flat_map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t)))));
     let normals = [
         (Mistake::NormalInwards, -n),
         (Mistake::NormalInwards, -sphere.radius * n),
@@ -397,7 +381,7 @@ fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
         (Mistake::NormalAgainstRay, -ray.direction.normalize()),
         (Mistake::NormalFromOrigin, point.normalize_or_zero()),
     ];
-    wrongs.extend(normals.map(of_normal));
+    wrongs.extend(normals.map(|(mistake, n)| (mistake, Asked::Normal, vector(n))));
     Some((parts, wrongs))
 }
 
@@ -448,9 +432,9 @@ fn two_lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
         (Mistake::PAndDSwapped, -(step + c) / normal.dot(origin)),
     ]
     .into_iter()
-    .map(|(mistake, t)| wrong_t(mistake, t, at(t)))
+    .flat_map(|(mistake, t)| wrong_t(mistake, t, at(t)))
     .collect();
-    wrongs.push(one_wrong(Mistake::OriginLeftOut, Asked::Point, pair(t * direction)));
-    wrongs.push(one_wrong(Mistake::LineForRay, Asked::Hits, Answer::Yes(t <= 0.0)));
+    wrongs.push((Mistake::OriginLeftOut, Asked::Point, pair(t * direction)));
+    wrongs.push((Mistake::LineForRay, Asked::Hits, Answer::Yes(t <= 0.0)));
     (parts, wrongs)
 }

@@ -10,7 +10,7 @@ use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::grade::{
     Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
-use super::hits::{Comparison, Hits, Rays, Vectors, truth_of};
+use super::hits::{GradingContext, Hits, Rays, Vectors, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use crate::mistakes::{GivenCamera, Mistake, Pipeline};
 
@@ -147,7 +147,7 @@ impl<'a> Grader<'a> {
         digits: f64,
     ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
         let right = self.given.camera_of(Pipeline::RIGHT);
-        let with = Comparison { given: &self.given, right, tolerance: self.tolerance, digits };
+        let with = GradingContext { given: &self.given, right, tolerance: self.tolerance, digits };
         Ok(match answers {
             Answers::Basis(answers) => Box::new(Vectors { answers, with }),
             Answers::Rays(answers) => Box::new(Rays { answers, with }),

@@ -11,7 +11,7 @@ use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
 /// What the answers of a kind are compared with, and how exactly.
 #[derive(Clone, Copy)]
-pub(super) struct Comparison<'a> {
+pub(super) struct GradingContext<'a> {
     pub(super) given: &'a GivenCamera,
     /// The camera without any mistake.
     pub(super) right: PipelineCamera,
@@ -26,7 +26,7 @@ pub(super) struct Hits<'a> {
     /// The true hits in their places.
     pub(super) first: Vec<Option<Hit>>,
     pub(super) scene: &'a Scene,
-    pub(super) with: Comparison<'a>,
+    pub(super) with: GradingContext<'a>,
 }
 
 impl Fits for Hits<'_> {
@@ -82,7 +82,7 @@ impl Fits for Hits<'_> {
     }
 }
 
-impl Comparison<'_> {
+impl GradingContext<'_> {
     /// Returns true if the image has this pixel.
     fn has(&self, pixel: Pixel) -> bool {
         self.given.resolved.image().contains(pixel)
@@ -205,7 +205,7 @@ pub(super) fn truth_of(
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
-    pub(super) with: Comparison<'a>,
+    pub(super) with: GradingContext<'a>,
 }
 
 impl Fits for Vectors<'_> {
@@ -241,7 +241,7 @@ impl Fits for Vectors<'_> {
 
 pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
-    pub(super) with: Comparison<'a>,
+    pub(super) with: GradingContext<'a>,
 }
 
 impl Fits for Rays<'_> {
@@ -251,7 +251,7 @@ impl Fits for Rays<'_> {
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
-        let Comparison { tolerance, digits, .. } = self.with;
+        let GradingContext { tolerance, digits, .. } = self.with;
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let rounding = digits * direction.rounding / length(direction.value);
         let origin_off = tolerance * self.size(camera)

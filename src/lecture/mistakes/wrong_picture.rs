@@ -5,9 +5,9 @@
 //! fast as any other. If up is used as v, this holds for each row separately.
 
 use pinhole_core::{
-    BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageError, ImageSize,
-    NO_OBJECT, Orientation, Outputs, Paint, Pixel, Raster, ResolvedCamera, Rgb, Scene, Shade,
-    Viewport, trace_as,
+    BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageSize, NO_OBJECT,
+    Orientation, Outputs, Paint, Pixel, Raster, ResolvedCamera, Rgb, Scene, Shade, Viewport,
+    trace_as,
 };
 use rayon::prelude::*;
 
@@ -21,7 +21,8 @@ use crate::mistakes::wrong_camera::WrongCamera;
 #[non_exhaustive]
 pub struct WrongPicture {
     camera: WrongCamera,
-    raster: Raster,
+    /// The rows and columns that were traced.
+    pub raster: Raster,
     /// The `t` of the first hit of every pixel of the raster, row by row; infinite for a miss.
     pub t: Vec<f32>,
     /// The object hit, or [`NO_OBJECT`].
@@ -139,11 +140,6 @@ impl WrongPicture {
         }
     }
 
-    /// Returns the rows and columns that were traced.
-    pub fn raster(&self) -> &Raster {
-        &self.raster
-    }
-
     /// Returns the colours, row by row, calculated as for a right camera's picture.
     pub fn shaded<P: Clone + Send + Sync>(
         &self,
@@ -170,12 +166,6 @@ impl WrongPicture {
         };
         (0..self.object.len()).into_par_iter().map(|index| to_pixel(color(index))).collect()
     }
-
-    /// Counts the pixels whose object differs from that of a right frame with the same raster,
-    /// including pixels where only one of the two sees an object.
-    pub fn differing(&self, object: &[u32]) -> usize {
-        self.object.iter().zip(object).filter(|(wrong, right)| wrong != right).count()
-    }
 }
 
 impl WrongCamera {
@@ -193,12 +183,7 @@ impl WrongCamera {
             height: rows.extent,
             distance: self.distance() * self.made.factors.z.abs(),
         };
-        resolve(
-            self.right_camera().eye(),
-            basis,
-            viewport,
-            ImageSize::partly_traced(columns.count, rows.count),
-        )
+        self.resolve(basis, viewport, [columns.count, rows.count])
     }
 
     /// Returns the right camera that has the same rays as this camera in one row, where `upward` is
@@ -215,23 +200,19 @@ impl WrongCamera {
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
         let basis = Basis { u, v: w.cross(u), w };
-        resolve(
-            self.right_camera().eye(),
-            basis,
-            viewport,
-            ImageSize::partly_traced(columns.count, 1),
-        )
+        self.resolve(basis, viewport, [columns.count, 1])
     }
-}
 
-fn resolve(
-    eye: DVec3,
-    basis: Basis,
-    viewport: Viewport,
-    image: Result<ImageSize, ImageError>,
-) -> Result<ResolvedCamera, CameraError> {
-    let image = image.map_err(CameraError::Image)?;
-    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.resolve()
+    fn resolve(
+        &self,
+        basis: Basis,
+        viewport: Viewport,
+        [columns, rows]: [u32; 2],
+    ) -> Result<ResolvedCamera, CameraError> {
+        let image = ImageSize::partly_traced(columns, rows).map_err(CameraError::Image)?;
+        let (eye, orientation) = (self.right_camera().eye(), Orientation::Basis(basis));
+        Camera { eye, orientation, viewport, image }.resolve()
+    }
 }
 
 fn traced(scene: &Scene, camera: &ResolvedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
@@ -307,7 +288,7 @@ impl ComparedCamera {
         match WrongPicture::trace(scene, camera, raster) {
             Ok(picture) => {
                 let right = right_objects(resolved, scene, raster);
-                let differing = picture.differing(&right);
+                let differing = count_differing(&picture.object, &right);
                 wrong.seen = Some(ComparedPixels { pixels: right.len(), differing });
                 let Paint { shade, color_of, to_pixel } = paint;
                 let pixels = picture.shaded(scene, shade, color_of, to_pixel);
@@ -394,8 +375,13 @@ fn different_pictures(
 
 /// Returns true if two pictures differ visibly.
 fn differ(a: &[u32], b: &[u32]) -> bool {
-    let differing = a.iter().zip(b).filter(|(a, b)| a != b).count();
-    differing * DIFFERS_FROM >= a.len().max(1)
+    count_differing(a, b) * DIFFERS_FROM >= a.len().max(1)
+}
+
+/// Counts the pixels whose objects differ, including pixels where only one of the two is
+/// [`NO_OBJECT`].
+fn count_differing(a: &[u32], b: &[u32]) -> usize {
+    a.iter().zip(b).filter(|(a, b)| a != b).count()
 }
 
 /// The random number generator SplitMix64, with its state: Steele, Lea, Flood, "Fast splittable
